@@ -69,22 +69,24 @@ BAD: dict[str, tuple[bytes, str]] = {
     "ASCII in UTF-16": ("Address,Name\n0x10,a\n".encode("utf-16-le"), "is binary: use a CSV or XLSX file, or add"),
     "old Excel": (b"\xd0\xcf\x11\xe0" + b"\0" * 600, "is an old workbook of Excel; save it as .xlsx"),
     "PDF": (b"%PDF-1.7\n", "is a PDF; save its table as CSV"),
-    "thousands": (b'Address,Name\n"8,192",a\n', "has the address `8,192` in row 2, with thousands separators"),
-    "points between thousands": (b"Address;Name\n1.000;a\n", "address `1.000` in row 2, with thousands separators"),
+    "thousands": (b'Address,Name\n"8,192",a\n', "`8,192` in row 2, which is written with thousands separators"),
+    "points between thousands": (
+        b"Address;Name\n1.000;a\n",
+        "`1.000` in row 2, which is written with thousands separators",
+    ),
     "apostrophes": (b"Address,Name\n8'192,a\n", "with thousands separators"),
     "columns parted by blanks": (b"Address Name\n0x10 a\n", "use tabs, commas or bars instead"),
-    "words": (b"Address,Name\nfour,a\n", "has no address under Address: `four` in row 2; name the column"),
-    "fractions": (b"Address,Name\n16.5,a\n", "has no address under Address: `16.5` in row 2"),
+    "words": (
+        b"Address,Name\nfour,a\n",
+        "has no address under Address: `four` in row 2, which is no address; name the column",
+    ),
+    "fractions": (b"Address,Name\n1.6.5,a\n", "has no address under Address: `1.6.5` in row 2"),
     "huge numbers": (b"Address,Name\n99999999999999,a\n", "has no address under Address"),
-    "above 32 bits": (b"Address,Name\n9999999999,a\n", "which is too great"),
+    "above 32 bits": (b"Address,Name\n9999999999,a\n", ": is too great"),
     "an open quote": (b'Address,Name\n0x10,"a\n' + b"x" * 200000, "cannot be read as a table at row 2"),
     "JSON that is none": (b'[{"address": 1]', "begins like JSON but is not JSON"),
     "JSON of numbers": (b"[1, 2]", "is JSON but not a list of objects"),
     "JSON too deep": (b"[" * 100000, "is JSON that is nested more than 16 levels deep"),
-    "formulas": (book(cell("A3", "=A2+1")), "has formulas in A3; save the list with values instead of formulas"),
-    "merged rows": (book(merged("B2:B3")), "has merged cells B2:B3; undo the merge and fill each cell"),
-    "scientific": (book(cell("A2", 2e10)), "has no address under Address: `20000000000`"),
-    "dates": (book(cell("A2", "2024-01-01")), "has no address under Address"),
     "an empty workbook": (book(lambda workbook: workbook.worksheets[0].delete_rows(1, 9)), "is empty"),
     "a workbook cut off": (book(cell("A1", "Address"))[:2000], "is a truncated or protected workbook"),
     "a zip file": (packed(readme_txt="x"), "is an archive and not a workbook"),
@@ -250,6 +252,34 @@ def test_formulas_and_merged_cells_that_are_not_used_do_no_harm(run: CommandLine
     path = tmp_path / "list.xlsx"
     path.write_bytes(book(change))
     assert run("compare", "tc100", str(path)).code == 1
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (cell("A3", "=A2+1"), "3    A3    is a formula whose value the file does not have"),
+        (cell("A2", 2e10), "2    20000000000  is no address"),
+        (cell("A2", "2024-01-01"), "2    2024-01-01  is no address"),
+    ],
+)
+def test_a_row_that_cannot_be_read_is_a_difference_and_hides_no_other(
+    change: Callable[[openpyxl.Workbook], object], text: str, run: CommandLine, tmp_path: Path
+) -> None:
+    path = tmp_path / "list.xlsx"
+    path.write_bytes(book(change))
+    ran = run("compare", "tc100", str(path), "--format", "csv")
+    assert ran.code == 1
+    row, address, reason = text.split(maxsplit=2)
+    assert f"not compared,,{row},{address},{reason},," in ran.out.splitlines()
+
+
+def test_a_text_that_is_merged_over_rows_counts_for_each_of_them(run: CommandLine, tmp_path: Path) -> None:
+    path = tmp_path / "list.xlsx"
+    path.write_bytes(book(merged("B2:B3")))
+    ran = run("import", str(path), "--to", "-")
+    assert ran.code == 0
+    assert "at: 0x2000, name: a," in ran.out
+    assert "at: 0x2001, name: a_2001," in ran.out
 
 
 LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).map(str.encode)

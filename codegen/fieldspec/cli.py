@@ -261,7 +261,7 @@ def _parser() -> argparse.ArgumentParser:
         """The options that say how a list is read."""
         inner.add_argument("--encoding", metavar="NAME", help="the encoding of the text, such as gbk, big5 or utf-16")
         inner.add_argument(
-            "--sheet", metavar="NAME", help="the sheet of a workbook (default: the first that is not empty)"
+            "--sheet", metavar="NAME", help="the sheet of a workbook (default: the one with most columns of a list)"
         )
         column_help = "a heading, a letter or a number (default: guessed from the headings)"
         inner.add_argument("--address", metavar="COLUMN", help=f"the column with the addresses: {column_help}")
@@ -269,6 +269,17 @@ def _parser() -> argparse.ArgumentParser:
             inner.add_argument(f"--{role}", metavar="COLUMN", help=f"the column with the {role}")
         bases = "the notation of addresses; 4xxxx: 40001 is address 0"
         inner.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help=bases)
+        roles = "the column of any role, such as scale=F; repeat it for further columns"
+        inner.add_argument("--column", action="append", metavar="ROLE=COLUMN", help=roles)
+        inner.add_argument("--decimal", choices=("comma", "point"), help="the sign before the fraction of a number")
+        gains = "how the factors of the list are used: quantity = count \u00d7 factor, or count ÷ factor"
+        inner.add_argument("--gain", choices=("multiply", "divide"), help=gains)
+        inner.add_argument(
+            "--bounds", choices=("counts", "unit"), help="what bounds and defaults beside a scale are in"
+        )
+        inner.add_argument("--length", choices=("words", "bytes", "bits"), help="what lengths count")
+        orders = "the order of the bytes of two words, where the list does not say it"
+        inner.add_argument("--order", choices=("ABCD", "CDAB", "BADC", "DCBA"), help=orders)
         higher = "the difference between addresses in the list and on the wire: 1 if the list counts from 1"
         inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
 
@@ -285,6 +296,11 @@ def _parser() -> argparse.ArgumentParser:
     target = "the file to write, DEVICE/device.yaml (-: standard output)"
     into.add_argument("--to", metavar="YAML", required=True, help=target)
     list_options(into)
+    frames = "the protocol that carries the registers (default: the only one that reads words), or none"
+    into.add_argument("--protocol", metavar="NAME", help=frames)
+    into.add_argument("--strict", action="store_true", help="refuse a list of which anything is not used")
+    rows = "print the first rows as they were understood (default: 10)"
+    into.add_argument("--preview", type=int, nargs="?", const=10, metavar="NUMBER", help=rows)
     into.set_defaults(verb="importing")
 
     audit = verb("audit", "report the evidence that the spec of a device is right, and where it is missing")

@@ -8,10 +8,11 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.command.rendering.blocks import Block, Line, Table
 from fieldspec.foundation.spreadsheet import guarded
-from fieldspec.tools.lists.cells import DECIMAL, HEXADECIMAL
-from fieldspec.tools.lists.column_roles import folded
+from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL
 from fieldspec.tools.lists.comparison import Compared, Missing
-from fieldspec.tools.lists.listing import Listing, ListRow
+from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.words import folded
 
 COLUMNS = ("result", "address", "row", "name", "what", "ours", "theirs")
 _ADDRESSES = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal"}
@@ -28,6 +29,10 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
     roles = [role for role in listing.columns.places if role != "address"]
     if roles:
         yield Line("columns: " + ", ".join(_column(role, listing.heading(role)) for role in roles))
+    if left := [listing.columns.heading_at(place) for place in listing.columns.unused()]:
+        yield Line("columns not compared: " + ", ".join(left))
+    if listing.assumptions:
+        yield Line("assumed: " + "; ".join(entry.text() for entry in listing.assumptions))
     if listing.skipped:
         rows = ", ".join(map(str, listing.skipped[:_MOST_SKIPPED]))
         rest_text = f" and {len(listing.skipped) - _MOST_SKIPPED} more" if len(listing.skipped) > _MOST_SKIPPED else ""
@@ -38,10 +43,12 @@ def blocks(result: Compared, listing: Listing) -> Iterator[Block]:
     yield from _section("differs", ("address", "row", "name", "what", "ours", "theirs"), _differing(result))
     yield from _section("only in the list", ("address", "row", "name", "remark"), _extras(result))
     yield from _section("only in the device", ("address", "name"), _missing_rows(result))
+    yield from _section("not compared", ("row", "cell", "reason"), _unreadable(result))
     yield Line("")
     yield Line(
         f"{len(result.agreeing)} agree, {len(result.differing)} differ, {len(result.extras)} only in the list, "
         f"{len(result.missing)} only in the device"
+        + (f", {len(result.unreadable)} not compared" if result.unreadable else "")
     )
 
 
@@ -54,6 +61,8 @@ def as_data(result: Compared, listing: Listing) -> dict[str, object]:
         "offset_is_a_difference": result.shifted,
         "columns": {role: listing.heading(role) for role in listing.columns.places},
         "rows_without_an_address": list(listing.skipped),
+        "columns_not_compared": [listing.columns.heading_at(place) for place in listing.columns.unused()],
+        "not_compared": [{"row": entry.row, "cell": entry.cell, "reason": entry.reason} for entry in result.unreadable],
         "agree": [
             {"address": pair.row.address, "row": pair.row.row, "name": pair.item.name} for pair in result.agreeing
         ],
@@ -92,6 +101,7 @@ def as_csv(result: Compared) -> str:
     ]
     rows += [("differs", *cells) for cells in _differing(result)]
     rows += [("only in the list", *cells[:3], "", "", cells[3]) for cells in _extras(result)]
+    rows += [("not compared", "", row, cell, reason, "", "") for row, cell, reason in _unreadable(result)]
     rows += [("only in the device", address, "", name, "", "", "") for address, name in _missing_rows(result)]
     writer.writerows([guarded(cell) for cell in row] for row in rows)
     return output.getvalue()
@@ -136,6 +146,10 @@ def _extras(result: Compared) -> list[tuple[str, ...]]:
     return [
         (_address(extra.row.address), str(extra.row.row), _name(extra.row), extra.remark) for extra in result.extras
     ]
+
+
+def _unreadable(result: Compared) -> list[tuple[str, ...]]:
+    return [(str(refusal.row), refusal.cell, refusal.reason) for refusal in result.unreadable]
 
 
 def _missing_rows(result: Compared) -> list[tuple[str, ...]]:

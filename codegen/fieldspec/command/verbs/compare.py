@@ -26,10 +26,10 @@ def run(arguments: argparse.Namespace) -> int:
     columns = list_files.column_options(arguments)
     try:
         sheet = list_files.sheet(list_files.content(arguments.file), arguments.encoding or "", arguments.sheet or "")
-        register_list = listing(sheet, columns, arguments.base or "")
+        register_list = listing(sheet, columns, list_files.reading_options(arguments))
+        result = compared(items(layout), register_list, arguments.offset, ignored)
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None
-    result = compared(items(layout), register_list, arguments.offset, ignored)
     if arguments.format == "json":
         print_json(comparison.as_data(result, register_list), indent=1)
     elif arguments.format == "csv":

@@ -5,27 +5,52 @@ from __future__ import annotations
 import argparse
 import hashlib
 import re
-from collections.abc import Iterator
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from fieldspec.command.console.streams import print_document, print_line, print_note
-from fieldspec.command.console.usage import UsageError
+from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import list_files, storage
-from fieldspec.command.sources import specs
+from fieldspec.command.sources import protocol_entries, spec_files, specs
 from fieldspec.foundation.reserved import file_name_fault
-from fieldspec.language.diagnostics import has_errors
-from fieldspec.language.reading.findings import MAIN
+from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.reading.findings import MAIN, PROTOCOLS
 from fieldspec.language.schema import schema
 
+if TYPE_CHECKING:
+    from fieldspec.tools.lists.imported import Imported
+    from fieldspec.tools.lists.skeleton import Origin, Spec
+
+NO_PROTOCOL = "none"
+
 _FOLDER = re.compile(r"[^a-z0-9]+")
+_MOST_ROUNDS = 12
+_ABOUT_TEXTS = (
+    "bits_match_range",
+    "descriptions_differ",
+    "enum_contiguous",
+    "enum_names_unique",
+    "enum_within_range",
+    "identifiers_consistent",
+    "labels_consistent",
+    "labels_unique",
+    "printed_names_whole",
+    "range_within_enum",
+    "senses_differ",
+    "siblings_agree",
+    "sources_ascending",
+)
+"""The rules that a list may break: they are about its texts, and not about what is on the wire."""
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors. Raises UsageError."""
-    from fieldspec.tools.lists.cells import REFERENCE
-    from fieldspec.tools.lists.listing import listing, moved
+    from fieldspec.command.rendering import import_report
+    from fieldspec.tools.lists.imported import imported
+    from fieldspec.tools.lists.listing import listing
     from fieldspec.tools.lists.sheet import ListError
-    from fieldspec.tools.lists.skeleton import Origin, skeleton
+    from fieldspec.tools.lists.skeleton import Origin
 
     path = Path(arguments.to)
     device = _device(path)
@@ -33,47 +58,95 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"the file {path} already exists")
     data = list_files.content(arguments.file)
     file = Path(arguments.file).name if arguments.file != "-" else "list.txt"
-    columns = list_files.column_options(arguments)
+    columns, options = list_files.column_options(arguments), list_files.reading_options(arguments)
     try:
         sheet = list_files.sheet(data, arguments.encoding or "", arguments.sheet or "")
-        register_list = listing(sheet, columns, arguments.base or "")
-        base = REFERENCE if REFERENCE in register_list.bases else register_list.bases[0]
-        rows = list(moved(register_list.rows(base), arguments.offset or 0))
-        low = next((row for row in rows if row.address < 0), None)
-        if low is not None:
-            raise ListError(f"has an address below 0 in row {low.row}, with the offset {arguments.offset}")
+        register_list = listing(sheet, columns, options)
+        result = imported(register_list, sheet, arguments.offset or 0)
         origin = Origin(file, hashlib.sha256(data).hexdigest(), max(sheet.lines, 1))
-        text = specs.editor_line() + skeleton(device, origin, rows)
+        spec, result = _passing(arguments, device, origin, result)
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None
-    _passes(device, text, arguments.file)
+    if arguments.strict and (lacking := import_report.lacking(result)):
+        raise UsageError(f"{arguments.file} is not taken whole, which --strict demands: {lacking}")
+    say = print_note if arguments.to == "-" else print_line
     if arguments.to == "-":
-        print_document(text)
-        return 0
-    if path.name == MAIN:
-        specs.bring_schema(path.resolve().parent.parent)
-    storage.write(path, text.encode("utf-8"), new=True)
-    skipped = f", {len(register_list.skipped)} rows without an address" if register_list.skipped else ""
-    print_line(f"{specs.relative_path(path)}: {len(rows)} registers, addresses read as {base}{skipped}")
-    for remark in _remarks(text):
-        print_note(remark)
+        print_document(spec.text)
+    else:
+        if path.name == MAIN:
+            specs.bring_schema(path.resolve().parent.parent)
+        storage.write(path, spec.text.encode("utf-8"), new=True)
+    name = "standard output" if arguments.to == "-" else specs.relative_path(path)
+    for line in import_report.lines(name, result):
+        say(line)
+    if arguments.preview is not None:
+        for line in import_report.preview(result, arguments.preview):
+            say(line)
     return 0
 
 
-def _remarks(text: str) -> Iterator[str]:
-    """What to look at in a spec that was written from a list, without which a cell would go unnoticed."""
-    rows = [line for line in text.splitlines() if line.lstrip().startswith("- {")]
-    doubtful = sum("notes: [" in row for row in rows)
-    if doubtful:
-        yield f"fieldspec: cells of {_registers(doubtful)} are no facts that the spec can have; see `notes`"
-    scaled = sum(" scale: " in row and " range: " in row for row in rows)
-    if scaled:
-        help = "where the list has them in the unit, write `unit_range`"
-        yield f"fieldspec: the bounds of {_registers(scaled)} with a scale are taken as counts; {help}"
+def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result: Imported) -> tuple[Spec, Imported]:
+    """The spec that passes the check: what breaks a rule about texts is allowed, what breaks another one is refused."""
+    from fieldspec.command.rendering import import_report
+    from fieldspec.tools.lists.skeleton import Surroundings, skeleton
+
+    uses = _uses(arguments, result.spaces()) if result.has_usual_spaces() else {}
+    allowed: dict[int, list[str]] = {}
+    for _ in range(_MOST_ROUNDS):
+        surroundings = Surroundings(import_report.head(result, bool(uses)), uses, allowed)
+        spec = skeleton(device, origin, result.registers, result.refused, surroundings)
+        spec = _with_editor_line(spec)
+        wrong = _errors(device, spec.text)
+        if not wrong:
+            return spec, result
+        refused: dict[int, str] = {}
+        for finding in wrong:
+            row = spec.rows.get(finding.span.position()[0], 0)
+            if row and finding.code in _ABOUT_TEXTS:
+                allowed.setdefault(row, []).append(finding.code)
+            elif row:
+                refused.setdefault(row, f"would break {finding.code}: {finding.message}")
+            elif finding.code != "too_many_findings":
+                raise UsageError(f"{arguments.file} contradicts itself: {finding.message[:400]}")
+        result = result.without(refused)
+        if not result.registers:
+            raise UsageError(f"{arguments.file} contradicts itself: {wrong[0].message[:400]}")
+    raise UsageError(f"{arguments.file} contradicts itself: {wrong[0].message[:400]}")
 
 
-def _registers(number: int) -> str:
-    return "1 register" if number == 1 else f"{number} registers"
+def _with_editor_line(spec: Spec) -> Spec:
+    from fieldspec.tools.lists.skeleton import Spec
+
+    line = specs.editor_line()
+    shift = line.count("\n")
+    return Spec(line + spec.text, {number + shift: row for number, row in spec.rows.items()})
+
+
+def _uses(arguments: argparse.Namespace, spaces: Sequence[str]) -> dict[str, list[str]]:
+    """The sections of the protocol that carries registers: the one that is named, or the only one that reads words."""
+    if arguments.protocol == NO_PROTOCOL:
+        return {}
+    places = {name: Path(path) for name, path in spec_files.installed_protocols().items()}
+    folder = (
+        spec_files.folder_or_none(arguments.specs)
+        if arguments.specs is None or Path(arguments.specs).is_dir()
+        else None
+    )
+    if folder is not None:
+        places |= {path.stem: path for path in (Path(folder) / PROTOCOLS).glob("*.yaml")}
+    if arguments.protocol is not None and arguments.protocol not in places:
+        raise unknown("protocol", arguments.protocol, [*sorted(places), NO_PROTOCOL])
+    known = (
+        [arguments.protocol]
+        if arguments.protocol
+        else [name for name in sorted(places) if protocol_entries.reads_words(places[name])]
+    )
+    if len(known) != 1:
+        names = ", ".join(known) or "none"
+        raise UsageError(
+            f"the protocols that read words are {names}; name one with --protocol, or --protocol {NO_PROTOCOL}"
+        )
+    return protocol_entries.uses(places[known[0]], spaces)
 
 
 def _device(path: Path) -> str:
@@ -90,15 +163,11 @@ def _device(path: Path) -> str:
     return str(identity)
 
 
-def _passes(device: str, text: str, name: str) -> None:
-    """Refuses a spec that would not pass the check, because the list contradicts itself. Raises UsageError."""
+def _errors(device: str, text: str) -> list[Diagnostic]:
+    """What a spec would not pass the check with, because the list contradicts itself."""
     from fieldspec.command import pipeline
     from fieldspec.command.packages.plugin_loading import load_checks
 
     load_checks()
-    findings = pipeline.checked(pipeline.load({f"{device}/{MAIN}": text.encode("utf-8")}))
-    if has_errors(findings):
-        messages = "; ".join(
-            dict.fromkeys(finding.message for finding in findings if finding.severity.value == "error")
-        )
-        raise UsageError(f"{name} contradicts itself: {messages[:400]}")
+    files = spec_files.with_protocols({f"{device}/{MAIN}": text.encode("utf-8")})
+    return [finding for finding in pipeline.checked(pipeline.load(files)) if finding.severity is Severity.ERROR]

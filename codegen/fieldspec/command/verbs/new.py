@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import os
 import re
-from collections.abc import Iterator
 from importlib import resources
 from pathlib import Path
 from string import Template
@@ -14,14 +13,12 @@ from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import regular_file
 from fieldspec.command.files.storage import write
-from fieldspec.command.sources import spec_files, specs
+from fieldspec.command.sources import protocol_entries, spec_files, specs
 from fieldspec.command.sources.spec_files import INSTALLED
 from fieldspec.foundation.reserved import file_name_fault
-from fieldspec.language.model.address_space import BIT, WORD
 from fieldspec.language.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
 from fieldspec.language.reading.nodes import Mapping, Scalar, identity, mappings
-from fieldspec.language.reading.project import DeviceSpec, read
-from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 from fieldspec.language.schema import schema
 
@@ -34,16 +31,6 @@ _WITHOUT_EFFECT = {
     "schema": ("name", "version", "based_on", "line", "protocol"),
 }
 """The options of other kinds of files."""
-
-# The sections of a protocol whose entries a device must cite, and the keys that an entry needs there.
-_CITED: dict[str, tuple[str, ...]] = {
-    "links": (),
-    "messages": (),
-    "enums": (),
-    "flags": ("type", "bits"),
-    "records": ("fields",),
-    "parameters": ("rows",),
-}
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -134,7 +121,7 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, Path, str]:
     text = specs.editor_line() + _fill_skeleton("device", name=name)
     if arguments.protocol in SHAPES:
         return folder, path, text + _fill_skeleton(arguments.protocol)
-    overlays = "\n".join(_overlays(places[arguments.protocol]))
+    overlays = "\n".join(protocol_entries.entries(places[arguments.protocol]))
     return folder, path, text + _fill_skeleton("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
 
 
@@ -167,65 +154,6 @@ def _bring_protocols(folder: Path, name: str) -> None:
             waiting += [use.text for use in used if isinstance(use, Scalar) and use.text not in waiting]
         write(folder / path, data, new=True)
         print_line(specs.relative_path(folder / path))
-
-
-def _overlays(path: Path) -> Iterator[str]:
-    """A line for each entry of a protocol that a device must cite. Raises UsageError."""
-    try:
-        content = regular_file.content(path, LARGEST_FILE)
-    except OSError as error:
-        raise UsageError(f"cannot read {path}: {error.strerror}") from None
-    node, _ = parsed(decoded(path.name, content)[0])
-    tree = typed(node)[0] if node is not None else None
-    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": content}).findings:
-        raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
-    for section, required_keys in _CITED.items():
-        items = list(mappings(tree.values.get(section)))
-        if items:
-            yield f"{section}:"
-        for item in items:
-            keys_text = "".join(f", {key}: {_needed(item, key)}" for key in required_keys if key in item.values)
-            order = ", word_order: big" if section == "links" else ""
-            yield f"  - {{name: {identity(item)}, source: 1 L1{order}{keys_text}}}"
-    yield from _spaces(list(mappings(tree.values.get("messages"))))
-
-
-def _needed(item: Mapping, key: str) -> str:
-    """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
-    inner = next(mappings(item.values.get(key)), None)
-    if inner is None:
-        return _key_text(item, key)
-    number = f", number: {_key_text(inner, 'number')}" if "number" in inner.values else ""
-    return f"[{{name: {identity(inner)}{number}}}]"
-
-
-def _spaces(messages: list[Mapping]) -> Iterator[str]:
-    """A line for each address space that messages of a protocol access; none where they name none."""
-    units: dict[str, str] = {}
-    for message in messages:
-        access = message.values.get("accesses")
-        if isinstance(access, Mapping):
-            name = _key_text(access, "space")
-            units = {name: _unit(message, access), **units} if not name else {**units, name: _unit(message, access)}
-    if any(units):
-        yield "spaces:"
-        for name, unit in units.items():
-            unit_key = ", unit: bit" if unit == BIT else ""
-            yield f"  - {{name: {name or 'registers'}, first_number: 0{unit_key}, source: 1 L1}}"
-
-
-def _unit(message: Mapping, access: Mapping) -> str:
-    """The unit of what a message carries: bits are packed into bytes, or one of them is a number with a meaning."""
-    fields = message.values.get("response" if _key_text(access, "operation") == "read" else "request")
-    names = (field for field in mappings(fields) if _key_text(field, "name") == _key_text(access, "values"))
-    values = next(names, None)
-    packed = values is not None and "repeat" in values.values and _key_text(values, "type") == "u8"
-    return BIT if packed or "set" in access.values else WORD
-
-
-def _key_text(mapping: Mapping, key: str) -> str:
-    scalar = mapping.values.get(key)
-    return scalar.text if isinstance(scalar, Scalar) else ""
 
 
 def _fits(text: str, form: str, subject: str) -> None:

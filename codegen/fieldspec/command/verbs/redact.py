@@ -27,7 +27,7 @@ from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.redacted_files import RedactedCapture, redacted_dump, redacted_scan
 from fieldspec.tools.evidence.redaction import IDENTITY, Redaction
 from fieldspec.tools.evidence.secrets import Secrets
-from fieldspec.tools.lists.dump import dump, object_sheet
+from fieldspec.tools.lists.dump import dump, dump_sheet
 from fieldspec.tools.lists.sheet import ListError
 
 if TYPE_CHECKING:
@@ -181,7 +181,7 @@ def _add_dump(redaction: Redaction, output: _Output, path: Path) -> None:
             raise UsageError("is neither a scan nor a dump") from None
         output.add("scan", "json", str(path), text, "")
         return
-    sheet = object_sheet(data) or list_files.sheet(data, "", "")
+    sheet = dump_sheet(data) or list_files.sheet(data, "", "")
     text = redacted_dump(redaction, dump(sheet, {}))
     output.add("dump", "csv", str(path), text, f"{text.count(chr(10)) - 1} rows")
 

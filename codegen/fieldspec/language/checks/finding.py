@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+import sys
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Collection, Iterator, Sequence
+from itertools import accumulate
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
@@ -130,10 +132,36 @@ class Allowance:
         return [self.fact.place.whole, *self.fact.place.spans.values()]
 
 
-def covered(finding: Diagnostic, allowed: list[Span]) -> bool:
-    """Whether a finding has its place, or a label, within one of some spans."""
-    spans = [finding.span, *(label.span for label in finding.labels)]
-    return any(_within(span, outer) for span in spans for outer in allowed)
+class Coverage:
+    """Allowances by the places that they cover. A finding asks for those around its place and around its labels."""
+
+    def __init__(self, all_allowances: Sequence[Allowance]) -> None:
+        self._by_file: dict[int, list[tuple[int, int, int]]] = {}
+        self._allowances = all_allowances
+        for number, allowance in enumerate(all_allowances):
+            for span in allowance.spans():
+                self._by_file.setdefault(id(span.file), []).append((span.start, span.end, number))
+        self._ends: dict[int, list[int]] = {}
+        for file, spans in self._by_file.items():
+            spans.sort()
+            self._ends[file] = list(accumulate((end for _, end, _ in spans), max))
+
+    def of(self, finding: Diagnostic) -> list[Allowance]:
+        """The allowances that cover a finding, in their order."""
+        spans = [finding.span, *(label.span for label in finding.labels)]
+        return [
+            self._allowances[number] for number in sorted({number for span in spans for number in self._around(span)})
+        ]
+
+    def _around(self, span: Span) -> Iterator[int]:
+        """The allowances with a span around one: of those that begin before it, back to where none reaches its end."""
+        spans, ends = self._by_file.get(id(span.file), []), self._ends.get(id(span.file), [])
+        index = bisect_right(spans, (span.start, sys.maxsize, 0)) - 1
+        while index >= 0 and ends[index] >= span.end:
+            _, end, number = spans[index]
+            if end >= span.end:
+                yield number
+            index -= 1
 
 
 def allowances(device: Device, check: str = "") -> Iterator[Allowance]:
@@ -143,7 +171,3 @@ def allowances(device: Device, check: str = "") -> Iterator[Allowance]:
             for allowed in fact.allowed:
                 if not check or allowed == check:
                     yield Allowance(fact, allowed)
-
-
-def _within(span: Span, outer: Span) -> bool:
-    return span.file is outer.file and outer.start <= span.start and span.end <= outer.end

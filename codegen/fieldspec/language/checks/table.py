@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 from importlib import import_module
 
-from fieldspec.foundation.source import Span
 from fieldspec.language.checks.allowances_used import allowances_used
-from fieldspec.language.checks.finding import Allowance, Check, allowances, covered
+from fieldspec.language.checks.finding import Allowance, Check, Coverage, allowances
 from fieldspec.language.diagnostics import Diagnostic, in_order
 from fieldspec.language.model.device import Device
 
@@ -174,11 +173,11 @@ def _unallowed(
     device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]
 ) -> Iterator[Diagnostic]:
     """The findings of a check that no allowance covers; the allowances that cover a finding are added to `used`."""
-    own: list[tuple[Allowance, list[Span]]] = []
+    coverage: Coverage | None = None
     count = 0
     for finding in (_BY_NAME.get(name) or INSTALLED[name])(device):
-        own = own or [(allowance, allowance.spans()) for allowance in own_allowances]
-        covering = [allowance for allowance, spans in own if covered(finding, spans)]
+        coverage = coverage or Coverage(own_allowances)
+        covering = coverage.of(finding)
         used.update(covering)
         if covering:
             continue

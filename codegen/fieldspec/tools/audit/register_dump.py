@@ -18,9 +18,9 @@ from fieldspec.language.model.value import Kind, Value
 from fieldspec.language.reading.findings import bounded
 from fieldspec.tools.audit.addressed_values import Address, AddressedValue, addressed_values
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable
-from fieldspec.tools.lists.cells import HEXADECIMAL
-from fieldspec.tools.lists.column_roles import folded
+from fieldspec.tools.lists.addresses import HEXADECIMAL
 from fieldspec.tools.lists.dump import Dump, Entry
+from fieldspec.tools.lists.words import folded
 
 WORD = 16
 _ALL = (1 << WORD) - 1

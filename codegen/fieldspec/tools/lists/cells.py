@@ -1,205 +1,147 @@
-"""Reads the cells of a register list: addresses, types, accesses, numbers, ranges."""
+"""Reads the cells of a register list: accesses, answers, functions, numbers, ranges, orders of bytes."""
 
 from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable
 from decimal import Decimal
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import PRIMITIVES, Kind
-from fieldspec.tools.lists.sheet import ListError
+from fieldspec.tools.lists.words import folded, meaning
 
-HEXADECIMAL, DECIMAL, REFERENCE = "hex", "decimal", "4xxxx"
-BASES = (HEXADECIMAL, DECIMAL, REFERENCE)
-"""How digits without a prefix are read. A reference is a digit for its table and an address from 1: 40001 is 0."""
+COMMA, POINT = "comma", "point"
+"""The signs before the fraction of a number."""
 
-HIGHEST = 0xFFFFFFFF
-
-_HEX = re.compile(r"(?:0x|&h|\$)([0-9a-f]{1,8})|([0-9a-f]{1,8})h", re.IGNORECASE)
-_TABLE = re.compile(r"[34]x[ -]?([0-9]{1,5})", re.IGNORECASE)
-_DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
-_POINTLESS = re.compile(r"([0-9]+)\.0+")
-_GROUPED = re.compile(r"[0-9]{1,3}(?:[,.' ][0-9]{3})+")
-_SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|to)\s*", re.IGNORECASE)
-_REFERENCES = ((40001, 49999), (30001, 39999), (400001, 465536), (300001, 365536))
-
-
-@dataclass(frozen=True, slots=True)
-class AddressText:
-    """An address: its digits, and how its prefix or suffix says to read them: `hex`, `4xxxx`, or empty."""
-
-    digits: str
-    mark: str = ""
-
-    @property
-    def lettered(self) -> bool:
-        """Whether digits without a mark include letters, which makes them hexadecimal."""
-        return not self.mark and not self.digits.isdecimal()
-
-    def reference(self) -> int | None:
-        """The address of a reference, counted from 0; None if the text is no reference."""
-        if self.mark == REFERENCE:
-            return int(self.digits) - 1
-        number = int(self.digits) if not self.mark and self.digits.isdecimal() else 0
-        return next((number - low for low, high in _REFERENCES if low <= number <= high), None)
-
-    def number(self, base: str) -> int | None:
-        """The address. Digits without a mark are read as `base` says; None if they cannot be."""
-        if self.mark == HEXADECIMAL or (not self.mark and base == HEXADECIMAL):
-            return int(self.digits, 16)
-        if self.mark == REFERENCE or base == REFERENCE:
-            return self.reference()
-        return int(self.digits) if self.digits.isdecimal() else None
+_NUMBER = re.compile(
+    r"([-+]?) ?(?:0x([0-9a-f]{1,16})|([0-9a-f]{1,16})h|([0-9]{1,20}(?:\.[0-9]{1,20})?))", re.IGNORECASE
+)
+_BARE = re.compile(r"([-+]?)\.([0-9]{1,20})")
+_POWER = re.compile(
+    r"([-+]?)([0-9]{1,12}(?:\.[0-9]{1,12})?)?\s*(?:e|[*x\u00d7]?\s*10\s*(?:\^|\*\*))\s*\(?([-+]?[0-9]{1,2})\)?",
+    re.IGNORECASE,
+)
+_RANGE = re.compile(
+    r"\s*(?:\.\.+|~|\u2013|\u2014|至|…|(?<=[\w.,%°\s])\bto\b|(?<=[\w.,%°\s])\bbis\b|(?<=[\w.])\s?- ?(?=[-+0-9.]))\s*",
+    re.IGNORECASE,
+)
+_TRAILING = re.compile(r"(?<=[0-9])\s*[^\s0-9.,eExX()+*/^-][^0-9]*$")
+_THOUSANDS = re.compile(r"[-+]?[0-9]{1,3}([,.' ])[0-9]{3}(?:\1[0-9]{3})*")
+_COMMA = re.compile(r"(?<![0-9,.])[-+]?[0-9]+,(?:[0-9]{1,2}|0[0-9]{2,}|[0-9]{4,})(?![0-9,])")
+_SMALL_COMMA = re.compile(r"(?<![0-9,.])[-+]?0,[0-9]+(?![0-9,])")
+_POINTED = re.compile(r"(?<![0-9,.])[-+]?[0-9]+\.[0-9]+(?![0-9.,])")
+_CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|:|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
+_WRITING = {5: "coils", 15: "coils", 6: "registers", 16: "registers", 22: "registers", 23: "registers"}
+_READING = {1: "coils", 2: "discrete_inputs", 3: "registers", 4: "input_registers"}
 
 
 @dataclass(frozen=True, slots=True)
-class AddressRange:
-    """The addresses in a cell: one, or the first and the last of several."""
+class Functions:
+    """What the codes of functions say: the address space, and whether one of them reads and one writes."""
 
-    first: AddressText
-    last: AddressText | None = None
-
-
-def address_text(text: str) -> AddressText | None:
-    """The address in a text, None if it is none."""
-    text = unicodedata.normalize("NFKC", text).strip()
-    pointless = _POINTLESS.fullmatch(text)
-    text = pointless[1] if pointless else text
-    if marked := _HEX.fullmatch(text):
-        return AddressText(marked[1] or marked[2], HEXADECIMAL)
-    if table := _TABLE.fullmatch(text):
-        return AddressText(table[1], REFERENCE)
-    return AddressText(text) if _DIGITS.fullmatch(text) else None
-
-
-def address_range(text: str, row: int) -> AddressRange | None:
-    """The addresses in a cell, None if there are none. Raises ListError for a number with separators."""
-    normalized = unicodedata.normalize("NFKC", text).strip()
-    if _GROUPED.fullmatch(normalized):
-        raise ListError(f"has the address `{text}` in row {row}, with thousands separators; remove them")
-    whole = address_text(normalized)
-    if whole is not None:
-        return AddressRange(whole)
-    parts = _SPAN.split(normalized)
-    ends = [address_text(part) for part in parts]
-    if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
-        first, last = ends[0], ends[1]
-        if last.mark == HEXADECIMAL and not first.mark:
-            first = AddressText(first.digits, HEXADECIMAL)
-        if first.mark == HEXADECIMAL and not last.mark:
-            last = AddressText(last.digits, HEXADECIMAL)
-        return AddressRange(first, last)
-    return None
-
-
-def base_of_heading(heading: str) -> str:
-    """The base that a heading names, empty if it names none."""
-    normalized = unicodedata.normalize("NFKC", heading).casefold()
-    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", normalized):
-        return HEXADECIMAL
-    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]", normalized) else ""
-
-
-_TYPES: dict[str, str] = {
-    **{name: name for name in PRIMITIVES},
-    **dict.fromkeys(
-        ("uint16", "ushort", "unsignedshort", "word", "uint", "unsigned16", "uint16t", "enum16", "bitfield16"), "u16"
-    ),
-    **dict.fromkeys(("int16", "short", "sint16", "s16", "signed16", "int16t", "sunssf"), "i16"),
-    **dict.fromkeys(
-        ("uint32", "dword", "udint", "ulong", "unsignedlong", "unsigned32", "uint32t", "acc32", "bitfield32"), "u32"
-    ),
-    **dict.fromkeys(("int32", "dint", "long", "sint32", "s32", "signed32", "int32t"), "i32"),
-    **dict.fromkeys(("uint64", "ulint", "qword", "lword", "uint64t"), "u64"),
-    **dict.fromkeys(("int64", "lint", "s64", "int64t"), "i64"),
-    **dict.fromkeys(("uint8", "byte", "usint", "uchar", "uint8t"), "u8"),
-    **dict.fromkeys(("int8", "sint", "s8", "sbyte", "int8t"), "i8"),
-    **dict.fromkeys(("float", "float32", "real", "single", "浮点", "浮點"), "f32"),
-    **dict.fromkeys(("string", "str", "ascii", "char", "字符串", "字串"), "text"),
-}
-_LOOSE: dict[str, tuple[Kind, bool | None]] = {
-    **dict.fromkeys(("int", "integer", "signed", "有符号", "有符號", "带符号", "帶符號"), (Kind.INTEGER, True)),
-    **dict.fromkeys(("unsigned", "无符号", "無符號"), (Kind.INTEGER, False)),
-    **dict.fromkeys(("bool", "boolean", "bit", "coil", "布尔", "布爾"), (Kind.BOOLEAN, None)),
-}
-_ACCESSES: dict[str, str] = {
-    **dict.fromkeys(("ro", "r", "read", "readonly", "只读", "唯讀", "唯读", "读", "讀", "只讀"), "ro"),
-    **dict.fromkeys(
-        ("rw", "wr", "readwrite", "readandwrite", "读写", "讀寫", "可读写", "可讀寫", "可读可写", "可讀可寫"), "rw"
-    ),
-    **dict.fromkeys(("wo", "w", "write", "writeonly", "只写", "唯寫", "只寫", "唯写", "写", "寫"), "wo"),
-}
-_NUMBER = re.compile(r"([-+]?)(?:0x([0-9a-f]{1,16})|([0-9a-f]{1,16})h|([0-9]{1,20}(?:\.[0-9]{1,20})?))", re.IGNORECASE)
-_RANGE = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|至|\bto\b|(?<=[0-9hH]) ?- ?(?=[-+0-9]))\s*", re.IGNORECASE)
-
-
-@dataclass(frozen=True, slots=True)
-class Typed:
-    """A type as a list has it: the name of a type, or its kind and perhaps whether it is signed."""
-
-    name: str = ""
-    kind: Kind | None = None
-    signed: bool | None = None
-
-    def fits(self, name: str) -> bool:
-        """Whether the type with a name agrees."""
-        primitive = PRIMITIVES.get(name)
-        if primitive is None or name == self.name:
-            return name == self.name
-        if self.name:
-            return False
-        return primitive.kind is self.kind and self.signed in (None, primitive.signed)
-
-    def of_words(self, words: int | None) -> str:
-        """The name of the type; if the list has only its kind, that of the type with so many words."""
-        if self.name:
-            return self.name
-        if self.kind is Kind.BOOLEAN:
-            return "bool16"
-        letter = "i" if self.signed else "u"
-        return {1: f"{letter}16", 2: f"{letter}32", 4: f"{letter}64"}.get(words or 1, "bytes")
-
-
-def _folded(text: str) -> str:
-    wide = unicodedata.normalize("NFKC", text).casefold()
-    return "".join(sign for sign in wide if sign.isalnum())
-
-
-def typed(text: str) -> Typed | None:
-    """The type that a text names, None if it names none that is known."""
-    word = re.sub(r"[\[(].*", "", text)
-    name = _TYPES.get(_folded(word))
-    if name:
-        return Typed(name)
-    loose = _LOOSE.get(_folded(word))
-    return Typed("", *loose) if loose else None
+    space: str
+    reads: bool
+    writes: bool
 
 
 def access(text: str) -> str:
     """`ro`, `rw`, `wo`, or empty if the text is no access."""
-    return _ACCESSES.get(_folded(text), "")
+    bare = re.sub(r"[\[(].*|\*+$", "", text)
+    return meaning("accesses", text) or (meaning("accesses", bare) if folded(bare) else "")
 
 
-def number(text: str) -> Decimal | None:
-    """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is none."""
-    match = _NUMBER.fullmatch(unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip())
-    if match is None:
+def answer(text: str) -> bool | None:
+    """Whether a cell says yes; None if it says neither yes nor no."""
+    return {"yes": True, "no": False}.get(meaning("answers", text))
+
+
+def functions(text: str) -> Functions | None:
+    """The meaning of `03`, `3/6`, `FC04`, `03H, 10H`; None if a text has other things, or codes of two spaces."""
+    codes = []
+    for part in re.split(r"[,;/&+|]|\band\b|\s(?=0)", unicodedata.normalize("NFKC", text).strip()):
+        match = _CODE.fullmatch(part.strip())
+        if match is None:
+            return None
+        codes.append(match[1])
+    numbers = [
+        int(code, 16) if re.search(r"h\b|0x", text, re.IGNORECASE) else int(code) if code.isdecimal() else 0
+        for code in codes
+    ]
+    spaces = {_READING.get(number) or _WRITING.get(number) or "" for number in numbers}
+    if len(spaces) != 1 or "" in spaces:
         return None
-    sign, marked, ended, decimal = match.groups()
-    magnitude = Decimal(decimal) if decimal else Decimal(int(marked or ended, 16))
+    return Functions(spaces.pop(), any(n in _READING for n in numbers), any(n in _WRITING for n in numbers))
+
+
+def order(text: str) -> str:
+    """The order of the bytes of two words, such as `CDAB`; empty if a text says none."""
+    return meaning("orders", text)
+
+
+def number(text: str, decimal: str = POINT) -> Decimal | None:
+    """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is none.
+
+    With `decimal` as `comma`, a comma is before the fraction. Where it is empty, `1.000` is none: it has two readings.
+    """
+    text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`'").strip()
+    if decimal != POINT and _is_ambiguous(text):
+        return None
+    if decimal == COMMA:
+        text = text.replace(",", ".") if text.count(",") == 1 and "." not in text else text
+    elif "," in text:
+        return None
+    if bare := _BARE.fullmatch(text):
+        text = f"{bare[1]}0.{bare[2]}"
+    match = _NUMBER.fullmatch(text)
+    if match is None:
+        return _power(text)
+    sign, marked, ended, digits = match.groups()
+    magnitude = Decimal(digits) if digits else Decimal(int(marked or ended, 16))
     return -magnitude if sign == "-" else magnitude
 
 
-def whole(text: str) -> int | None:
+def _power(text: str) -> Decimal | None:
+    """A number with a power of ten: `1E-3`, `10^-1`, `2*10**3`."""
+    match = _POWER.fullmatch(text)
+    if match is None or abs(int(match[3])) > 18:
+        return None
+    magnitude = Decimal(match[2] or 1).scaleb(int(match[3]))
+    number_text = Decimal(f"{magnitude:f}")
+    return -number_text if match[1] == "-" else number_text
+
+
+def _is_ambiguous(text: str) -> bool:
+    """Whether a number may have a separator of thousands or a fraction of three digits: `1,000`."""
+    return _THOUSANDS.fullmatch(text.strip()) is not None and not text.strip().startswith(("0", "-0"))
+
+
+def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
+    """`comma` or `point` for the numbers of some cells, and the cell that shows it; empty if none does, or both do."""
+    comma = point = ""
+    for text in texts:
+        if "," in text and not comma and (match := _SMALL_COMMA.search(text) or (_COMMA.fullmatch(text.strip()))):
+            comma = match[0]
+        if "." in text and not point and not _is_ambiguous(text) and (match := _POINTED.fullmatch(text.strip())):
+            point = match[0]
+    if comma and not point:
+        return COMMA, comma
+    return (POINT, point) if point and not comma else ("", "")
+
+
+def whole(text: str, decimal: str = POINT) -> int | None:
     """A whole number, None if the text is none."""
-    value = number(text)
+    value = number(text, decimal)
     return int(value) if value is not None and value == value.to_integral_value() else None
 
 
-def bounds(text: str) -> tuple[Decimal, Decimal] | None:
-    """The ends of a range such as `0~100`, `0-100`, `-5 to 5`, `0..0FFh`; None if the text is none."""
-    ends = [number(part) for part in _RANGE.split(unicodedata.normalize("NFKC", text).strip())]
+def bounds(text: str, decimal: str = POINT) -> tuple[Decimal, Decimal] | None:
+    """The ends of a range such as `0~100`, `0-100 V`, `[-5, 5]`, `0..0FFh`; None if the text is none."""
+    number_text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`[]").strip()
+    parts = _RANGE.split(number_text)
+    ends = [
+        end if (end := number(part, decimal)) is not None else number(_TRAILING.sub("", part), decimal)
+        for part in parts
+    ]
     if len(ends) != 2 or ends[0] is None or ends[1] is None or ends[0] > ends[1]:
         return None
     return ends[0], ends[1]

@@ -1,101 +1,66 @@
-"""The role of each column of a list: guessed from its heading in English or Chinese, or as the user says."""
+"""The role of each column of a list: by its heading, in the languages of `words.json`, and by its cells."""
 
 from __future__ import annotations
 
 import re
-import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 
-from fieldspec.foundation.classes import dataclass
-from fieldspec.tools.lists.cells import address_text
-from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
+from fieldspec.foundation.classes import dataclass, field
+from fieldspec.tools.lists import cells
+from fieldspec.tools.lists.addresses import address_text, place
+from fieldspec.tools.lists.sheet import CellError, ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.value_texts import bit_names
+from fieldspec.tools.lists.words import folded, words
 
 _LONGEST = 200
 _HEADED_BY = 40
 """The number of rows among which the heading is searched."""
 
+_MOST_HEADING_ROWS = 3
+_LOOKED_AT = 200
+"""The number of rows whose cells show what a column holds."""
 
-def _words(text: str) -> tuple[str, ...]:
-    return tuple(text.split())
-
-
-# The headings of each role, folded, the likeliest first. `*` begins a part of a heading.
-HEADINGS: dict[str, tuple[str, ...]] = {
-    "address": _words(
-        """hex hexaddress addresshex addrhex *hexadecimal *十六进 *十六進 *16进 *16進 address addr adr registeraddress
-        *address *addr 地址 位址 *地址 *位址 registernumber registerno register reg pnu
-        *寄存器号 *暫存器號 寄存器 暫存器 decimal dec *十进 *十進 parameternumber 参数号 參數號 *参数编号 *參數編號"""
-    ),
-    "name": _words(
-        """name parametername registername signalname variable tag *name symbol parameter signal 名称 名稱 参数名
-        參數名 *名称 *名稱 变量 變數 参数 參數 项目 項目"""
-    ),
-    "printed_name": _words("printedname identifier id mnemonic abbreviation 代号 代號 符号 符號 缩写 縮寫"),
-    "label": _words(
-        "label title description *description function meaning content 描述 说明 說明 功能 内容 內容 *说明 *說明"
-    ),
-    "words": _words(
-        """words word wordcount registers registercount numberofregisters numberofwords *words size length len 字数 字數
-        字长 字長 *字数 *字數 长度 長度 寄存器数 暫存器數 寄存器数量 暫存器數量"""
-    ),
-    "type": _words(
-        """type datatype dtype *datatype format dataformat 类型 類型 数据类型 資料類型 數據類型 资料型态 資料型態 *类型
-        *類型 格式 型态 型態"""
-    ),
-    "access": _words(
-        """access rw accessrights accesstype attribute readwrite *access *readwrite permission direction 读写 讀寫 属性
-        屬性 权限 權限 *读写 *讀寫 存取 访问 訪問"""
-    ),
-    "unit": _words("unit units *unit 单位 單位 *单位 *單位"),
-    "scale": _words("scale scaling factor resolution multiplier gain *scale 比例 倍率 系数 係數 精度 分辨率 解析度"),
-    "min": _words("min minimum low lower lowerlimit *min 最小 最小值 下限 *最小"),
-    "max": _words("max maximum high upper upperlimit *max 最大 最大值 上限 *最大"),
-    "range": _words("range valuerange *range 范围 範圍 *范围 *範圍 取值 设定值 設定值"),
-    "default": _words(
-        """default defaultvalue initial initialvalue factory factorydefault *default 默认 默认值 預設 預設值 初始值
-        出厂值 出廠值 *默认 *預設 *初始"""
-    ),
-    "const": _words("const constant constantvalue fixed fixedvalue 常数 常數 固定值"),
-    "count": _words("count elements repeat instances"),
-    "stride": _words("stride"),
-    "space": _words("space area"),
-    "value": _words(
-        """value rawvalue currentvalue actualvalue presentvalue reading raw data valuehex hexvalue 值 数值 數值
-        当前值 當前值 现在值 現在值 读数 讀數 数据 數據 資料"""
-    ),
-}
+NOTE = "note"
 
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """The columns of a list by role, counted from 0, its headings, and the rows below them."""
+    """The columns of a list by role, counted from 0, its headings, and the rows below them.
+
+    `more` are further columns of roles that several may have: addresses, names and notes.
+    """
 
     places: Mapping[str, int]
     headings: tuple[str, ...]
     rows: tuple[SheetRow, ...]
+    more: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
 
     def cell(self, row: SheetRow, role: str) -> str:
         """The cell of a row in the column of a role; empty if the list has no such column."""
-        place = self.places.get(role)
-        return row.cell(place) if place is not None else ""
+        column = self.places.get(role)
+        return row.cell(column) if column is not None else ""
 
     def heading(self, role: str) -> str:
         """The heading of a role's column, or its letter if it has none."""
-        place = self.places[role]
-        text = self.headings[place] if place < len(self.headings) else ""
-        return text or f"column {letters(place + 1)}"
+        return self.heading_at(self.places[role])
 
+    def heading_at(self, column: int) -> str:
+        """The heading of a column, or its letter if it has none."""
+        text = self.headings[column] if column < len(self.headings) else ""
+        return text or f"column {letters(column + 1)}"
 
-def folded(text: str) -> str:
-    """A text without case, width, blanks and punctuation, for comparisons."""
-    wide = unicodedata.normalize("NFKC", text).casefold()
-    return "".join(sign for sign in wide if sign.isalnum())
+    def unused(self) -> list[int]:
+        """The columns without a role that have cells."""
+        used = {*self.places.values(), *(column for columns in self.more.values() for column in columns)}
+        width = max((len(row.cells) for row in self.rows), default=0)
+        return [column for column in range(width) if column not in used and any(row.cell(column) for row in self.rows)]
 
 
 def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     """The columns of a sheet. `names` has a heading, a letter or a number for some roles.
 
-    Raises ListError if no column has addresses, or if a column in use has cells that cannot be read.
+    Raises ListError if no column has addresses.
     """
     if not sheet.rows:
         raise ListError("is empty")
@@ -103,13 +68,28 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     for index, row in enumerate(sheet.rows[:_HEADED_BY]):
         if not _is_heading(row):
             continue
-        candidate = Columns(_guessed(row.cells, names), row.cells, sheet.rows[index + 1 :])
-        if "address" in candidate.places and (best is None or len(candidate.places) > len(best.places)):
-            best = candidate
+        for last in range(index, min(index + _MOST_HEADING_ROWS, len(sheet.rows))):
+            below = sheet.rows[index : last + 1]
+            if not all(_is_heading(row_below) for row_below in below) or (last - index and not _continues(below)):
+                break
+            parts = _heading_parts(below)
+            candidate = _guessed(parts, names, sheet.rows[last + 1 :])
+            if candidate is not None and (best is None or len(candidate.places) >= len(best.places) + (last == index)):
+                best = candidate
     if best is None:
         best = _without_heading(sheet, names)
-    _refuse_unreadable(sheet, best, names)
+    if not best.rows:
+        raise ListError("has a heading and no rows")
     return best
+
+
+def role_count(sheet: Sheet) -> int:
+    """How many columns of a sheet have a role by a heading, with addresses below it; 0 where there are none."""
+    try:
+        ranked_columns = columns(sheet, {})
+    except ListError:
+        return 0
+    return len(ranked_columns.places) if ranked_columns.headings else 0
 
 
 def _is_heading(row: SheetRow) -> bool:
@@ -119,37 +99,151 @@ def _is_heading(row: SheetRow) -> bool:
     return bool(filled) and not numbers
 
 
-def _guessed(cells: Sequence[str], names: Mapping[str, str]) -> dict[str, int]:
-    heads = [folded(cell) for cell in cells]
+def _continues(rows: Sequence[SheetRow]) -> bool:
+    """Whether the last of some rows goes on with the heading above: half of its cells are headings, or in brackets."""
+    counts = [sum(map(bool, row.cells)) for row in rows]
+    known = sum(folded(cell) in _whole_words() or cell.startswith(("(", "[")) for cell in rows[-1].cells if cell)
+    return counts[0] > 1 and counts[-1] <= max(counts[:-1]) and known * 2 >= counts[-1]
+
+
+def _heading_parts(rows: Sequence[SheetRow]) -> list[list[str]]:
+    """The texts of each column in the rows of a heading. A text over several columns counts for all of them."""
+    width = max(len(row.cells) for row in rows)
+    parts: list[list[str]] = []
+    for column in range(width):
+        texts = []
+        for number, row in enumerate(rows):
+            text = row.cell(column)
+            later = any(below.cell(column) for below in rows[number + 1 :])
+            if not text and later and column and parts[column - 1] and not number:
+                text = parts[column - 1][0]
+            if text:
+                texts.append(text)
+        parts.append(texts)
+    return parts
+
+
+def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[SheetRow, ...]) -> Columns | None:
+    """The columns below a heading, None if none has addresses, or if one that the user names is not there."""
+    headings = tuple(" ".join(texts) for texts in parts)
     places: dict[str, int] = {}
     for role, text in names.items():
-        place = _column_index(cells, text)
-        if place is not None:
-            places[role] = place
-    if len(places) < len(names):
-        return {}
-    for role, words in HEADINGS.items():
-        used_places = set(places.values())
-        if role in places:
-            continue
-        for word in words:
-            hit = next((n for n, head in enumerate(heads) if n not in used_places and _fits(head, word)), None)
-            if hit is not None:
-                places[role] = hit
-                break
-    return places
+        column = _column_index(headings, text)
+        if column is None:
+            return None
+        places[role] = column
+    heads = [tuple(dict.fromkeys(folded(text) for text in (" ".join(texts), *texts))) for texts in parts]
+    sample = rows[:_LOOKED_AT]
+    further: dict[str, tuple[int, ...]] = {}
+    for role, role_words in words("headings").items():
+        used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+        fits = _ranked(heads, role_words, used_columns)
+        if role == "address" and not fits:
+            fits = _ranked(heads, words("fallbacks")["address"], used_columns)
+        known = [column for column in fits if _holds(role, [text for row in sample if (text := row.cell(column))])]
+        if role in _NOTED and not known:
+            known = [column for column in fits if not {*heads[column]}.isdisjoint(role_words)]
+        if role == "address" and "address" not in places:
+            known = (
+                known or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
+            )
+        if role == "address" and (len(known) > 1 or "address" in places):
+            known = [column for column in known if not folded(headings[column]).endswith("offset")] or known
+        if role == "name" and "name" not in places:
+            known = sorted(known, key=lambda column: _repeats(sample, column))
+        if role not in places and known:
+            places[role] = known[0]
+            known = known[1:]
+        if role in ("address", "name", NOTE) and known and not (role == "address" and "address" in names):
+            further[role] = tuple(known)
+    if "address" not in places:
+        return None
+    return Columns(places, headings, rows, further)
+
+
+def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_columns: set[int]) -> list[int]:
+    """The columns whose headings fit a role, the likeliest first. No part counts of a heading that is another word."""
+    whole = _whole_words()
+    ranked_columns: dict[int, None] = {}
+    for word in role_words:
+        for column, texts in enumerate(heads):
+            if (
+                column not in used_columns
+                and any(_fits(text, word) for text in texts)
+                and (
+                    not word.startswith("*")
+                    or whole.isdisjoint(texts)
+                    or not whole.isdisjoint({*texts} & {*role_words})
+                )
+            ):
+                ranked_columns.setdefault(column)
+    return list(ranked_columns)
+
+
+@cache
+def _whole_words() -> frozenset[str]:
+    """The headings that are whole words of a role."""
+    return frozenset(
+        word for role_words in words("headings").values() for word in role_words if not word.startswith("*")
+    )
 
 
 def _fits(head: str, word: str) -> bool:
     return word[1:] in head if word.startswith("*") else head == word
 
 
-def _column_index(cells: Sequence[str], text: str) -> int | None:
+def _repeats(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column has most of its texts several times, as a column of groups has."""
+    texts = [text for row in rows if (text := row.cell(column))]
+    return len(texts) > 3 and len(set(texts)) * 2 < len(texts)
+
+
+def _is_place(text: str) -> bool:
+    try:
+        return place(text) is not None
+    except CellError:
+        return True
+
+
+_CONTENTS: dict[str, Callable[[str], object]] = {
+    "address": _is_place,
+    "words": lambda text: re.fullmatch(
+        r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?)?\.?", text, re.IGNORECASE
+    ),
+    "bits": lambda text: bit_names(text) is not None,
+    "access": cells.access,
+    "writable": lambda text: cells.answer(text) is not None or cells.access(text),
+    "function": cells.functions,
+    "places": lambda text: cells.whole(text) is not None,
+    "value_offset": lambda text: cells.number(text, cells.COMMA) is not None,
+    "count": lambda text: cells.whole(text) is not None,
+    "stride": lambda text: cells.whole(text) is not None,
+    "first": lambda text: cells.whole(text) is not None,
+    "bit": lambda text: re.search(r"[0-9]", text),
+    "name": lambda text: any(map(str.isalpha, text)),
+    "unit": lambda text: not text.isdecimal() or text == "1",
+    "word_order": lambda text: cells.order(text) or cells.answer(text) is not None,
+}
+"""What at least a third of the cells of a column must be, so that it has a role that its heading names."""
+
+
+_NOTED = ("access", "unit", "writable", "word_order")
+"""Roles whose heading, if it is a whole word, is enough: cells that are none become notes."""
+
+
+def _holds(role: str, texts: Sequence[str]) -> bool:
+    check = _CONTENTS.get(role)
+    if check is None or not texts:
+        return check is None or role != "address"
+    return sum(bool(check(text)) for text in texts) * 3 >= len(texts)
+
+
+def _column_index(headings: Sequence[str], text: str) -> int | None:
     """The column that a user names: by its heading, by its number, or by its letters."""
-    heads = [folded(cell) for cell in cells]
+    heads = [folded(heading) for heading in headings]
     if folded(text) and folded(text) in heads:
         return heads.index(folded(text))
-    return _numbered(text, len(cells))
+    return _numbered(text, len(headings))
 
 
 def _numbered(text: str, width: int) -> int | None:
@@ -171,11 +265,11 @@ def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     headings = headings_text(heads)
     places = {}
     for role, text in names.items():
-        place = _column_index(heads, text) if heads else None
-        place = _numbered(text, width) if place is None else place
-        if place is None:
+        column = _column_index(heads, text) if heads else None
+        column = _numbered(text, width) if column is None else column
+        if column is None:
             raise ListError(f"has no column {text}; there are {headings}, or give a letter or a number")
-        places[role] = place
+        places[role] = column
     if "address" not in places:
         raise ListError(
             f"has no column that looks like addresses ({headings}); name it with --address, by its heading, letter or "
@@ -183,25 +277,6 @@ def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
         )
     rows = sheet.rows[1:] if heads else sheet.rows
     return Columns(places, heads, rows)
-
-
-def _refuse_unreadable(sheet: Sheet, columns: Columns, names: Mapping[str, str]) -> None:
-    """Raises ListError for formulas and merged cells in the columns in use."""
-    if not columns.rows:
-        raise ListError("has a heading and no rows")
-    used = {place + 1: role for role, place in columns.places.items()}
-    first = columns.rows[0].number
-    wrong = sorted((row, column) for row, column in sheet.formulas if column in used and row >= first)
-    if wrong:
-        row, column = wrong[0]
-        rest_text = f" and {len(wrong) - 1} more" if len(wrong) > 1 else ""
-        raise ListError(
-            f"has formulas in {letters(column)}{row}{rest_text}; save the list with values instead of formulas"
-        )
-    for area in sheet.merged:
-        touched = [column for column in used if area.first_column <= column <= area.last_column]
-        if touched and area.last_row >= first and area.last_row > area.first_row:
-            raise ListError(f"has merged cells {area.text()}; undo the merge and fill each cell")
 
 
 def headings_text(headings: Iterable[str]) -> str:

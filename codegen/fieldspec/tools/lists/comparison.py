@@ -2,18 +2,41 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from decimal import Decimal
+from fractions import Fraction
 
-from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
-from fieldspec.language.model.value import exact_scale
-from fieldspec.tools.lists.cells import BASES
-from fieldspec.tools.lists.column_roles import folded
+from fieldspec.foundation.classes import dataclass
+from fieldspec.tools.lists.addresses import BASES
+from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.item import REGISTERS, Item
-from fieldspec.tools.lists.listing import Listing, ListRow, moved
+from fieldspec.tools.lists.listing import Listing, moved
+from fieldspec.tools.lists.quantities import known_unit
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.sheet import ListError
+from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.yaml_text import exact
 
-ASPECTS = ("name", "type", "access", "words", "unit", "scale", "min", "max", "default", "const", "count", "stride")
+ASPECTS = (
+    "name",
+    "type",
+    "access",
+    "words",
+    "unit",
+    "scale",
+    "offset",
+    "min",
+    "max",
+    "default",
+    "const",
+    "count",
+    "stride",
+    "order",
+    "values",
+    "bits",
+)
 """What is compared if both state it."""
 
 _OFFSETS = (0, 1, -1)
@@ -21,8 +44,7 @@ _ENOUGH = 0.25
 
 Place = tuple[str, int]
 
-if TYPE_CHECKING:
-    from fractions import Fraction
+_POWER = re.compile(r"10\s*(\^|\*\*)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +89,10 @@ class Extra:
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """The result. The addresses of the list are higher by `offset`; `guessed` if the user has not said so."""
+    """The result. The addresses of the list are higher by `offset`; `guessed` if the user has not said so.
+
+    `unreadable` are the rows and cells of the list that could not be compared.
+    """
 
     base: str
     offset: int
@@ -75,6 +100,7 @@ class Compared:
     pairs: tuple[Pair, ...]
     extras: tuple[Extra, ...]
     missing: tuple[Missing, ...]
+    unreadable: tuple[Refusal, ...] = ()
 
     @property
     def agreeing(self) -> list[Pair]:
@@ -94,7 +120,7 @@ class Compared:
     @property
     def same(self) -> bool:
         """Whether the device and the list agree in everything."""
-        return not (self.shifted or self.differing or self.extras or self.missing)
+        return not (self.shifted or self.differing or self.extras or self.missing or self.unreadable)
 
 
 class _Known:
@@ -125,7 +151,10 @@ class _Known:
 def compared(
     items: Sequence[Item], listing: Listing, offset: int | None = None, ignored: Collection[str] = ()
 ) -> Compared:
-    """Compares a device with a list. Without `offset`, an offset of 1 of the whole list is recognised."""
+    """Compares a device with a list. Without `offset`, an offset of 1 of the whole list is recognised.
+
+    Raises ListError for a list of which no row can be read.
+    """
     known = _Known(items)
     aspects = [aspect for aspect in ASPECTS if aspect not in ignored]
     ways = [
@@ -137,7 +166,10 @@ def compared(
     assert base in BASES
     pairs, extras, covered = _paired(known, rows, aspects)
     missing = tuple(gap for item in items for gap in _gaps(item, covered[id(item)]))
-    return Compared(base, best, offset is None, tuple(pairs), tuple(extras), missing)
+    unreadable = (*listing.refused, *listing.numbered(base)[1])
+    if not rows:
+        raise ListError(f"has no row that can be compared: {unreadable[0].text()}")
+    return Compared(base, best, offset is None, tuple(pairs), tuple(extras), missing, unreadable)
 
 
 def _likeliest(
@@ -174,6 +206,10 @@ def _paired(
     paired_rows: dict[tuple[int, int], int] = {}
     for row in rows:
         candidates = known.at(row)
+        if row.bits is not None and (holder := next((candidate for candidate in candidates if candidate.bits), None)):
+            covered[id(holder)].add(0)
+            pairs.append(Pair(holder, row, tuple(_bit_differences(holder, row)) if "bits" in aspects else ()))
+            continue
         if not candidates:
             holder = known.inside.get((known.space(row), row.address))
             extras.append(Extra(row, f"inside {holder.name}" if holder else ""))
@@ -230,6 +266,7 @@ def _names(item: Item) -> set[str]:
 
 def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:
     texts, value = row.texts, item.value
+    yield from _unread(item, row, aspects)
     if "name" in aspects and row.names and _names(item).isdisjoint(map(folded, row.names)):
         yield Difference("name", item.name, row.names[0])
     if "type" in aspects and "type" in texts and not (row.type and row.type.fits(item.type)):
@@ -245,12 +282,20 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
     if value is None:
         return
     unit = value.quantity_unit
-    if "unit" in aspects and "unit" in texts and unit and not _same_unit(unit, texts["unit"]):
-        yield Difference("unit", unit, texts["unit"])
-    scale = _scale(texts.get("scale", "")) if "scale" in aspects else None
-    if scale is not None and (scale != value.scale or value.scale_by):
-        exact = f"10^{value.scale_by}" if value.scale_by else value.scale_number
-        yield Difference("scale", exact if isinstance(exact, str) else f"{exact:f}", texts["scale"])
+    if "unit" in aspects and row.unit and unit and not _same_unit(unit, row.unit):
+        yield Difference("unit", unit, texts.get("unit", row.unit))
+    if "scale" in aspects and row.scale is not None and (row.scale != Fraction(value.scale) or value.scale_by):
+        own_scale = f"10^{value.scale_by}" if value.scale_by else exact(Fraction(value.scale))
+        yield Difference("scale", own_scale, exact(row.scale))
+    if "offset" in aspects and "value_offset" in texts and row.offset != value.offset:
+        yield Difference("offset", f"{value.offset:f}", f"{row.offset:f}")
+    if "order" in aspects and row.order and value.has_words and row.order != (item.order or "ABCD"):
+        yield Difference("order", item.order or "ABCD", row.order)
+    if "values" in aspects:
+        yield from _value_differences(item, row)
+    if "bits" in aspects:
+        for number, _, text in row.meanings.bits:
+            yield from _bit_difference(item, number, text)
     default = value.default if value.const is None else value.const  # what never changes begins as it is
     ranges = value.writable_ranges
     bounds = (
@@ -264,28 +309,75 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
             yield Difference(aspect, str(ours), f"{theirs:f}")
 
 
+_READ: dict[str, Callable[[ListRow], object]] = {
+    "access": lambda row: row.access,
+    "words": lambda row: row.length is not None,
+    "min": lambda row: row.low is not None,
+    "max": lambda row: row.high is not None,
+    "default": lambda row: row.default is not None,
+    "const": lambda row: row.const is not None,
+    "scale": lambda row: row.scale is not None or _POWER.match(row.texts["scale"]),
+    "range": lambda row: row.low is not None or row.meanings.members or row.meanings.bits,
+    "values": lambda row: row.meanings.members or row.meanings.bits,
+    "unit": lambda row: not any(doubt.startswith("Unit in the list") for doubt in row.doubts),
+}
+"""The roles whose cells may be unreadable, and whether that of a row was read."""
+
+
+def _unread(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:
+    """The cells that were not understood: nobody knows whether they agree."""
+    for role, is_read in _READ.items():
+        text = row.texts.get(role, "")
+        if (
+            text
+            and ("min" if role == "range" else role) in aspects
+            and not is_read(row)
+            and not _is_own_scale(item, text)
+        ):
+            yield Difference(role, "", f"{text} (not read)")
+
+
+def _is_own_scale(item: Item, text: str) -> bool:
+    value = item.value
+    return value is not None and bool(value.scale_by) and text.endswith(value.scale_by)
+
+
+def _value_differences(item: Item, row: ListRow) -> Iterator[Difference]:
+    """The values whose texts differ, and those that only one of both has, where the list has any."""
+    theirs = dict(row.meanings.members)
+    if not theirs:
+        return
+    ours = {int(number): name for number, name in item.members if number.lstrip("-").isdecimal()}
+    for number in sorted({*ours, *theirs}):
+        name, text = ours.get(number, ""), theirs.get(number, "")
+        if not _is_same_name(item, name, text):
+            yield Difference("values", f"{number} {name}" if name else "", f"{number} {text}" if text else "")
+
+
+def _bit_differences(item: Item, row: ListRow) -> Iterator[Difference]:
+    """What differs of a row about a bit."""
+    assert row.bits is not None
+    is_named = any(
+        _is_same_name(item, name, text) for first, last, name in item.bits if first == row.bits[0] for text in row.names
+    )
+    if not is_named:
+        yield from _bit_difference(item, row.bits[0], row.names[0] if row.names else "")
+
+
+def _bit_difference(item: Item, number: int, text: str) -> Iterator[Difference]:
+    name = next((name for first, _, name in item.bits if first == number), "")
+    if not _is_same_name(item, name, text):
+        yield Difference("bits", f"{number} {name}" if name else "", f"{number} {text}")
+
+
+def _is_same_name(item: Item, name: str, text: str) -> bool:
+    return folded(text) in {folded(known) for known in (name, *item.other_names.get(name, ()))}
+
+
 def _is_same_value(item: Item, ours: int, theirs: Decimal) -> bool:
     """Whether a number of a list is the raw value, or the quantity that it stands for."""
     return theirs == ours or (item.value is not None and item.value.in_unit(ours) == theirs)
 
 
 def _same_unit(ours: str, theirs: str) -> bool:
-    return ours.replace(" ", "").casefold() == theirs.replace(" ", "").casefold()
-
-
-def _fraction(text: str) -> Decimal | Fraction | None:
-    """A scale such as `100/255`; None for other texts."""
-    try:
-        return exact_scale(text)
-    except ValueError:
-        return None
-
-
-def _scale(text: str) -> Decimal | Fraction | None:
-    if "/" in text:
-        return _fraction(text)
-    try:
-        number = Decimal(text)
-    except ArithmeticError:
-        return None
-    return number if number.is_finite() else None
+    return (known_unit(theirs) or theirs).replace(" ", "").casefold() == ours.replace(" ", "").casefold()

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import re
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.spreadsheet import clean
-from fieldspec.tools.lists.cells import HEXADECIMAL, address_text, base_of_heading
+from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, address_text, base_of_heading
+from fieldspec.tools.lists.assumption import Options
 from fieldspec.tools.lists.column_roles import headings_text
 from fieldspec.tools.lists.json_text import json_data
 from fieldspec.tools.lists.listing import Listing, listing
@@ -23,6 +25,12 @@ _POINTLESS = re.compile(r"([-+]?[0-9]+)\.0+")
 _WORDS = {"true": "1", "on": "1", "false": "0", "off": "0"}
 _NOT_READ = ("", "-", "--", "n/a", "none", "null", "timeout", "error")
 _LIMIT = 1 << 64
+_HEADING = SheetRow(1, ("space", "address", "value"))
+_LINE = re.compile(r"\s*\[\s*([0-9a-fA-Fx]{1,10})\s*\]\s*[:=]?\s*([-+0-9a-fA-Fx.]+)(?:\s*\([^()]*\))?\s*")
+_STEP = re.compile(r"\+?(?:[0-9]{1,2}|[a-fA-F])")
+_STARTS = ("start", "address", "first", "base", "start_address", "startaddress", "offset")
+_VALUES = ("values", "value", "registers", "words", "data")
+_LOOKED_AT = 10
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,21 +70,103 @@ class Dump:
         ]
 
 
-def object_sheet(content: bytes, encoding: str = "") -> Sheet | None:
-    """The sheet in a JSON object of addresses and values; None if the file is no object. Raises ListError."""
-    if not content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
+def dump_sheet(content: bytes, encoding: str = "") -> Sheet | None:
+    """The sheet in JSON with addresses and values in any form, or in lines such as `[264]: 0`; None for other files.
+
+    Raises ListError.
+    """
+    start = content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1]
+    if start in (b"{", b"["):
+        text = decoded(content, encoding)
+        lines = _lines(text)
+        if lines:
+            return Sheet((_HEADING, *lines), len(text.splitlines()))
+        data = json_data(text, _Pairs)
+        rows = list(_rows(data, ""))
+        if start == b"[" and not any(isinstance(value, list) for item in data for _, value in _pairs(item)):
+            return None
+        if len(rows) > MOST_ROWS:
+            raise ListError(f"has more than {MOST_ROWS} addresses; a dump has fewer")
+        return Sheet((_HEADING, *(SheetRow(number, cells) for number, cells in enumerate(rows, 2))), len(rows) + 1)
+    if b"]:" not in content:
         return None
-    pairs = json_data(decoded(content, encoding), list)
-    if len(pairs) > MOST_ROWS:
-        raise ListError(f"has more than {MOST_ROWS} addresses; a dump has fewer")
-    rows = [SheetRow(1, ("address", "value"))]
-    rows += [SheetRow(number, (clean(key), _cell(value))) for number, (key, value) in enumerate(pairs, 2)]
-    return Sheet(tuple(rows), len(pairs) + 1)
+    text = decoded(content, encoding)
+    lines = _lines(text)
+    return Sheet((_HEADING, *lines), len(text.splitlines())) if lines else None
+
+
+class _Pairs(list[tuple[str, Any]]):
+    """The pairs of an object of JSON, in which a key may occur twice."""
+
+
+def _pairs(item: object) -> _Pairs:
+    return item if isinstance(item, _Pairs) else _Pairs()
+
+
+def _lines(text: str) -> list[SheetRow]:
+    """The rows of lines with an address in square brackets and what was read there; the others say how it was read."""
+    matches = [(number, _LINE.fullmatch(line)) for number, line in enumerate(text.splitlines(), 1)]
+    return [SheetRow(number, ("", match[1], match[2])) for number, match in matches if match]
+
+
+def _rows(data: object, space: str) -> Iterator[tuple[str, str, str]]:
+    """The space, the address and the value of all in JSON: pairs of both, and lists of values with their start."""
+    if not isinstance(data, _Pairs):
+        for item in data if isinstance(data, list) else ():
+            yield from _rows(item, space)
+        return
+    by_key = {key.casefold(): value for key, value in data}
+    own_space = by_key.get("space") or by_key.get("type") or space
+    start = next((by_key[key] for key in _STARTS if key in by_key), None)
+    values = next((by_key[key] for key in _VALUES if key in by_key), None)
+    if start is not None and values is not None:
+        first = address_text(str(start))
+        number = first.number(DECIMAL) if first is not None else None
+        for offset, value in enumerate(
+            values if isinstance(values, list) and not isinstance(values, _Pairs) else [values]
+        ):
+            yield str(own_space), str(start) if number is None else str(number + offset), _cell(value)
+        return
+    for key, value in data:
+        if isinstance(value, list) and address_text(key) is None:
+            yield from _rows(value, key)
+        else:
+            yield str(space), clean(key), _cell(value)
 
 
 def _cell(value: object) -> str:
     text = value if isinstance(value, str) else "" if value is None else json.dumps(value, ensure_ascii=False)
     return clean(text)
+
+
+def _unfolded(sheet: Sheet) -> Sheet:
+    """A sheet with a row for each value where its rows have several, under headings such as `+0`, `+1`."""
+    heading = next((row for row in sheet.rows[:_LOOKED_AT] if _has_steps(row)), None)
+    if heading is None:
+        return sheet
+    steps = {column: _step(text) for column, text in enumerate(heading.cells) if _STEP.fullmatch(text)}
+    place = next((column for column, text in enumerate(heading.cells) if column not in steps), 0)
+    rows = [SheetRow(heading.number, ("", "address", "value"))]
+    for row in sheet.rows:
+        first = address_text(row.cell(place)) if row.number > heading.number else None
+        base = HEXADECIMAL if first is not None and first.lettered else DECIMAL
+        number = first.number(base) if first is not None else None
+        if number is not None:
+            rows += [
+                SheetRow(row.number, ("", f"0x{number + step:X}", row.cell(column))) for column, step in steps.items()
+            ]
+    return Sheet(tuple(rows), sheet.lines, sheet.name)
+
+
+def _has_steps(row: SheetRow) -> bool:
+    """Whether a row is a heading over values at neighbouring addresses."""
+    steps = [_step(text) for text in row.cells if _STEP.fullmatch(text)]
+    return len(steps) > 1 and steps == list(range(len(steps))) and any(map(str.isalpha, row.cells))
+
+
+def _step(text: str) -> int:
+    digits = text.lstrip("+")
+    return int(digits, 16) if digits.isalpha() else int(digits)
 
 
 def dump(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Dump:
@@ -85,15 +175,16 @@ def dump(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Dump:
 
     A sheet of two columns without headings has the addresses in the first one.
     """
+    sheet = _unfolded(sheet)
     if not {"address", "value"} & names.keys() and _bare(sheet):
         names = {**names, "address": "1", "value": "2"}
-    register_list = listing(sheet, names, base)
+    register_list = listing(sheet, names, Options(base=base))
     if "value" not in register_list.columns.places:
         headings = headings_text(register_list.columns.headings)
         raise ListError(
             f"has no column that looks like values ({headings}); name it with --value, by heading or number"
         )
-    texts = {row.number: register_list.columns.cell(row, "value") for row, _ in register_list.addresses}
+    texts = {row.number: register_list.columns.cell(row, "value") for row, _ in register_list.places.rows}
     lettered = any(_lettered(piece) for text in texts.values() for piece in _pieces(text))
     hexadecimal = lettered or base_of_heading(register_list.columns.heading("value")) == HEXADECIMAL
     values = {row: _values(text, row, hexadecimal) for row, text in texts.items() if text.lower() not in _NOT_READ}

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
 from fieldspec.language.model.value import MOST_PLACES, PRIMITIVES, Kind
-from fieldspec.tools.lists.column_roles import folded
-from fieldspec.tools.lists.listing import ListRow
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.words import folded
 
 USUAL = (Decimal(-10), Decimal(10))
 """The exponents of SunSpec, whose lists do not say them."""

@@ -38,6 +38,10 @@ COLUMNS = (
     "printed_name",
     "label",
     "values",
+    "special",
+    "bits",
+    "bytes",
+    "order",
     "section",
     "line",
     "unverified",
@@ -78,10 +82,20 @@ def row(item: Item) -> dict[str, Cell]:
         "printed_name": item.printed_name or None,
         "label": item.label or None,
         "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,
+        "special": "; ".join(f"{number} {name}" for number, name in item.special) or None,
+        "bits": "; ".join(_bit(*bit) for bit in item.bits) or None,
+        "bytes": value.size
+        if value is not None and not value.type.is_number and item.type in ("text", "bytes")
+        else None,
+        "order": item.order or None,
         "section": source.section or None if source else None,
         "line": source.line() if source else None,
         "unverified": "yes" if item.unverified else None,
     }
+
+
+def _bit(first: int, last: int, name: str) -> str:
+    return f"{first} {name}" if first == last else f"{first}..{last} {name}"
 
 
 def as_csv(items: Sequence[Item]) -> str:

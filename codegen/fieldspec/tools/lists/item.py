@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
+from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.access import narrowed
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.fact import Citation
-from fieldspec.language.model.registers import Parameter, ParameterSet, Register
+from fieldspec.language.model.registers import Parameter, ParameterSet
 from fieldspec.language.model.value import Value
 
 REGISTERS = "registers"
@@ -26,7 +26,9 @@ class Item:
 
     A field of a table, and a parameter with several elements, stand for `count` values: the first has the number
     `first`, and they are `stride` addresses apart, or all at one address if that is 0. `access` is empty if the manual
-    does not state it. `members` are the names of raw values, `ucum` the code of the unit.
+    does not state it. `members` are the names of raw values, of which `special` are states and no quantities; `ucum` is
+    the code of the unit, `order` that of the bytes of two words, empty for the usual one. `bits` are the lowest and the
+    highest number and the name of each. `other_names` are the names that the manual has for members and bits, by ours.
     """
 
     space: str
@@ -42,6 +44,10 @@ class Item:
     printed_name: str = ""
     label: str = ""
     members: tuple[tuple[str, str], ...] = ()
+    special: tuple[tuple[str, str], ...] = ()
+    bits: tuple[tuple[int, int, str], ...] = ()
+    other_names: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    order: str = ""
     source: Citation | None = None
     unverified: bool = False
     ucum: str = ""
@@ -54,15 +60,41 @@ class Item:
 
 def items(layout: DeviceLayout) -> list[Item]:
     """All items of a device: registers, tables and parameters, each by address."""
-    enums = layout.device.enums
-    items = [item for register in layout.device.registers() for item in _register(layout.device, register, enums)]
-    items += [item for table in layout.tables.values() for item in _table(layout.device, table, enums)]
+    items = [item for register in layout.registers for item in _register(layout.device, register)]
+    items += [item for table in layout.tables.values() for item in _table(layout.device, table)]
     items.sort(key=lambda item: item.address)
     for parameter_set in layout.device.parameters.values():
-        items += [
-            item for parameter in parameter_set.parameters for item in _parameter(parameter_set, parameter, enums)
-        ]
-    return [replace(item, ucum=_code(layout.device, item.value)) for item in items]
+        items += [item for parameter in parameter_set.parameters for item in _parameter(parameter_set, parameter)]
+    return [replace(item, ucum=_code(layout.device, item.value), **_named(layout.device, item.value)) for item in items]
+
+
+def _named(device: Device, value: Value | None) -> dict[str, Any]:
+    """The attributes of an item that name its raw values and its bits."""
+    enum = device.enums.get(value.enum) if value is not None and value.enum else None
+    flags = device.flags.get(value.flags) if value is not None and value.flags else None
+    members = enum.members if enum is not None else ()
+    bits = [bit for bit in flags.bits if not bit.reserved] if flags is not None else []
+    special = tuple((sentinel.text, sentinel.name) for sentinel in (value.sentinels if value is not None else ()))
+    other_names = {
+        fact.name: frozenset(filter(None, (fact.printed_name, fact.label, *getattr(fact, "aliases", ()))))
+        for fact in (*members, *bits)
+    }
+    return {
+        "members": (*((str(member.value), member.name) for member in members), *special),
+        "special": special,
+        "bits": tuple((bit.first, bit.last, bit.name) for bit in bits),
+        "other_names": other_names,
+    }
+
+
+_ORDERS = {("big", False): "", ("big", True): "CDAB", ("little", False): "DCBA", ("little", True): "BADC"}
+
+
+def _order(value: Value | None, order: str, swapped: bool) -> str:
+    """The order of the bytes of two words; empty for the usual one, and where there is only one byte."""
+    if value is None or value.size < 2 or not (value.type.is_number or value.text_form):
+        return ""
+    return _ORDERS[order, swapped and value.has_words]
 
 
 def _code(device: Device, value: Value | None) -> str:
@@ -75,7 +107,8 @@ def _type(value: Value) -> str:
     return f"{value.type.name} {value.digits}".strip()
 
 
-def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> Iterator[Item]:
+def _register(device: Device, layout: RegisterLayout) -> Iterator[Item]:
+    register = layout.register
     for number in range(register.count):
         index = register.index_from + number
         is_list = register.count > 1
@@ -91,31 +124,31 @@ def _register(device: Device, register: Register, enums: Mapping[str, Enum]) -> 
             value=register.value,
             printed_name=printed,
             label=register.label,
-            members=_members(register.value, enums),
+            order=_order(register.value, layout.order, layout.swapped),
             source=_first(sources),
             unverified=register.unverified,
         )
 
 
-def _table(device: Device, table_layout: TableLayout, enums: Mapping[str, Enum]) -> Iterator[Item]:
+def _table(device: Device, table_layout: TableLayout) -> Iterator[Item]:
     table = table_layout.table
-    for name, field, byte, access in _flat(table_layout.record, table.access):
+    for name, part, byte, access in _flat(table_layout.record, table.access):
         yield Item(
             space=_space(device, table.space),
             address=table.base + byte // 2,
             name=f"{table.name}.{name}",
-            words=(byte % 2 + field.size + 1) // 2,
-            type=_type(field.value) if field.value else "bytes",
+            words=(byte % 2 + part.size + 1) // 2,
+            type=_type(part.value) if part.value else "bytes",
             access=access,
-            value=field.value,
+            value=part.value,
             count=table.count,
             stride=table.stride,
             first=table.index_from,
-            members=_members(field.value, enums),
-            printed_name=field.field.printed_name,
-            label=field.field.label,
-            source=_first(field.field.sources),
-            unverified=field.field.unverified,
+            order=_order(part.value, part.order, part.swapped),
+            printed_name=part.field.printed_name,
+            label=part.field.label,
+            source=_first(part.field.sources),
+            unverified=part.field.unverified,
         )
 
 
@@ -131,19 +164,19 @@ def _flat(
 
     `access` is that of the container of the record.
     """
-    for field in record.fields:
-        allowed = narrowed(access, field.field.access)
-        count = field.count or 1
+    for part in record.fields:
+        allowed = narrowed(access, part.field.access)
+        count = part.count or 1
         for number in range(count):
-            name = f"{before}{field.name}" + (f"_{number}" if count > 1 else "")
-            byte = start + field.offset + number * field.size
-            if field.record is None:
-                yield name, field, byte, allowed
+            name = f"{before}{part.name}" + (f"_{number}" if count > 1 else "")
+            byte = start + part.offset + number * part.size
+            if part.record is None:
+                yield name, part, byte, allowed
             else:
-                yield from _flat(field.record, allowed, f"{name}.", byte)
+                yield from _flat(part.record, allowed, f"{name}.", byte)
 
 
-def _parameter(parameter_set: ParameterSet, parameter: Parameter, enums: Mapping[str, Enum]) -> Iterator[Item]:
+def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[Item]:
     for number in range(parameter.number, parameter.number + parameter.count):
         yield Item(
             space=parameter_set.space,
@@ -154,7 +187,6 @@ def _parameter(parameter_set: ParameterSet, parameter: Parameter, enums: Mapping
             access=parameter.access,
             value=parameter.value,
             count=parameter.elements or 1,
-            members=_members(parameter.value, enums),
             printed_name=parameter.printed_name,
             label=parameter.label,
             source=_first(parameter.sources),
@@ -164,16 +196,6 @@ def _parameter(parameter_set: ParameterSet, parameter: Parameter, enums: Mapping
 
 def _first(sources: tuple[Citation, ...]) -> Citation | None:
     return sources[0] if sources else None
-
-
-def _members(value: Value | None, enums: Mapping[str, Enum]) -> tuple[tuple[str, str], ...]:
-    """The raw values with names: members of the enum, and sentinels."""
-    enum = enums.get(value.enum) if value is not None and value.enum else None
-    enum_members = [(str(member.value), member.name) for member in enum.members] if enum is not None else []
-    return (
-        *enum_members,
-        *((sentinel.text, sentinel.name) for sentinel in (value.sentinels if value is not None else ())),
-    )
 
 
 def exact_number(number: Decimal | str) -> int | Decimal | str:

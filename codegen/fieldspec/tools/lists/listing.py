@@ -1,165 +1,315 @@
-"""A register list, row by row."""
+"""A register list, row by row: what each row says, what was assumed for all of them, and what was not taken."""
 
 from __future__ import annotations
 
+import re
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from decimal import Decimal
+from fractions import Fraction
+from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.cells import (
-    DECIMAL,
-    HEXADECIMAL,
-    HIGHEST,
-    REFERENCE,
-    AddressRange,
-    AddressText,
-    address_range,
-    base_of_heading,
+from fieldspec.tools.lists import directions
+from fieldspec.tools.lists.addresses import HIGHEST, REFERENCE, Place
+from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
+from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
+from fieldspec.tools.lists.column_roles import NOTE, Columns, columns
+from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
+from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
+from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, wire_number
+from fieldspec.tools.lists.quantities import known_unit
+from fieldspec.tools.lists.row_reading import FACTORS, Cells, ListRow, exported_row, read_row
+from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
+from fieldspec.tools.lists.words import meaning
+
+_NUMERIC = (*FACTORS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
+_FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
+_EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
+_BIT_NAME = re.compile(
+    r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
 )
-from fieldspec.tools.lists.column_roles import Columns, columns
-from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
-
-_MOST_WORDS = 5
-
-
-@dataclass(frozen=True, slots=True)
-class ListRow:
-    """A row of a list. `address` is that of the list, `row` is its number in the file.
-
-    Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role.
-    """
-
-    row: int
-    address: int
-    words: int | None
-    names: tuple[str, ...]
-    type: cells.Typed | None
-    access: str
-    low: Decimal | None
-    high: Decimal | None
-    default: Decimal | None
-    const: Decimal | None
-    count: int
-    stride: int
-    texts: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """A list. `skipped` are the numbers of rows without an address.
+    """A list. `skipped` are the numbers of rows without an address, `refused` what was not taken of rows and cells.
 
-    `bases` are the ways in which the addresses can be read, the likeliest first.
+    `bases` are the ways in which the addresses can be read, the likeliest first. `open` are the decisions for which the
+    evidence is equal. `own` says that the list is an export, whose columns need no decisions.
     """
 
     columns: Columns
-    addresses: tuple[tuple[SheetRow, AddressRange], ...]
+    places: Placed
+    read: tuple[ListRow, ...]
     skipped: tuple[int, ...]
+    refused: tuple[Refusal, ...]
     bases: tuple[str, ...]
+    assumptions: tuple[Assumption, ...]
+    open: tuple[Assumption, ...]
+    own: bool
 
     def rows(self, base: str) -> list[ListRow]:
-        """The rows, with the addresses read in one of the ways of `bases`."""
-        return [_list_row(self.columns, row, addresses, base) for row, addresses in self.addresses]
+        """The rows, with the addresses read in one of the ways of `bases`, but those that cannot be read so."""
+        return list(self._placed_rows(base)[0])
+
+    def numbered(self, base: str) -> tuple[list[ListRow], list[Refusal], list[Assumption]]:
+        """The same, with the rows that are refused for their numbers, and what was assumed of further columns."""
+        rows, refused = self._placed_rows(base)
+        contradicting, assumptions = contradictions(self.places, base, self.columns)
+        return (
+            [row for row in rows if row.row not in contradicting],
+            [*refused, *contradicting.values()],
+            assumptions,
+        )
 
     def heading(self, role: str) -> str:
         """The heading of a role's column."""
         return self.columns.heading(role)
 
+    def _placed_rows(self, base: str) -> tuple[list[ListRow], list[Refusal]]:
+        rows: list[ListRow] = []
+        refused: list[Refusal] = []
+        heading = self.columns.heading("address")
+        by_number = {sheet_row.number: (sheet_row, row_place) for sheet_row, row_place in self.places.rows}
+        for row in self.read:
+            sheet_row, row_place = by_number[row.row]
+            address = wire_number(row_place, base)
+            if address is None or address > HIGHEST:
+                reason = "is too great" if address is not None else f"cannot be read as {base}"
+                refused.append(Refusal(row.row, heading, self.columns.cell(sheet_row, "address"), reason))
+                continue
+            rows.append(_numbered(row, row_place, address, base))
+        return _with_gaps(_with_bits_beneath(rows, self)), refused
 
-def listing(sheet: Sheet, names: Mapping[str, str], base: str = "") -> Listing:
-    """The list in a sheet. `names` has the columns of some roles, `base` says how addresses are written.
 
-    Raises ListError if the sheet is no list.
-    """
+def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NOTHING) -> Listing:
+    """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is no list."""
     columns_of_sheet = columns(sheet, names)
-    rows: list[tuple[SheetRow, AddressRange]] = []
-    skipped: list[int] = []
-    wrong: list[SheetRow] = []
-    for row in columns_of_sheet.rows:
-        text = columns_of_sheet.cell(row, "address")
-        addresses = address_range(text, row.number) if text else None
-        if addresses is not None:
-            rows.append((row, addresses))
-        elif text and sum(map(bool, row.cells)) > 1 and row.cells != columns_of_sheet.headings:
-            wrong.append(row)
-        else:
-            skipped.append(row.number)
-    heading = columns_of_sheet.heading("address")
-    if wrong:
-        places = "; ".join(
-            f"`{columns_of_sheet.cell(row, 'address')[:40]}` in row {row.number}" for row in wrong[:_MOST_WORDS]
+    places = placed(columns_of_sheet)
+    ways = bases(places, options.base, columns_of_sheet.heading("address"))
+    own = columns_of_sheet.headings == OWN_COLUMNS
+    assumptions: list[Assumption] = []
+    decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
+    refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]
+    reason = "has cells that do not stand under the headings"
+    refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
+    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
+    read = []
+    for sheet_row, row_place in places.rows:
+        texts = {
+            role: text
+            for role in columns_of_sheet.places
+            if (text := columns_of_sheet.cell(sheet_row, role)) and (text not in _EMPTY or role == "address")
+        }
+        row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, options.order)
+        read.append(
+            replace(
+                row,
+                bits=row_place.bits or row.bits,
+                space=row_place.first.space or row.space or meaning("spaces", sheet.name),
+            )
         )
-        rest_text = f"; and {len(wrong) - _MOST_WORDS} more" if len(wrong) > _MOST_WORDS else ""
-        raise ListError(f"has no address under {heading}: {places}{rest_text}; name the column with --address")
-    if not rows:
-        alone = len(columns_of_sheet.headings) == 1 and len(heading.split()) > 1
-        parted = "; if spaces separate its columns, use tabs, commas or bars instead" if alone else ""
-        raise ListError(f"has no address under {heading}{parted}")
-    result = Listing(
-        columns_of_sheet, tuple(rows), tuple(skipped), _bases([addresses for _, addresses in rows], base, heading)
+    read = _by_functions(read)
+    undecided: list[Assumption] = []
+    if own:
+        read = [exported_row(row) for row in read]
+    else:
+        read = _decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
+    return Listing(
+        columns_of_sheet,
+        places,
+        tuple(read),
+        tuple(row.number for row in places.skipped),
+        tuple(refused),
+        ways,
+        tuple(assumptions),
+        tuple(undecided),
+        own,
     )
-    for base_name in result.bases:
-        _within(result.rows(base_name), heading)
+
+
+def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -> Cells:
+    """The cells of a row: its names are those of all columns of names, then its printed name and its label."""
+    further_columns = columns_of_sheet.more
+    further = [text for column in further_columns.get("name", ()) if (text := row.cell(column)) and text not in _EMPTY]
+    names = [texts[role] for role in ("name",) if role in texts] + further
+    names += [texts[role] for role in ("printed_name", "label") if role in texts]
+    noted = [columns_of_sheet.places[NOTE]] if NOTE in columns_of_sheet.places else []
+    notes = tuple(
+        (columns_of_sheet.heading_at(column), row.cell(column))
+        for column in (*noted, *further_columns.get(NOTE, ()))
+        if row.cell(column) and row.cell(column) not in _EMPTY
+    )
+    return Cells(row.number, texts, tuple(names), notes)
+
+
+def _decimal(columns_of_sheet: Columns, assumptions: list[Assumption]) -> str:
+    texts = (
+        columns_of_sheet.cell(row, role)
+        for role in _NUMERIC
+        if role in columns_of_sheet.places
+        for row in columns_of_sheet.rows
+    )
+    sign, example = decimal_sign(texts)
+    if sign == COMMA:
+        assumptions.append(Assumption("numbers", "a comma is before the fraction", f"`{example}`", "--decimal point"))
+    return sign
+
+
+def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
+    """The cells in use with a formula whose value the file does not have."""
+    used = {column + 1: role for role, column in columns_of_sheet.places.items()}
+    first = columns_of_sheet.rows[0].number
+    for row, column in sorted(sheet.formulas):
+        if column in used and row >= first:
+            heading = columns_of_sheet.heading(used[column])
+            yield Refusal(row, heading, f"{letters(column)}{row}", "is a formula whose value the file does not have")
+
+
+def _by_functions(rows: list[ListRow]) -> list[ListRow]:
+    """The rows, read only where the functions that the list names for them only read, and others also write."""
+    codes = [functions(row.texts.get("function", "")) for row in rows]
+    if not any(code is not None and code.writes for code in codes):
+        return rows
+    return [
+        replace(row, access="ro") if code is not None and not code.writes and not row.access else row
+        for row, code in zip(rows, codes, strict=True)
+    ]
+
+
+def _decided(
+    columns_of_sheet: Columns,
+    rows: Sequence[ListRow],
+    places: Placed,
+    ways: Sequence[str],
+    options: Options,
+    assumptions: list[Assumption],
+    undecided: list[Assumption],
+) -> list[ListRow]:
+    """The rows with what the whole list decides: the unit of lengths, the direction of factors, the unit of bounds."""
+    numbers = [wire_number(row_place, ways[0]) for _, row_place in places.rows]
+    gaps = [b - a if a is not None and b is not None else 0 for a, b in pairwise(numbers)] + [0]
+    sizes = [
+        (row.length, row.type.size if row.type else 0, gap) for row, gap in zip(rows, gaps, strict=True) if row.length
+    ]
+    heading = columns_of_sheet.heading("words") if "words" in columns_of_sheet.places else ""
+    unit, length_assumption = directions.length_unit(heading, sizes, options.length)
+    decided = [_with_length(row, unit) for row in rows]
+    role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
+    factors = [row.factor for row in decided if row.factor is not None]
+    measured = [decision for row in decided if (decision := _measured(row, row.factor)) is not None]
+    factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
+    direction, gain_assumption = directions.gain_direction(
+        factor_heading, role, factors, measured, sum(map(_is_coarse, decided)), options.gain
+    )
+    if not direction and gain_assumption is not None:
+        undecided.append(gain_assumption)
+        gain_assumption = None
+    decided = [_scaled(row, direction) for row in decided]
+    proved = gain_assumption is not None and gain_assumption.evidence.startswith("the bounds")
+    measured = [decision for row in decided if (decision := _measured(row, row.scale)) is not None]
+    bounds, bounds_assumption = directions.bounds_unit(measured, proved, options.bounds)
+    assumptions += [
+        decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
+    ]
+    return [replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1)) for row in decided]
+
+
+def _with_length(row: ListRow, unit: str) -> ListRow:
+    """A row with its words, by the unit of its length; a length that is no whole number of words is a doubt."""
+    text = row.texts.get("words", "")
+    factor = LENGTHS[unit]
+    if not text or (row.length is not None and row.length > 0 and (row.length < factor or row.length % factor == 0)):
+        return replace(row, words=max(row.length // factor, 1)) if row.length else row
+    return replace(row, doubts=(*row.doubts, f"Length in the list: {text}."))
+
+
+def _scaled(row: ListRow, direction: str) -> ListRow:
+    """A row with its scale; a factor beside another scale has to be the same, or is a doubt."""
+    if row.factor is None:
+        texts = {role: row.texts[role] for role in FACTORS if role in row.texts}
+        unread = [f"Scale in the list: {text}." for text in texts.values()] if row.scale is None else []
+        return replace(row, doubts=(*row.doubts, *unread))
+    own_way = DIVIDE if "divisor" in row.texts and "scale" not in row.texts and "gain" not in row.texts else direction
+    scale = 1 / row.factor if own_way == DIVIDE else row.factor
+    if not own_way or (row.scale is not None and row.scale != scale and 1 not in (row.scale, scale)):
+        text = next(row.texts[role] for role in FACTORS if role in row.texts)
+        return replace(row, doubts=(*row.doubts, f"Scale in the list: {text}."))
+    return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
+
+
+def _is_coarse(row: ListRow) -> bool:
+    """Whether a factor of ten or more stands beside a unit in whose parts devices measure."""
+    return row.factor is not None and row.factor >= 10 and (known_unit(row.unit) or row.unit) in _FINE
+
+
+def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:
+    if factor is None or row.low is None or row.high is None:
+        return None
+    type_name = row.type.of_words(row.words) if row.type else {1: "u16", 2: "u32"}.get(row.words or 1, "u64")
+    if row.type is None and row.low < 0:
+        type_name = type_name.replace("u", "i")
+    return Measured(row.row, factor, row.low, row.high, type_name)
+
+
+def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRow:
+    """A row with its address, and with the words from it to the last one that the cell has."""
+    reference = row_place.first.reference() if base == REFERENCE or row_place.first.mark == REFERENCE else None
+    last = row_place.last.number(base) if row_place.last is not None else None
+    first = row_place.first.number(base)
+    span = last - first + 1 if last is not None and first is not None and last >= first else None
+    doubts = row.doubts
+    if reference and row.space and row.space != reference[0]:
+        doubts = (
+            *doubts,
+            f"The list says {row.texts.get('space') or row.texts.get('function')}, and the number of {reference[0]}.",
+        )
+    if span is not None and row.words not in (None, span):
+        doubts = (*doubts, f"The list says {row.texts.get('words')} words, and {span} addresses.")
+    space = reference[0] if reference else row.space
+    return replace(row, address=address, words=row.words or span, space=space, doubts=doubts)
+
+
+def _with_bits_beneath(rows: list[ListRow], register_list: Listing) -> list[ListRow]:
+    """The rows, with those beneath a register that have no address but the number of a bit."""
+    bits_of = list(_bits_beneath(register_list))
+    if not bits_of:
+        return rows
+    by_row = sorted([*rows, *bits_of], key=lambda row: row.row)
+    result: list[ListRow] = []
+    for row in by_row:
+        above = result[-1] if result else None
+        if row.address < 0 and above is not None:
+            row = replace(row, address=above.address, space=above.space)
+        if row.address >= 0:
+            result.append(row)
     return result
 
 
-def _bases(ranges: Sequence[AddressRange], base: str, heading: str) -> tuple[str, ...]:
-    """The ways to read digits without a mark: only one if the user or the heading says it."""
-    ends = [end for address_range in ranges for end in (address_range.first, address_range.last) if end is not None]
-    stated = base or base_of_heading(heading)
-    if not stated and any(end.lettered for end in ends):
-        stated = HEXADECIMAL
-    if stated:
-        wrong = [end.digits for end in ends if end.number(stated) is None]
-        if wrong:
-            raise ListError(f"has the address `{wrong[0]}` under {heading}, which cannot be read as {stated}")
-        return (stated,)
-    bare = [end for end in ends if not end.mark]
-    if not bare:
-        return (HEXADECIMAL,)
-    ways = [DECIMAL, HEXADECIMAL]
-    if all(_is_reference(end) for end in bare):
-        ways.append(REFERENCE)
-    return tuple(ways)
+def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
+    """Rows of bits without an address, which stand at -1 until the register above is known."""
+    for row in register_list.places.skipped:
+        texts = {role: text for role in register_list.columns.places if (text := register_list.columns.cell(row, role))}
+        cells = _cells(register_list.columns, row, texts)
+        match = next((match for name in cells.names if (match := _BIT_NAME.fullmatch(name))), None)
+        own = read_row(cells, POINT, "")
+        if own.bits is not None and "bit" in texts and cells.names:
+            yield replace(own, address=-1)
+        elif match and match[3]:
+            low, high = int(match[1]), int(match[2] or match[1])
+            yield replace(own, address=-1, bits=(min(low, high), max(low, high)), names=(match[3], *cells.names))
 
 
-def _is_reference(end: AddressText) -> bool:
-    return end.reference() is not None
-
-
-def _within(rows: Sequence[ListRow], heading: str) -> None:
+def _with_gaps(rows: list[ListRow]) -> list[ListRow]:
+    """The rows with the distances to the next address of their space, 0 behind the last one."""
+    addresses: dict[str, list[int]] = defaultdict(list)
     for row in rows:
-        if row.address > HIGHEST:
-            raise ListError(f"has the address {row.address} under {heading} in row {row.row}, which is too great")
-
-
-def _list_row(columns: Columns, row: SheetRow, address: AddressRange, base: str) -> ListRow:
-    texts = {role: text for role in columns.places if (text := columns.cell(row, role))}
-    first = address.first.number(base) or 0
-    last = address.last.number(base) if address.last is not None else None
-    words = cells.whole(texts.get("words", ""))
-    if words is None and last is not None and last >= first:
-        words = last - first + 1
-    low, high = cells.number(texts.get("min", "")), cells.number(texts.get("max", ""))
-    bounds = cells.bounds(texts.get("range", ""))
-    if low is None and high is None and bounds is not None:
-        low, high = bounds
-    count = cells.whole(texts.get("count", "")) or 1
-    return ListRow(
-        row=row.number,
-        address=first,
-        words=words if words is not None and words > 0 else None,
-        names=tuple(texts[role] for role in ("name", "printed_name", "label") if role in texts),
-        type=cells.typed(texts.get("type", "")),
-        access=cells.access(texts.get("access", "")),
-        low=low,
-        high=high,
-        default=cells.number(texts.get("default", "")),
-        const=cells.number(texts.get("const", "")),
-        count=count if 1 <= count <= HIGHEST else 1,
-        stride=max(cells.whole(texts.get("stride", "")) or 0, 0),
-        texts=texts,
-    )
+        addresses[row.space].append(row.address)
+    following: dict[tuple[str, int], int] = {}
+    for space, numbers in addresses.items():
+        ordered = sorted(set(numbers))
+        following.update({(space, a): b - a for a, b in pairwise(ordered)})
+    return [replace(row, gap=following.get((row.space, row.address), 0)) for row in rows]
 
 
 def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:

@@ -15,19 +15,8 @@ class ListError(Exception):
     """A list that cannot be used. The message, behind the name of the file, says what is wrong and what to do."""
 
 
-@dataclass(frozen=True, slots=True)
-class Region:
-    """Merged cells: rows and columns, counted from 1, both ends included."""
-
-    first_row: int
-    first_column: int
-    last_row: int
-    last_column: int
-
-    def text(self) -> str:
-        """The range as a spreadsheet writes it: `C5:C9`."""
-        first, last = f"{letters(self.first_column)}{self.first_row}", f"{letters(self.last_column)}{self.last_row}"
-        return f"{first}:{last}"
+class CellError(Exception):
+    """A cell that is not taken. The message says why."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,14 +35,19 @@ class SheetRow:
 class Sheet:
     """The rows that are not empty. `formulas` are the cells with formulas, as row and column from 1.
 
-    `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file.
+    `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
+    names of further sheets with cells, `joined` those of the sheets that this one is made of, `encoding` that of a text
+    where it was guessed, `shifted` the rows whose cells do not stand under the headings.
     """
 
     rows: tuple[SheetRow, ...]
     lines: int
     name: str = ""
     formulas: frozenset[tuple[int, int]] = frozenset()
-    merged: tuple[Region, ...] = ()
+    others: tuple[str, ...] = ()
+    joined: tuple[str, ...] = ()
+    encoding: str = ""
+    shifted: frozenset[int] = frozenset()
 
 
 def letters(column: int) -> str:

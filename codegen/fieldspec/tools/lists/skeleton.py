@@ -2,66 +2,30 @@
 
 from __future__ import annotations
 
-import json
-import re
-import unicodedata
-from collections.abc import Iterable, Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
+from fractions import Fraction
 
-from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.language.model.units import standard_units
-from fieldspec.language.model.value import PRIMITIVES, Kind
-from fieldspec.language.schema import schema
-from fieldspec.tools.lists.column_roles import folded
+from fieldspec.foundation.classes import dataclass, field, replace
+from fieldspec.language.model.value import PRIMITIVES, Kind, Primitive
+from fieldspec.tools.lists.assumption import Refusal
+from fieldspec.tools.lists.entries import FIELD, PARAMETER, REGISTER, SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
-from fieldspec.tools.lists.listing import ListRow
-from fieldspec.tools.lists.sheet import ListError
-
-_NAME = schema()["$defs"]["name"]
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
-_ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
-_LONGEST = 48
-
-
-def named(texts: Iterable[str], address: int) -> str:
-    """A name from the first text in English, `register_2000` if there is none."""
-    for text in texts:
-        name = snake(text)
-        if name:
-            return name
-    return f"register_{address:04x}"
-
-
-def snake(text: str) -> str:
-    """`Target Position (0.01 mm)` as `target_position`; empty if the words are not English."""
-    ascii_text = unicodedata.normalize("NFKD", _ASIDE.sub(" ", text))
-    ascii_text = "".join(sign for sign in ascii_text if not unicodedata.combining(sign))
-    if any(sign.isalpha() and not sign.isascii() for sign in ascii_text):
-        return ""
-    name = ""
-    for word in _WORD.findall(ascii_text):
-        longer = f"{name}_{word}".strip("_").lower()
-        if len(longer) > _LONGEST:
-            break
-        name = longer
-    return name if re.fullmatch(_NAME["pattern"], name) and len(name) > 1 else ""
-
-
-_MOST_WORDS = 1 << 20
-_BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
-_UNITS = {
-    folded(symbol) or symbol: unit.symbol
-    for unit in reversed(standard_units().values())
-    for symbol in (*unit.others, unit.symbol)
-}
-_BARE_SCALAR = re.compile(r"[A-Za-z][A-Za-z0-9_./-]*")
+from fieldspec.tools.lists.meaning_text import meant
+from fieldspec.tools.lists.naming import fresh, named
+from fieldspec.tools.lists.own_parts import parameters, spaces, tables
+from fieldspec.tools.lists.quantities import known_unit
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.shapes import BIT
+from fieldspec.tools.lists.yaml_text import commented, exact, quoted
 
 _HEAD = """\
 # Written from a list, and not verified. Compare each row with the manual, cite its section and line as the source, and
-# take `unverified` away. Then put the manual's own title, file and hash below, and add how frames look: `fieldspec new
-# device` shows it.
+# take `unverified` away. Then put the manual's own title, file and hash below.
 """
+_HAS_IT_SO = "The list has it so."
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,84 +38,209 @@ class Origin:
 
 
 @dataclass(frozen=True, slots=True)
-class _Shape:
-    type: str
-    words: int
-    doubts: tuple[str, ...]
-    inferred: bool
+class Surroundings:
+    """What a spec has beside the rows: remarks for its head, what it takes of a protocol, and allowances.
+
+    `uses` has lines by section and is empty for a spec without frames. `allowed` has the rules that a row
+    may break, by its number.
+    """
+
+    remarks: Sequence[str] = ()
+    uses: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    allowed: Mapping[int, Sequence[str]] | None = None
 
 
-def skeleton(device: str, origin: Origin, rows: Sequence[ListRow]) -> str:
-    """The text of a spec file. Raises ListError for two rows about one word, and for spaces other than registers."""
-    other = next((row for row in rows if folded(row.texts.get("space", "")) not in ("", REGISTERS)), None)
-    if other is not None:
-        space = other.texts["space"]
-        raise ListError(f"has the space {space} in row {other.row}; only a list of registers can be imported")
-    shapes = [_shape(row) for row in rows]
-    _refuse_overlaps(rows, shapes)
-    lines = [_HEAD + "device:"]
+_NOTHING = Surroundings()
+
+
+@dataclass(frozen=True, slots=True)
+class Spec:
+    """The text of a spec, and the row of the list that each line comes from, by the line's number."""
+
+    text: str
+    rows: Mapping[int, int]
+
+
+def skeleton(
+    device: str,
+    origin: Origin,
+    registers: Sequence[Entry],
+    refused: Sequence[Refusal] = (),
+    surroundings: Surroundings = _NOTHING,
+) -> Spec:
+    """The spec of a device with the registers of a list. Rows that are refused become comments."""
+    writer = _Writer(registers, surroundings.allowed or {})
+    lines = [*_HEAD.splitlines(), *map(commented, surroundings.remarks), "device:"]
     lines += [f"  id: {device}", f"  name: {device}", "  vendor: unknown"]
     title = f"The list {origin.file}"
-    lines += ["  manual:", f"    title: {_quoted(title)}", f"    file: {_quoted(origin.file)}"]
+    lines += ["  manual:", f"    title: {quoted(title)}", f"    file: {quoted(origin.file)}"]
     lines += [f'    sha256: "{origin.sha256}"', f"    lines: {origin.lines}", ""]
-    lines += ["registers:", "  - group: listed", '    section: "1"', "    unverified: true"]
-    addresses = [row.address for row in rows]
-    if addresses == sorted(set(addresses)):
-        lines += _gaps(rows, shapes)
-    else:
-        lines.append("    order: as_listed")
-    lines.append("    rows:")
-    used_names: set[str] = set()
-    names = [_fresh(named(row.names, row.address), row.address, used_names) for row in rows]
-    scaled = exponents(rows, [shape.type for shape in shapes])
-    labels: set[str] = set()
-    for place, (row, shape) in enumerate(zip(rows, shapes, strict=True)):
-        scale_by = names[scaled[place]] if place in scaled else ""
-        lines.append(_register_line(row, shape, names[place], scale_by, place in scaled.values(), labels))
-    return "\n".join(lines) + "\n"
+    rows: dict[int, int] = {}
+    for line, number in writer.sections(surroundings.uses):
+        lines.append(line)
+        if number:
+            rows[len(lines)] = number
+    if refused:
+        lines.append("# Rows and cells of the list that are no facts here:")
+        lines += [commented(refusal.text()) for refusal in refused]
+    return Spec("\n".join(lines) + "\n", rows)
 
 
-def _shape(row: ListRow) -> _Shape:
-    """The type and the words of a register. If the list contradicts itself, its words count."""
-    known = row.type.of_words(row.words) if row.type else ""
-    if not known:
-        known = _BY_WORDS.get(row.words or 1, "bytes")
-        if row.low is not None and row.low < 0 and known != "bytes":
-            known = known.replace("u", "i")
-    size = PRIMITIVES[known].size
-    if not size:
-        return _Shape(known, row.words or 1, (), row.type is None)
-    if row.words is None or row.words == (size + 1) // 2:
-        return _Shape(known, (size + 1) // 2, (), row.type is None)
-    doubt = f"The list says {row.texts.get('type', known)}, and {row.words} words."
-    return _Shape(_BY_WORDS.get(row.words, "bytes"), row.words, (doubt,), False)
+class _Writer:
+    """Writes the sections of a spec as lines, each with the row that it comes from, or 0."""
+
+    def __init__(self, registers: Sequence[Entry], allowed: Mapping[int, Sequence[str]]) -> None:
+        self._registers = registers
+        self._allowed = allowed
+        self._labels: set[str] = set()
+        used: dict[str, set[str]] = defaultdict(set)
+        self._names = [
+            fresh(_name(entry), f"{entry.row.address:04x}", used[entry.space if entry.row.is_own else ""])
+            for entry in registers
+        ]
+        scaled = exponents([entry.row for entry in registers], [entry.shape.type for entry in registers])
+        self._scale_by = {place: self._names[other] for place, other in scaled.items()}
+        self._exponents = set(scaled.values())
+        enums: dict[object, str] = {}
+        enum_names: set[str] = set()
+        self._meant = [
+            meant(entry, name, enums, enum_names, place in self._exponents or place in self._scale_by)
+            for place, (entry, name) in enumerate(zip(registers, self._names, strict=True))
+        ]
+
+    def sections(self, uses: Mapping[str, Sequence[str]]) -> list[tuple[str, int]]:
+        """The lines of what a protocol gives, units, enums, bit fields and registers."""
+        lines: list[tuple[str, int]] = []
+        for section, used_lines in uses.items():
+            if used_lines and section not in ("enums", "records"):
+                lines += [(f"{section}:", 0), *((line, 0) for line in used_lines)]
+        if not uses and any(entry.row.is_own for entry in self._registers):
+            lines += [(line, 0) for line in spaces(self._registers)]
+        lines += self._units()
+        for section in ("enums", "flags"):
+            own = [
+                (line, entry.row.row)
+                for entry, meaning in zip(self._registers, self._meant, strict=True)
+                if (line := meaning.enum_line if section == "enums" else meaning.flags_line)
+            ]
+            used = [(line, 0) for line in uses.get(section, ())]
+            lines += [(f"{section}:", 0), *used, *own] if used or own else []
+        space_names = dict.fromkeys((*SPACES, *(entry.space for entry in self._registers)))
+        groups = {
+            space: [n for n, entry in enumerate(self._registers) if entry.space == space and entry.kind == REGISTER]
+            for space in space_names
+        }
+        lines += tables(self._registers, self._fact, uses.get("records", ()))
+        lines += [("registers:", 0)] if any(groups.values()) else []
+        for space, places in groups.items():
+            lines += self._group(space, places) if places else []
+        return [*lines, *parameters(self._registers, self._fact)]
+
+    def _units(self) -> Iterator[tuple[str, int]]:
+        """The units that the language does not have."""
+        first: dict[str, int] = {}
+        for entry in self._registers:
+            unit = entry.row.unit
+            if unit and not known_unit(unit):
+                first.setdefault(unit, entry.row.row)
+        used: set[str] = set()
+        if first:
+            yield "units:", 0
+        for unit, row in first.items():
+            name = fresh(named([unit], 0).replace("register_0000", "unit"), "unit", used)
+            yield f"  - {{symbol: {quoted(unit)}, name: {name}, source: 1 L{row}, unverified: true}}", row
+
+    def _group(self, space: str, places: Sequence[int]) -> Iterator[tuple[str, int]]:
+        name = "listed" if space == REGISTERS else f"listed_{space}"
+        yield f"  - group: {name}", 0
+        if space != REGISTERS:
+            yield f"    space: {space}", 0
+        yield '    section: "1"', 0
+        yield "    unverified: true", 0
+        registers = [self._registers[place] for place in places]
+        addresses = [entry.row.address for entry in registers]
+        has_tables = any((entry.space, entry.kind) == (space, FIELD) for entry in self._registers)
+        if addresses == sorted(set(addresses)) and not has_tables:
+            yield from ((line, 0) for line in _gaps(registers))
+        else:
+            yield "    order: as_listed", 0
+        yield "    rows:", 0
+        for place in places:
+            yield f"      - {{{self._fact(place)}}}", self._registers[place].row.row
+
+    def _fact(self, place: int) -> str:
+        """The keys of a register, of a field or of a parameter."""
+        entry, name, meaning = self._registers[place], self._names[place], self._meant[place]
+        row, own_shape, texts = entry.row, entry.shape, entry.row.texts
+        type_name = meaning.type or own_shape.type
+        kind = PRIMITIVES[type_name]
+        doubts = [*own_shape.doubts, *row.doubts, *meaning.doubts]
+        inferred = {"type": own_shape.inferred} if own_shape.inferred else {}
+        if place in self._exponents and is_open(row):
+            low, high = bounds(row)
+            row = replace(row, low=low, high=high)
+            inferred["range"] = "The list does not say it; that of SunSpec is taken."
+        parts = _head(entry, name, type_name)
+        parts += [f"access: {row.access}"] if row.access else []
+        parts += _orders(row.order, kind)
+        unit = known_unit(row.unit) or row.unit
+        if unit and kind.kind in (Kind.INTEGER, Kind.FLOAT):
+            parts.append(f"unit: {quoted(unit)}")
+        elif unit:
+            doubts.append(f"Unit in the list: {texts.get('unit', unit)}.")
+        scale_by = self._scale_by.get(place, "")
+        parts += [f"scale_by: {quoted(scale_by)}"] if scale_by else []
+        if scale_by:
+            doubts = [doubt for doubt in doubts if not doubt.startswith("Scale in the list")]
+        parts += _numbers(row, kind.kind, kind.low, kind.high, bool(scale_by), doubts)
+        parts += meaning.keys
+        allowed = list(self._allowed.get(row.row, ()))
+        if entry.is_own:
+            parts += _words(row, name, self._labels, allowed)
+        if allowed:
+            parts.append("allow: {" + ", ".join(f"{rule}: {_HAS_IT_SO}" for rule in dict.fromkeys(allowed)) + "}")
+        if inferred:
+            parts.append(f"inferred: {{{', '.join(f'{key}: {reason}' for key, reason in inferred.items())}}}")
+        if doubts:
+            parts.append(f"notes: [{', '.join(map(quoted, doubts))}]")
+        parts += [f"source: {'1 ' if entry.kind == PARAMETER else ''}L{row.row}", "unverified: true"]
+        return ", ".join(parts)
 
 
-def _refuse_overlaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> None:
-    rows_by_address: dict[int, int] = {}
-    twice: list[tuple[int, int, int]] = []
-    for row, shape in zip(rows, shapes, strict=True):
-        stride = row.stride or shape.words
-        if len(rows_by_address) + row.count * shape.words > _MOST_WORDS:
-            raise ListError(f"has more words than a device, up to row {row.row}")
-        for address in (row.address + n * stride + word for n in range(row.count) for word in range(shape.words)):
-            first = rows_by_address.setdefault(address, row.row)
-            if first != row.row and (not twice or twice[-1][1] != row.row):
-                twice.append((first, row.row, address))
-    if twice:
-        rows_text = "; ".join(f"rows {a} and {b} hold 0x{address:04X}" for a, b, address in twice[:5])
-        rest_text = f"; and {len(twice) - 5} more" if len(twice) > 5 else ""
-        raise ListError(f"has two rows about the same word: {rows_text}{rest_text}; correct their addresses or words")
+def _head(entry: Entry, name: str, type_name: str) -> list[str]:
+    """The first keys of a fact: where it is, its name, its type and its size."""
+    row, own_shape = entry.row, entry.shape
+    is_sized = bool(PRIMITIVES[type_name].size)
+    if entry.kind == PARAMETER:
+        elements = [f"elements: {row.count}"] if row.count > 1 else []
+        elements += [] if is_sized else [f"length: {row.texts.get('bytes')}"]
+        return [f"number: {row.address}", f"name: {quoted(name)}", f"type: {type_name}", *elements]
+    if entry.kind == FIELD:
+        length = [] if is_sized else [f"length: {row.texts.get('bytes') or own_shape.words * 2}"]
+        length += ["reserved: true"] if row.const is not None else []
+        return [f"name: {quoted(name.rpartition('.')[2])}", f"type: {type_name}", *length]
+    parts = [f"at: 0x{row.address:04X}", f"name: {quoted(name)}", f"type: {type_name}"]
+    if type_name != BIT and (row.words is not None or not row.is_own):
+        parts.append(f"words: {own_shape.words}")
+    if own_shape.count > 1:
+        parts += [f"count: {own_shape.count}", f"stride: {row.stride or own_shape.words}"]
+    return parts
 
 
-def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
-    """The lines of the gaps between the first register and the last. The rows ascend."""
+def _name(entry: Entry) -> str:
+    if entry.kind == FIELD:
+        return entry.row.texts["name"]
+    return named(entry.row.names if entry.is_own else (), entry.row.address)
+
+
+def _gaps(registers: Sequence[Entry]) -> Iterator[str]:
+    """The lines of the gaps between the first register and the last. The registers ascend."""
     gaps = []
-    end = rows[0].address
-    for row, shape in zip(rows, shapes, strict=True):
-        if row.address > end:
-            gaps.append((end, row.address - 1))
-        end = max(end, row.address + (row.count - 1) * (row.stride or shape.words) + shape.words)
+    end = registers[0].row.address
+    for entry in registers:
+        if entry.row.address > end:
+            gaps.append((end, entry.row.address - 1))
+        end = max(end, entry.row.address + _extent(entry))
     if gaps:
         yield "    gaps:"
     for low, high in gaps:
@@ -159,124 +248,87 @@ def _gaps(rows: Sequence[ListRow], shapes: Sequence[_Shape]) -> Iterator[str]:
         yield f"      - {{at: {address_text}, reason: The list leaves them out.}}"
 
 
-def _register_line(row: ListRow, shape: _Shape, name: str, scale_by: str, is_exponent: bool, labels: set[str]) -> str:
-    """The line of a register; `scale_by` is the name of the register with the exponent of its scale, or empty."""
-    texts = row.texts
-    doubts = list(shape.doubts)
-    kind = PRIMITIVES[shape.type]
-    inferred = {"type": "The list does not say it."} if shape.inferred else {}
-    if is_exponent and is_open(row):
-        low, high = bounds(row)
-        row = replace(row, low=low, high=high)
-        inferred["range"] = "The list does not say it; that of SunSpec is taken."
-    parts = [f"at: 0x{row.address:04X}", f"name: {_quoted(name)}", f"type: {shape.type}", f"words: {shape.words}"]
-    if row.count > 1:
-        parts += [f"count: {row.count}", f"stride: {row.stride or shape.words}"]
-    if row.access:
-        parts.append(f"access: {row.access}")
-    elif "access" in texts:
-        doubts.append(f"Access in the list: {texts['access']}.")
-    unit = texts.get("unit", "")
-    if unit:
-        known = _UNITS.get(folded(unit) or unit)
-        parts += [f"unit: {_quoted(known)}"] if known else []
-        doubts += [] if known else [f"Unit in the list: {unit}."]
-    parts += [f"scale_by: {_quoted(scale_by)}"] if scale_by else []
-    parts += _numbers(row, kind.kind is Kind.INTEGER, kind.low, kind.high, bool(scale_by), doubts)
-    parts += _words(row, name, labels)
-    if "type" in texts and row.type is None:
-        doubts.append(f"Type in the list: {texts['type']}.")
-    if inferred:
-        parts.append(f"inferred: {{{', '.join(f'{key}: {reason}' for key, reason in inferred.items())}}}")
-    if doubts:
-        parts.append(f"notes: [{', '.join(map(_quoted, doubts))}]")
-    parts += [f"source: L{row.row}", "unverified: true"]
-    return f"      - {{{', '.join(parts)}}}"
+def _extent(entry: Entry) -> int:
+    """The number of addresses from a register's first to its last."""
+    words = entry.shape.words
+    return (entry.shape.count - 1) * (entry.row.stride or words) + words
 
 
-def _numbers(
-    row: ListRow, is_integer: bool, lowest: int, highest: int, has_exponent: bool, doubts: list[str]
-) -> list[str]:
-    """Scale, range, default and constant, if they are whole counts of the type; else they become doubts."""
+def _orders(order: str, kind: Primitive) -> Iterator[str]:
+    """The order of words and of bytes, where they are not those of the device: big, as frames have them."""
+    if order in ("CDAB", "DCBA", "BADC") and kind.is_number and kind.size > 2 and kind.size % 2 == 0:
+        yield f"word_order: {'big' if order == 'BADC' else 'little'}"
+    if order in ("BADC", "DCBA") and kind.kind in (Kind.INTEGER, Kind.FLOAT, Kind.TEXT):
+        yield "byte_order: little"
+
+
+def _numbers(row: ListRow, kind: Kind, lowest: int, highest: int, has_exponent: bool, doubts: list[str]) -> list[str]:
+    """Scale, offset, range, default and constant, if they are whole counts of the type; else they become doubts."""
     texts, parts = row.texts, []
-    scale = _decimal(texts.get("scale", ""))
-    if has_exponent:
-        pass
-    elif scale is not None and scale > 0 and is_integer:
-        parts += [f"scale: {scale:f}"] if scale != 1 else []
-    elif "scale" in texts:
-        doubts.append(f"Scale in the list: {texts['scale']}.")
-    low, high = row.low, row.high
-    ranged = low is not None and high is not None and is_integer and _counts(low, high, lowest, highest)
-    if ranged:
-        parts.append(f"range: {low:f}..{high:f}")
+    is_integer = kind is Kind.INTEGER
+    scale = row.scale or Fraction(1)
+    if scale != 1 and not has_exponent:
+        if is_integer:
+            parts.append(f"scale: {row.scale_text or exact(scale)}")
+        else:
+            doubts.append(f"Scale in the list: {exact(scale)}.")
+    if row.offset and is_integer:
+        parts.append(f"offset: {row.offset:f}")
+    elif row.offset:
+        doubts.append(f"Offset in the list: {row.offset:f}.")
+    has_counts = is_integer or kind is Kind.BOOLEAN
+    low, high = (_count(bound, row) for bound in (row.low, row.high))
+    if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
+        parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
+        lowest, highest = low, high
+    elif row.is_own and kind is Kind.FLOAT and row.low is not None and row.high is not None:
+        parts.append(f"range: {row.low:f}..{row.high:f}")
     else:
-        unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max"), "Range": texts.get("range")}
+        unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max")}
+        unread |= {"Range": texts.get("range")} if row.low is not None else {}
         doubts += [f"{heading} in the list: {text}." for heading, text in unread.items() if text]
-    permitted = (low, high) if ranged and low is not None and high is not None else (lowest, highest)
+    special = {number for number, _ in row.special}
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
-        if key in texts and number is not None and is_integer and _counts(number, number, *permitted):
-            parts.append(f"{key}: {number:f}")
+        count = _count(number, row) if key == "default" else _whole(number)
+        if key in texts and count is not None and has_counts and (lowest <= count <= highest or str(count) in special):
+            unit_key = "unit_default" if row.in_unit and key == "default" else key
+            parts.append(f"{unit_key}: {_bound(number)}")
+        elif key in texts and row.is_own and kind is Kind.TEXT:
+            parts.append(f"{key}: {quoted(texts[key])}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")
     return parts
 
 
-def _counts(low: Decimal, high: Decimal, lowest: Decimal | int, highest: Decimal | int) -> bool:
-    """Whether two numbers are whole, in order, and fit a type."""
-    whole = low == low.to_integral_value() and high == high.to_integral_value()
-    return whole and lowest <= low <= high <= highest
+def _bound(number: Decimal | None) -> str:
+    """A bound without zeros behind a point."""
+    return exact(Fraction(number or 0))
 
 
-def _words(row: ListRow, name: str, labels: set[str]) -> Iterator[str]:
-    """The printed name and the label of a register, with the allowances that two equal ones or a broken one need."""
+def _count(number: Decimal | None, row: ListRow) -> int | None:
+    """A bound as a whole count; None if it is none."""
+    if number is None or not row.in_unit:
+        return _whole(number)
+    count = (Fraction(number) - Fraction(row.offset)) / (row.scale or 1)
+    return int(count) if count.denominator == 1 else None
+
+
+def _whole(number: Decimal | None) -> int | None:
+    return int(number) if number is not None and number == number.to_integral_value() else None
+
+
+def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Iterator[str]:
+    """The printed name and the label of a register; two equal ones and broken ones are added to what is `allowed`."""
     texts = row.texts
-    printed = texts.get("printed_name", "") or texts.get("name", "")
+    printed = texts.get("printed_name", "") or (row.names[0] if row.names else "")
     label = texts.get("label", "")
-    allowed = []
+    if printed == label and "printed_name" not in texts and "name" not in texts:
+        printed = ""
     if "_" in printed and len(printed.split()) > 1 and printed != name:
-        allowed.append("printed_names_whole: The list has it so.")
-    is_repeated = False
+        allowed.append("printed_names_whole")
     for key, text in (("printed_name", printed), ("label", label)):
         if text and text != name:
-            is_repeated |= f"{key} {text}" in labels
+            if f"{key} {text}" in labels and not row.is_own:
+                allowed.append("labels_unique")
             labels.add(f"{key} {text}")
-            yield f"{key}: {_quoted(text)}"
-    if is_repeated:
-        allowed.append("labels_unique: The list has it twice.")
-    if allowed:
-        yield f"allow: {{{', '.join(allowed)}}}"
-
-
-def _fresh(name: str, address: int, names: set[str]) -> str:
-    """A name that no other register has, which is added to `names`."""
-    fresh_name, number = name, 1
-    while fresh_name in names:
-        fresh_name = f"{name}_{address:04x}" if number == 1 else f"{name}_{address:04x}_{number}"
-        number += 1
-    names.add(fresh_name)
-    return fresh_name
-
-
-def _decimal(text: str) -> Decimal | None:
-    if re.fullmatch(r"[0-9]{1,12}(\.[0-9]{1,12})?", text):
-        return Decimal(text)
-    return None
-
-
-def _quoted(text: str) -> str:
-    """A text as YAML writes it within brackets, without quotes if it is a word."""
-    if _BARE_SCALAR.fullmatch(text) and text.casefold() not in (
-        "true",
-        "false",
-        "yes",
-        "no",
-        "on",
-        "off",
-        "null",
-        "y",
-        "n",
-    ):
-        return text
-    escaped = (sign if sign.isprintable() or sign == " " else f"\\U{ord(sign):08X}" for sign in text)
-    return '"' + "".join(json.dumps(sign)[1:-1] if sign in '"\\' else sign for sign in escaped) + '"'
+            yield f"{key}: {quoted(text)}"

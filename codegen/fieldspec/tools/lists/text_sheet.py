@@ -9,9 +9,13 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterator
+from typing import Any
 
 from fieldspec.foundation.spreadsheet import clean
+from fieldspec.tools.lists.addresses import address_text
+from fieldspec.tools.lists.columns_by_place import placed_sheet
 from fieldspec.tools.lists.json_text import json_data
+from fieldspec.tools.lists.known_formats import refuse_known_format
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
 
 _MARKS = (
@@ -20,6 +24,12 @@ _MARKS = (
     (codecs.BOM_UTF32_BE, "utf-32"),
     (codecs.BOM_UTF16_LE, "utf-16"),
     (codecs.BOM_UTF16_BE, "utf-16"),
+)
+WESTERN = "cp1252"
+"""The encoding of a text that is no UTF-8, whose other letters stand alone and are those of western languages."""
+
+_WESTERN_SIGNS = frozenset(
+    "°²³µ±§·\u00d7÷½¼¾ºª®©™€\u2013\u2014\u2018\u2019“”…«»¿¡äöüÄÖÜßéèêëàâáíóúñçôîïìòùûåøæÅØÆÉÀÈÊÍÓÚÑÇãõÃÕ"
 )
 _KNOWN_BINARIES = (
     (b"\xd0\xcf\x11\xe0", "an old workbook of Excel; save it as .xlsx"),
@@ -38,9 +48,16 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     text = decoded(content, encoding)
     if not text.strip():
         raise ListError("is empty")
-    if text.lstrip()[0] == "[":
+    refuse_known_format(text)
+    if text.lstrip()[0] in "[{":
         return _of_json(text)
+    guessed = WESTERN if not encoding and _is_western(content) else ""
     separator = _separator([line for line, _ in zip(io.StringIO(text, newline=None), range(_LOOKED_AT), strict=False)])
+    if not separator:
+        placed = placed_sheet(text)
+        if placed is not None:
+            return placed
+        separator = ","
     bars = separator == "|"
     rows = []
     size = [0]
@@ -65,7 +82,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
                 rows.append(SheetRow(number, row))
     except csv.Error as error:
         raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
-    return Sheet(tuple(rows), number)
+    return Sheet(tuple(rows), number, encoding=guessed)
 
 
 def _bounded_lines(text: str, size: list[int]) -> Iterator[str]:
@@ -99,6 +116,8 @@ def decoded(content: bytes, encoding: str = "") -> str:
             raise ListError(f"is not in the encoding {encoding_name}; use another --encoding") from None
         if b"\0" in content:
             raise ListError("is binary: use a CSV or XLSX file, or add --encoding utf-16-le") from None
+        if _is_western(content):
+            return content.decode(WESTERN)
         raise ListError("is not UTF-8; state its encoding, such as --encoding gbk or --encoding big5") from None
     if "\0" in text:
         hint = "use a CSV or XLSX file" if encoding_name else "use a CSV or XLSX file, or add --encoding utf-16-le"
@@ -106,8 +125,22 @@ def decoded(content: bytes, encoding: str = "") -> str:
     return text.removeprefix("\ufeff")
 
 
+def _is_western(content: bytes) -> bool:
+    """Whether bytes are no UTF-8, and a text with western letters, of which no more than two stand together."""
+    try:
+        content.decode("utf-8")
+    except UnicodeError:
+        text = content.decode(WESTERN, "replace")
+        runs = re.findall(r"[^\x00-\x7f]+", text)
+        return all(len(run) <= 2 and _WESTERN_SIGNS.issuperset(run) for run in runs)
+    return False
+
+
 def _separator(lines: list[str]) -> str:
-    """The separator that gives the most rows of equal length; bars for a table with bars around it."""
+    """The separator that gives the most rows of equal length; bars for a table with bars around it.
+
+    It is empty where none parts half of the rows.
+    """
     looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
@@ -120,12 +153,14 @@ def _separator(lines: list[str]) -> str:
         width, count = max(widths.items(), key=lambda pair: (pair[1], pair[0]), default=(0, 0))
         if (count, width) > best_score:
             best, best_score = separator, (count, width)
-    return best
+    return best if best_score[0] * 2 >= len(looked_at) else ""
 
 
 def _of_json(text: str) -> Sheet:
-    """The sheet of a JSON list of objects. Its columns are their keys."""
+    """The sheet of a JSON list of objects, of the longest one in an object, or of objects by address or name."""
     data = json_data(text)
+    if isinstance(data, dict):
+        data = _objects(data)
     if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
         raise ListError("is JSON but not a list of objects")
     if len(data) > MOST_ROWS:
@@ -136,6 +171,23 @@ def _of_json(text: str) -> Sheet:
     rows = [SheetRow(1, tuple(map(clean, heads)))]
     rows += [SheetRow(n, tuple(_json_cell(item.get(head)) for head in heads)) for n, item in enumerate(data, 2)]
     return Sheet(tuple(row for row in rows if any(row.cells)), len(data) + 1)
+
+
+def _objects(data: dict[str, Any]) -> list[Any]:
+    """The longest list of objects in an object, or the objects in it by their keys; empty if it has neither."""
+    objects: list[Any] = []
+    for value in [data, *data.values()]:
+        for inner in value.values() if isinstance(value, dict) else [value]:
+            if isinstance(inner, list) and len(inner) > len(objects) and all(isinstance(item, dict) for item in inner):
+                objects = inner
+        if (
+            isinstance(value, dict)
+            and len(value) > len(objects)
+            and all(isinstance(item, dict) for item in value.values())
+        ):
+            key = "address" if all(address_text(text) for text in value) else "name"
+            objects = [{key: text, **item} for text, item in value.items()]
+    return objects
 
 
 def _json_cell(value: object) -> str:

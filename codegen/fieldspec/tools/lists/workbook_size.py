@@ -24,8 +24,11 @@ _ENTRY = b"PK\x01\x02"
 _PLACE = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
 
 
-def check_workbook(content: bytes) -> None:
-    """Raises ListError for a workbook that has more than a list needs, or declares entities."""
+def used_area(content: bytes) -> tuple[int, int]:
+    """The last row and the last column with contents in any sheet of a workbook.
+
+    Raises ListError for a workbook that has more than a list needs, or declares entities.
+    """
     if content.count(_ENTRY) > _MOST_PARTS:
         raise ListError(f"has more than {_MOST_PARTS} parts; a list of registers has fewer")
     try:
@@ -40,6 +43,7 @@ def check_workbook(content: bytes) -> None:
                 if part.filename.lower().endswith((".xml", ".rels", ".vml")):
                     with packed.open(part) as file:
                         counts.count(file)
+            return counts.area
     except (zipfile.BadZipFile, zipfile.LargeZipFile, EOFError, RuntimeError, ValueError, OSError, expat.ExpatError):
         raise ListError("is a truncated or protected workbook; save it again as .xlsx, or as CSV") from None
     except ListError:
@@ -58,6 +62,7 @@ class _Counts:
         self._depth = 0
         self._row = self._column = 0
         self._rows = self._columns = self._cells = self._merged = 0
+        self.area = (0, 0)
 
     def count(self, file: IO[bytes]) -> None:
         """Adds the counts of a part of the workbook."""
@@ -78,26 +83,25 @@ class _Counts:
             raise ListError("unpacks to more than a list of registers holds")
         short = name.rpartition(" ")[2]
         if short == "row":
-            self._reach(int(attributes.get("r", self._row + 1)), 0)
+            self._row, self._column = int(attributes.get("r", self._row + 1)), 0
         elif short == "c":
             self._cells += 1
             if self._cells > MOST_CELLS:
                 raise ListError(f"has more than {MOST_CELLS} cells; a list of registers has fewer")
             place = _PLACE.fullmatch(attributes.get("r", ""))
-            if place is None:
-                self._reach(self._row, self._column + 1)
-            else:
-                self._reach(int(place[2]), _column(place[1]))
+            self._row, self._column = (int(place[2]), _column(place[1])) if place else (self._row, self._column + 1)
+        elif short in ("v", "f", "is"):
+            self._reach()
         elif short == "mergeCell":
             self._merge(attributes.get("ref", ""))
 
     def _end(self, name: str) -> None:
         self._depth -= 1
 
-    def _reach(self, row: int, column: int) -> None:
-        """Takes a cell into account: memory is needed for all cells between the first one and this one."""
-        self._row, self._column = row, column
-        self._rows, self._columns = max(self._rows, row), max(self._columns, column)
+    def _reach(self) -> None:
+        """Takes a cell with contents into account: memory is needed for all cells up to it."""
+        self._rows, self._columns = max(self._rows, self._row), max(self._columns, self._column)
+        self.area = max(self.area[0], self._rows), max(self.area[1], self._columns)
         if self._rows > MOST_ROWS:
             raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
         if self._columns > MOST_COLUMNS:

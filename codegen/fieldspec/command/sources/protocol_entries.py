@@ -1,0 +1,136 @@
+"""What a device that uses a protocol has to state for itself: entries of what it cites, and its address spaces."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+from pathlib import Path
+
+from fieldspec.command.console.usage import UsageError
+from fieldspec.command.files import regular_file
+from fieldspec.language.model.address_space import BIT, WORD
+from fieldspec.language.reading.findings import LARGEST_FILE, PROTOCOLS
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, identity, mappings
+from fieldspec.language.reading.project import read
+from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.yaml_reader import decoded, parsed
+
+# The sections of a protocol whose entries a device must cite, and the keys that an entry needs there.
+_CITED: dict[str, tuple[str, ...]] = {
+    "links": (),
+    "messages": (),
+    "enums": (),
+    "flags": ("type", "bits"),
+    "records": ("fields",),
+    "parameters": ("rows",),
+}
+
+
+def entries(path: Path) -> Iterator[str]:
+    """A line for each entry of a protocol that a device must cite. Raises UsageError."""
+    tree = _tree(path)
+    for section in _CITED:
+        yield from _section(section, list(mappings(tree.values.get(section))), "")
+    yield from _spaces(_accesses(mappings(tree.values.get("messages"))), "")
+
+
+def uses(path: Path, spaces: Collection[str]) -> dict[str, list[str]]:
+    """The sections of a device that uses a protocol for some address spaces: what it takes, and what it states of that.
+
+    The first space is that of the messages that name none. Raises UsageError.
+    """
+    tree = _tree(path)
+    links, messages = (list(mappings(tree.values.get(section))) for section in ("links", "messages"))
+    used_messages = [message for message in messages if {space for space, _ in _accesses([message])} & {*spaces}]
+    names = {text for item in (*links, *used_messages) for text in _texts(item)}
+    records = [item for item in mappings(tree.values.get("records")) if identity(item) in names]
+    names |= {text for item in records for text in _texts(item)}
+    enums = [item for item in mappings(tree.values.get("enums")) if identity(item) in names]
+    message_names = ", ".join(identity(message) or "" for message in used_messages)
+    sections = {"uses": [f"  - {{protocol: {path.stem}, messages: [{message_names}]}}"]}
+    for section, items in (("links", links), ("messages", used_messages), ("enums", enums), ("records", records)):
+        sections[section] = list(_section(section, items, ", unverified: true"))[1:]
+    accessed = [(space, unit) for space, unit in _accesses(messages) if space in ("", *spaces)]
+    sections["spaces"] = list(_spaces(accessed, ", unverified: true"))[1:]
+    return sections
+
+
+def reads_words(path: Path) -> bool:
+    """Whether a protocol has a message that reads words at addresses. Raises UsageError."""
+    return any(unit == WORD for _, unit in _accesses(mappings(_tree(path).values.get("messages"))))
+
+
+def _tree(path: Path) -> Mapping:
+    try:
+        content = regular_file.content(path, LARGEST_FILE)
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    node, _ = parsed(decoded(path.name, content)[0])
+    tree = typed(node)[0] if node is not None else None
+    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": content}).findings:
+        raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
+    return tree
+
+
+def _texts(node: Node) -> Iterator[str]:
+    """All texts in a node."""
+    if isinstance(node, Scalar):
+        yield node.text
+    elif isinstance(node, Sequence):
+        for item in node.items:
+            yield from _texts(item)
+    else:
+        for value in node.values.values():
+            yield from _texts(value)
+
+
+def _section(section: str, items: list[Mapping], mark: str) -> Iterator[str]:
+    required_keys = _CITED[section]
+    if items:
+        yield f"{section}:"
+    for item in items:
+        keys_text = "".join(f", {key}: {_needed(item, key)}" for key in required_keys if key in item.values)
+        order = ", word_order: big" if section == "links" else ""
+        yield f"  - {{name: {identity(item)}, source: 1 L1{order}{keys_text}{mark}}}"
+
+
+def _accesses(messages: Iterable[Mapping]) -> Iterator[tuple[str, str]]:
+    """The address space that each message accesses, empty for the first one, and the unit of what it carries."""
+    for message in messages:
+        access = message.values.get("accesses")
+        if isinstance(access, Mapping):
+            yield _key_text(access, "space"), _unit(message, access)
+
+
+def _needed(item: Mapping, key: str) -> str:
+    """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
+    inner = next(mappings(item.values.get(key)), None)
+    if inner is None:
+        return _key_text(item, key)
+    number = f", number: {_key_text(inner, 'number')}" if "number" in inner.values else ""
+    return f"[{{name: {identity(inner)}{number}}}]"
+
+
+def _spaces(accesses: Iterable[tuple[str, str]], mark: str) -> Iterator[str]:
+    """A line for each address space that messages access, the first one at the top; none where they name none."""
+    units: dict[str, str] = {}
+    for name, unit in accesses:
+        units = {name: unit, **units} if not name else {**units, name: unit}
+    if any(units):
+        yield "spaces:"
+        for name, unit in units.items():
+            unit_key = ", unit: bit" if unit == BIT else ""
+            yield f"  - {{name: {name or 'registers'}, first_number: 0{unit_key}, source: 1 L1{mark}}}"
+
+
+def _unit(message: Mapping, access: Mapping) -> str:
+    """The unit of what a message carries: bits are packed into bytes, or one of them is a number with a meaning."""
+    fields = message.values.get("response" if _key_text(access, "operation") == "read" else "request")
+    names = (field for field in mappings(fields) if _key_text(field, "name") == _key_text(access, "values"))
+    values = next(names, None)
+    packed = values is not None and "repeat" in values.values and _key_text(values, "type") == "u8"
+    return BIT if packed or "set" in access.values else WORD
+
+
+def _key_text(mapping: Mapping, key: str) -> str:
+    scalar = mapping.values.get(key)
+    return scalar.text if isinstance(scalar, Scalar) else ""

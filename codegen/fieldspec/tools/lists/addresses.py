@@ -1,0 +1,179 @@
+"""Reads cells with addresses: one, a range, one with the numbers of bits, one with a second notation in brackets."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from itertools import pairwise
+
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.tools.lists.sheet import CellError
+from fieldspec.tools.lists.words import meaning
+
+HEXADECIMAL, DECIMAL, REFERENCE = "hex", "decimal", "4xxxx"
+BASES = (HEXADECIMAL, DECIMAL, REFERENCE)
+"""How digits without a prefix are read. A reference is a digit for its table and an address from 1: 40001 is 0."""
+
+HIGHEST = 0xFFFFFFFF
+
+TABLES = {"0": "coils", "1": "discrete_inputs", "3": "input_registers", "4": "registers"}
+"""The address spaces by the first digit of a reference."""
+
+_HEX = re.compile(r"(?:0x|&h|\$|16#|h'|x)\s?([0-9a-f]{1,8})'?|([0-9a-f]{1,8})h", re.IGNORECASE)
+_HALVES = re.compile(r"([0-9a-f]{2}) ([0-9a-f]{2})", re.IGNORECASE)
+_TABLE = re.compile(r"([0134])x[ -]?([0-9]{5})|([134])x[ -]?([0-9]{1,5})", re.IGNORECASE)
+_DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
+_POINTLESS = re.compile(r"([0-9]+)\.0+")
+_GROUPED = re.compile(r"[0-9]{1,3}(?:[,.' ][0-9]{3})+")
+_SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|\bto\b|\bbis\b)\s*", re.IGNORECASE)
+_SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
+_BREAK = re.compile(r"\s*<br\s*/?>\s*", re.IGNORECASE)
+_NAMED = re.compile(r"(?:%?([a-z]{1,3})\.?\s?|reg(?:ister)?\.?\s?|addr?(?:ess)?\.?\s?)(?=[0-9])", re.IGNORECASE)
+_LETTERED = re.compile(r"[a-z]?([0-9]{1,10})", re.IGNORECASE)
+_PAIR = re.compile(r"(.+?)\s*[(\[/=|]\s*([^()\[\]]+?)\s*[)\]]?")
+_BITS = re.compile(
+    r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*b?(?:it)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
+    re.IGNORECASE,
+)
+_NO_SPACE = ("r", "x", "h", "b", "d", "c", "e", "a", "f")
+"""Letters before digits that are no name of a space: marks, and digits of hexadecimal numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class AddressText:
+    """An address: its digits, and how its prefix or suffix says to read them: `hex`, `4xxxx`, or empty.
+
+    `space` is the address space that its prefix names, empty if it names none.
+    """
+
+    digits: str
+    mark: str = ""
+    space: str = ""
+
+    @property
+    def lettered(self) -> bool:
+        """Whether digits without a mark include letters, which makes them hexadecimal."""
+        return not self.mark and not self.digits.isdecimal()
+
+    @property
+    def prefixed(self) -> bool:
+        """Whether it may be a decimal number behind a letter, as controllers write it: `D100`."""
+        return self.lettered and _LETTERED.fullmatch(self.digits) is not None
+
+    def reference(self) -> tuple[str, int] | None:
+        """The space and the address of a reference, counted from 0; None if the text is none."""
+        if self.mark == REFERENCE:
+            return (self.space, int(self.digits) - 1) if int(self.digits) else None
+        if self.mark or not self.digits.isdecimal() or len(self.digits) not in (5, 6):
+            return None
+        number = int(self.digits[1:])
+        space = TABLES.get(self.digits[0])
+        return (space, number - 1) if space and 0 < number <= 0x10000 else None
+
+    def number(self, base: str) -> int | None:
+        """The address. Digits without a mark are read as `base` says; None if they cannot be."""
+        if self.mark == HEXADECIMAL or (not self.mark and base == HEXADECIMAL):
+            return int(self.digits, 16)
+        if self.mark == REFERENCE or base == REFERENCE:
+            reference = self.reference()
+            return reference[1] if reference else None
+        number = _LETTERED.fullmatch(self.digits)
+        return int(number[1]) if number else None
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """What a cell says of an address: one, or the first and the last of several, and bits of it.
+
+    `other` is a second notation of the first address, `bits` the lowest and the highest bit. `whole` is the place
+    without bits where `.0` may as well be what a spreadsheet adds to a number.
+    """
+
+    first: AddressText
+    last: AddressText | None = None
+    bits: tuple[int, int] | None = None
+    other: AddressText | None = None
+    pointless: bool = False
+
+
+def address_text(text: str) -> AddressText | None:
+    """The address in a text, None if it is none."""
+    text = unicodedata.normalize("NFKC", text).strip().strip("`*'\"").strip()
+    pointless = _POINTLESS.fullmatch(text)
+    text = pointless[1] if pointless else text
+    space = ""
+    if not _DIGITS.fullmatch(text):
+        if marked := _HEX.fullmatch(text):
+            return AddressText(marked[1] or marked[2], HEXADECIMAL)
+        if halves := _HALVES.fullmatch(text):
+            return AddressText(halves[1] + halves[2], HEXADECIMAL)
+        if table := _TABLE.fullmatch(text):
+            return AddressText(table[2] or table[4], REFERENCE, TABLES[table[1] or table[3]])
+        if prefix := _NAMED.match(text):
+            letters = (prefix[1] or "").casefold()
+            space = "" if letters in _NO_SPACE else meaning("spaces", letters)
+            text = text[prefix.end() :]
+    return AddressText(text, "", space) if _DIGITS.fullmatch(text) else None
+
+
+def place(text: str) -> Place | None:
+    """What a cell says of an address, None if it is none. Raises CellError, with the reason, for two readings."""
+    whole = address_text(text)
+    if whole is not None and not _POINTLESS.fullmatch(text.strip()):
+        return Place(whole)
+    normalized = unicodedata.normalize("NFKC", text).strip().strip("`*").strip()
+    if _GROUPED.fullmatch(normalized) and not _HALVES.fullmatch(normalized):
+        raise CellError("is written with thousands separators; remove them")
+    if (pieces := _BREAK.split(normalized))[1:]:
+        return _joined([place(piece) for piece in pieces])
+    if (bits := _BITS.fullmatch(normalized)) and (address := address_text(bits[1])):
+        low, high = int(bits[2]), int(bits[3] or bits[2])
+        pointless = _POINTLESS.fullmatch(normalized) is not None
+        return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless)
+    for separator in (_SPAN, _SEVERAL):
+        ends = [address_text(part) for part in separator.split(normalized)]
+        known = [end for end in ends if end is not None]
+        if len(ends) > 1 and len(known) == len(ends) and (len(ends) == 2 or separator is _SEVERAL):
+            return _span(known, separator is _SEVERAL)
+    if pair := _PAIR.fullmatch(normalized):
+        first, other = address_text(pair[1]), address_text(pair[2])
+        if first is not None and other is not None:
+            return _span([first, other], True) if _follows(first, other) else Place(first, other=other)
+    return None
+
+
+def _joined(pieces: Sequence[Place | None]) -> Place | None:
+    """The places in the lines of a cell as one."""
+    known = [piece for piece in pieces if piece is not None]
+    if len(known) < len(pieces):
+        return None
+    joined = _span([piece.first for piece in known], True)
+    return replace(joined, other=known[0].other)
+
+
+def _span(ends: list[AddressText], is_list: bool) -> Place:
+    """The first and the last of several addresses. Raises CellError if those of an enumeration are no neighbours."""
+    mark = next((end.mark for end in ends if end.mark), "")
+    ends = [AddressText(end.digits, mark, end.space) if not end.mark else end for end in ends]
+    first, last = ends[0], ends[-1]
+    if not is_list and len(last.digits) < len(first.digits) and int(last.digits, 16) < int(first.digits, 16):
+        last = replace(last, digits=first.digits[: -len(last.digits)] + last.digits)  # `40001-2`
+    if is_list and not all(_follows(address, following) for address, following in pairwise(ends)):
+        raise CellError("has several addresses that are no neighbours; give each a row")
+    return Place(first, last)
+
+
+def _follows(first: AddressText, other: AddressText) -> bool:
+    """Whether an address is the one behind another, in whatever base."""
+    bases = (DECIMAL, HEXADECIMAL)
+    pairs = [(first.number(base), other.number(base)) for base in bases]
+    return first.mark == other.mark and any(a is not None and b is not None and b - a == 1 for a, b in pairs)
+
+
+def base_of_heading(heading: str) -> str:
+    """The base that a heading names, empty if it names none."""
+    normalized = unicodedata.normalize("NFKC", heading).casefold()
+    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", normalized):
+        return HEXADECIMAL
+    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]|dezimal|décimal", normalized) else ""

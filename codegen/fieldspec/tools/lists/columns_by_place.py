@@ -1,0 +1,37 @@
+"""Reads tables whose columns are parted by blanks, as texts copied from documents have them: by where cells begin."""
+
+from __future__ import annotations
+
+import re
+
+from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, Sheet, SheetRow
+
+_CELL = re.compile(r"\S+(?: \S+)*")
+_FEWEST = 3
+
+
+def placed_sheet(text: str) -> Sheet | None:
+    """The sheet of a text in which columns are parted by two blanks or more; None if it is no such text.
+
+    The heading is the first line with most cells. `shifted` has the lines with a cell that stands under no heading, or
+    under two, or with another one under its heading.
+    """
+    lines = [list(_CELL.finditer(line.expandtabs())) for line in text.splitlines()[: MOST_ROWS + 1]]
+    width = max(map(len, lines), default=0)
+    if not 1 < width <= MOST_COLUMNS or len(lines) > MOST_ROWS or sum(len(cells) > 1 for cells in lines) < _FEWEST:
+        return None
+    heading = next(number for number, cells in enumerate(lines) if len(cells) == width)
+    spans = [cell.span() for cell in lines[heading]]
+    rows, shifted = [], set()
+    for number, cells in enumerate(lines, 1):
+        texts = [""] * width
+        for cell in cells:
+            under = [n for n, (first, last) in enumerate(spans) if cell.start() < last and first < cell.end()]
+            nearest = max((n for n, (first, _) in enumerate(spans) if first <= cell.start()), default=0)
+            if len(under) != 1 or texts[under[0]]:
+                shifted.add(number)
+            column = under[0] if len(under) == 1 else nearest
+            texts[column] = f"{texts[column]} {cell[0]}".strip()
+        if cells:
+            rows.append(SheetRow(number, tuple(texts)))
+    return Sheet(tuple(rows), max(len(lines), 1), shifted=frozenset(shifted))

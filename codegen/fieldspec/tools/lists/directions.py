@@ -1,0 +1,152 @@
+"""Decides for a whole list what its cells leave open: how a gain is used, what bounds are in, what lengths count."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from fractions import Fraction
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.tools.lists.assumption import Assumption
+from fieldspec.tools.lists.words import folded
+
+MULTIPLY, DIVIDE = "multiply", "divide"
+COUNTS, UNIT = "counts", "unit"
+LENGTHS = {"words": 1, "bytes": 2, "bits": 16}
+"""The units of lengths, with their number in a word."""
+
+_LENGTH_WORDS = {
+    "bytes": ("byte", "octet", "字节", "位元組", "バイト"),
+    "bits": ("bit", "位数", "ビット"),
+    "words": (
+        "word",
+        "regist",
+        "wort",
+        "mots",
+        "palabras",
+        "parole",
+        "字数",
+        "字數",
+        "字长",
+        "ワード",
+        "レジスタ",
+        "寄存器",
+        "暫存器",
+    ),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What a row says of a number: the factor of its scale, its bounds, and the name of its type."""
+
+    row: int
+    factor: Fraction
+    low: Decimal
+    high: Decimal
+    type: str
+
+    def counts(self, factor: Fraction) -> bool:
+        """Whether the bounds divided by a factor are whole counts that the type has."""
+        kind = PRIMITIVES[self.type]
+        if factor == 1 and any("." in str(bound) for bound in (self.low, self.high)):
+            return False  # nobody writes counts with a fraction
+        ends = [Fraction(bound) / factor for bound in (self.low, self.high)]
+        return kind.kind is Kind.INTEGER and all(end.denominator == 1 and kind.low <= end <= kind.high for end in ends)
+
+
+def gain_direction(
+    heading: str, role: str, factors: Sequence[Fraction], measured: Sequence[Measured], coarse: int, stated: str
+) -> tuple[str, Assumption | None]:
+    """Whether factors multiply or divide counts, and what was assumed; empty where the evidence is equal.
+
+    `coarse` is the number of rows that would count in steps of ten volts, or the like, if their factors multiplied.
+    """
+    if stated or role == "divisor":
+        return stated or DIVIDE, None
+    other_factors = [factor for factor in factors if factor != 1]
+    if not other_factors:
+        return MULTIPLY, None
+    proofs = Counter(proof for entry in measured for proof in _proofs(entry, role == "gain"))
+    option = "--gain multiply or --gain divide"
+    for direction, other in ((DIVIDE, MULTIPLY), (MULTIPLY, DIVIDE)):
+        if proofs[direction] and not proofs[other]:
+            evidence = f"the bounds of {proofs[direction]} rows are whole counts that their types have in no other way"
+            return direction, Assumption(heading, _direction(direction), evidence, option)
+    if coarse and not proofs:
+        evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
+        return DIVIDE, Assumption(heading, _direction(DIVIDE), evidence, option)
+    if proofs[DIVIDE] or (role == "gain" and min(other_factors) < 1 < max(other_factors)):
+        return "", Assumption(heading, "open whether counts are multiplied or divided", "the evidence is equal", option)
+    if role == "gain":
+        direction = DIVIDE if min(other_factors) > 1 else MULTIPLY
+        evidence = (
+            "all factors are 1 or more, as of counts for a unit" if direction == DIVIDE else "all factors are 1 or less"
+        )
+        return direction, Assumption(heading, _direction(direction), evidence, option)
+    evidence = "the heading; no bounds prove it" if max(other_factors) > 1 else "all factors are 1 or less"
+    return MULTIPLY, Assumption(heading, _direction(MULTIPLY), evidence, option)
+
+
+def _direction(direction: str) -> str:
+    return (
+        "quantity = count \u00d7 factor (multiply)" if direction == MULTIPLY else "quantity = count ÷ factor (divide)"
+    )
+
+
+def _proofs(measured: Measured, is_gain: bool) -> Iterator[str]:
+    """The direction that the bounds of a row prove: bounds in the unit are whole counts in one direction alone.
+
+    Whole bounds may be counts themselves, which proves nothing beside a heading that says how the factor is used.
+    """
+    if measured.factor == 1 or (measured.counts(Fraction(1)) and not is_gain):
+        return
+    multiplied, divided = measured.counts(measured.factor), measured.counts(1 / measured.factor)
+    if multiplied != divided:
+        yield MULTIPLY if multiplied else DIVIDE
+
+
+def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tuple[str, Assumption | None]:
+    """Whether bounds beside a scale are counts or in the unit. `in_unit` says that they have proved a gain."""
+    scaled = [entry for entry in measured if entry.factor != 1]
+    if stated or not scaled:
+        return stated or COUNTS, None
+    either = [(entry.counts(Fraction(1)), entry.counts(entry.factor)) for entry in scaled]
+    unit, counts = either.count((False, True)), either.count((True, False))
+    direction = UNIT if (unit or in_unit) and not counts else COUNTS
+    if direction == UNIT and unit:
+        evidence = f"those of {unit} rows are no counts of their types"
+    elif direction == UNIT:
+        evidence = "so they prove the direction of the factor"
+    elif counts and not unit:
+        evidence = f"those of {counts} rows are whole counts only so"
+    else:
+        evidence = "nothing shows which"
+    return direction, Assumption(
+        "bounds beside a scale", "in counts" if direction == COUNTS else "in the unit", evidence, "--bounds"
+    )
+
+
+def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str) -> tuple[str, Assumption | None]:
+    """What lengths count. `sizes` has each row's length, the words of its type and those to the next address, or 0."""
+    if stated or not sizes:
+        return stated or "words", None
+    matches = Counter(
+        name
+        for length, words, gap in sizes
+        for name, factor in LENGTHS.items()
+        if length == (words or gap) * factor and (words or gap)
+    )
+    stated_unit = next((name for name in LENGTHS if any(word in folded(heading) for word in _LENGTH_WORDS[name])), "")
+    ranked = matches.most_common(2)
+    likely = ranked[0][0] if ranked and (len(ranked) == 1 or ranked[0][1] > ranked[1][1]) else ""
+    direction = stated_unit or likely or "words"
+    if direction == "words" and not (stated_unit and likely and stated_unit != likely):
+        return direction, None
+    if stated_unit and likely and stated_unit != likely:
+        evidence = f"the heading; {matches[likely]} rows have their types or neighbours as if they were {likely}"
+    else:
+        evidence = "the heading" if stated_unit else f"the types or neighbours of {matches[direction]} rows"
+    return direction, Assumption(heading, f"lengths in {direction}", evidence, "--length")

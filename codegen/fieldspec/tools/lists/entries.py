@@ -1,0 +1,192 @@
+"""What becomes of the rows of a list: registers, the bits in them, and rows that contradict others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.tools.lists.assumption import Refusal
+from fieldspec.tools.lists.item import REGISTERS
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.shapes import BIT, Shape, shape
+from fieldspec.tools.lists.sheet import ListError
+
+SPACES = {REGISTERS: False, "input_registers": False, "coils": True, "discrete_inputs": True}
+"""The address spaces that a list may have, and whether they are of bits."""
+
+_HIGHEST_ADDRESS = 0xFFFF
+_MOST_WORDS = 1 << 20
+
+
+REGISTER, FIELD, PARAMETER = "register", "field", "parameter"
+"""What an entry is: an export has fields of tables and parameters too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bit:
+    """One bit of a register, or several neighbours."""
+
+    low: int
+    high: int
+    name: str
+    row: ListRow | None
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A register with its bits, or of an export a field or a parameter.
+
+    Without a row of its own, it has the first of its bits as `row`, and no name.
+    """
+
+    row: ListRow
+    shape: Shape
+    space: str
+    bits: tuple[Bit, ...] = ()
+    is_own: bool = True
+    kind: str = REGISTER
+
+
+def entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple[list[Entry], list[Refusal]]:
+    """The registers of a list in its order, and the rows that are none. `refused_before` has rows with reasons."""
+    refused = [Refusal(number, "", "", reason) for number, reason in refused_before.items()]
+    left = [row for row in rows if row.row not in refused_before]
+    wholes: list[Entry] = []
+    by_place: dict[tuple[str, int], int] = {}
+    bits: dict[tuple[str, int], list[ListRow]] = {}
+    for row in left:
+        space = _space(row)
+        if reason := _outside(row, space):
+            refused.append(Refusal(row.row, "", "", reason))
+        elif row.bits is not None and not SPACES[space]:
+            bits.setdefault((space, row.address), []).append(row)
+        else:
+            by_place.setdefault((space, row.address), len(wholes))
+            wholes.append(Entry(row, shape(row, SPACES[space]), space))
+    for place, rows_of_bits in bits.items():
+        if place in by_place:
+            entry = wholes[by_place[place]]
+            wholes[by_place[place]] = _with_bits(entry, rows_of_bits, refused)
+        else:
+            wholes.append(_of_bits(rows_of_bits, place[0], refused))
+    wholes.sort(key=lambda entry: entry.row.row)
+    return _disjoint(wholes, refused), sorted(refused, key=lambda refusal: refusal.row)
+
+
+def _space(row: ListRow) -> str:
+    return row.space or REGISTERS
+
+
+def _outside(row: ListRow, space: str) -> str:
+    """Why a row cannot be a register of a device; empty if it can."""
+    if space not in SPACES:
+        return f"has the space {space}, which is none of {', '.join(SPACES)}"
+    if row.address < 0:
+        return "has an address below 0"
+    stride = row.stride or row.words or 1
+    if row.address + (row.count - 1) * stride > _HIGHEST_ADDRESS:
+        return f"has the address {row.address}, which is beyond {_HIGHEST_ADDRESS}"
+    return ""
+
+
+def _with_bits(entry: Entry, rows: Sequence[ListRow], refused: list[Refusal]) -> Entry:
+    """A register with the bits of further rows. A type that has no bits becomes the unsigned one of its size."""
+    own_shape = entry.shape
+    doubts = list(own_shape.doubts)
+    width = own_shape.words * 16
+    own_type = {1: "u16", 2: "u32", 4: "u64"}.get(own_shape.words)
+    if own_type is None or PRIMITIVES[own_shape.type].kind is Kind.FLOAT:
+        refused += [
+            Refusal(row.row, "", "", f"has a bit of row {entry.row.row}, whose type {own_shape.type} has none")
+            for row in rows
+        ]
+        return entry
+    if own_type != own_shape.type and not own_shape.inferred:
+        doubts.append(f"The list says {entry.row.texts.get('type', own_shape.type)}, and bits of it.")
+    rows_by_bit: dict[int, int] = {}
+    bits: list[Bit] = []
+    for row in rows:
+        low, high = _width(row)
+        clash = next((rows_by_bit[number] for number in range(low, high + 1) if number in rows_by_bit), None)
+        if clash is not None or high >= width:
+            reason = (
+                f"has a bit that row {clash} has"
+                if clash is not None
+                else f"has a bit beyond the {width} of row {entry.row.row}"
+            )
+            refused.append(Refusal(row.row, "", "", reason))
+            continue
+        rows_by_bit.update(dict.fromkeys(range(low, high + 1), row.row))
+        bits.append(Bit(low, high, "", row))
+    bits.sort(key=lambda bit: bit.low)
+    return replace(entry, bits=tuple(bits), shape=replace(own_shape, type=own_type, doubts=tuple(doubts)))
+
+
+def _width(row: ListRow) -> tuple[int, int]:
+    """The bits of a row: several where it says so, or where its type has a size in bits."""
+    assert row.bits is not None
+    low, high = row.bits
+    size = 0
+    if row.type is not None and row.type.kind is not Kind.BOOLEAN:
+        size = row.type.bits or (PRIMITIVES[row.type.name].size * 8 if row.type.name in ("u8", "i8") else 0)
+    return (low, low + size - 1) if low == high and 1 < size < 16 else (low, high)
+
+
+def _of_bits(rows: Sequence[ListRow], space: str, refused: list[Refusal]) -> Entry:
+    """A register of which the list has only bits."""
+    highest = max(_width(row)[1] for row in rows)
+    words = 1 if highest < 16 else 2 if highest < 32 else 4
+    first = rows[0]
+    whole = replace(first, names=(), texts={}, type=None, low=None, high=None, doubts=(), bits=None)
+    reason = "The list has only bits of it."
+    own_shape = Shape({1: "u16", 2: "u32", 4: "u64"}[words], words, inferred=reason)
+    return _with_bits(Entry(whole, own_shape, space, is_own=False), rows, refused)
+
+
+def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
+    """The registers of which no word is in an earlier row."""
+    owners: dict[str, dict[int, int]] = {}
+    disjoint_entries: list[Entry] = []
+    words = 0
+    for entry in wholes:
+        row, own_shape = entry.row, entry.shape
+        stride = row.stride or own_shape.words
+        words += own_shape.count * own_shape.words
+        if words > _MOST_WORDS:
+            raise ListError(f"has more words than a device, up to row {row.row}")
+        own = owners.setdefault(entry.space, {})
+        numbers = [row.address + n * stride + word for n in range(own_shape.count) for word in range(own_shape.words)]
+        clash = next((number for number in numbers if number in own), None)
+        if clash is not None or numbers[-1] > _HIGHEST_ADDRESS:
+            reason = (
+                f"holds 0x{clash:04X}, as row {own[clash]} does"
+                if clash is not None
+                else "ends beyond the last address"
+            )
+            refused.append(Refusal(row.row, "", "", reason))
+            continue
+        own.update(dict.fromkeys(numbers, row.row))
+        disjoint_entries.append(entry)
+    return disjoint_entries
+
+
+def exported_entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple[list[Entry], list[Refusal]]:
+    """The same of an export, whose rows say what they are. A type that a list has no room for is refused."""
+    refused = [Refusal(number, "", "", reason) for number, reason in refused_before.items()]
+    result: list[Entry] = []
+    for row in rows:
+        name = row.texts.get("type", "")
+        kind = PRIMITIVES.get(name)
+        is_parameter = row.words is None and name != BIT and _space(row) != REGISTERS
+        if row.row in refused_before:
+            continue
+        if kind is None or (not kind.size and not row.texts.get("bytes")):
+            reason = f"has the type {name}, of which the list does not say how it is sent"
+            refused.append(Refusal(row.row, "", "", reason))
+            continue
+        words = row.words or (1 if name == BIT else kind.size or int(row.texts["bytes"]))
+        is_field = "." in row.texts.get("name", "")
+        entry_kind = PARAMETER if is_parameter else FIELD if is_field else REGISTER
+        result.append(Entry(row, Shape(name, words, 1), _space(row), (), True, entry_kind))
+    return result, sorted(refused, key=lambda refusal: refusal.row)

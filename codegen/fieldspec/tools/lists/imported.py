@@ -1,0 +1,98 @@
+"""What is imported of a list: registers, what was refused, and what was assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.tools.lists.addresses import REFERENCE
+from fieldspec.tools.lists.assumption import Assumption, Refusal
+from fieldspec.tools.lists.entries import PARAMETER, SPACES, Entry, entries, exported_entries
+from fieldspec.tools.lists.listing import Listing, moved
+from fieldspec.tools.lists.numbering import chosen
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.shapes import BIT
+from fieldspec.tools.lists.sheet import ListError, Sheet
+
+
+@dataclass(frozen=True, slots=True)
+class Imported:
+    """What is imported of a list. `rows` are those with an address, of which `refused` may have some.
+
+    `skipped` are the numbers of the rows that have no address and are no bits of a register above.
+    """
+
+    listing: Listing
+    sheet: Sheet
+    base: str
+    rows: tuple[ListRow, ...]
+    registers: tuple[Entry, ...]
+    refused: tuple[Refusal, ...]
+    assumptions: tuple[Assumption, ...]
+    skipped: tuple[int, ...]
+    reasons: Mapping[int, str]
+    refused_cells: tuple[Refusal, ...]
+
+    def spaces(self) -> list[str]:
+        """The address spaces that registers are in; empty for the first one."""
+        used = {entry.space for entry in self.registers}
+        return ["" if number == 0 else name for number, name in enumerate(SPACES) if name in used]
+
+    def has_usual_spaces(self) -> bool:
+        """Whether all registers are in spaces that lists usually have, each in units of words or bits."""
+        own = [entry for entry in self.registers if entry.kind != PARAMETER]
+        in_words = all(entry.shape.type == BIT or entry.row.words for entry in own if entry.row.is_own)
+        return bool(own) and in_words and all(entry.space in SPACES for entry in own)
+
+    def without(self, reasons: Mapping[int, str]) -> Imported:
+        """The same, without some rows, each with its reason."""
+        if not reasons:
+            return self
+        return _entered(replace(self, reasons={**self.reasons, **reasons}))
+
+    def used_rows(self) -> set[int]:
+        """The numbers of the rows that are registers or bits."""
+        own = {entry.row.row for entry in self.registers if entry.is_own}
+        return own | {bit.row.row for entry in self.registers for bit in entry.bits if bit.row is not None}
+
+
+def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
+    """What is imported of a list, whose addresses are higher by an offset than on the wire. Raises ListError where it
+    leaves something open that the user has to decide."""
+    if register_list.open:
+        raise ListError("; ".join(f"leaves open: {undecided.text()}" for undecided in register_list.open))
+    spaces = {row.row: row.space for row in register_list.read if row.space}
+    base, assumption = chosen(register_list.places, register_list.bases, register_list.columns, spaces)
+    rows, refused, further = register_list.numbered(base)
+    assumptions = [*([assumption] if assumption else []), *further, *register_list.assumptions]
+    if not any(row.space for row in rows) and base != REFERENCE:
+        assumptions.append(Assumption("address space", "registers", "the list does not say it", "--space"))
+    if sheet.encoding:
+        assumptions.append(Assumption("encoding", sheet.encoding, "the bytes are no UTF-8", "--encoding"))
+    return _entered(
+        Imported(
+            register_list,
+            sheet,
+            base,
+            tuple(moved(rows, offset)),
+            (),
+            (),
+            tuple(assumptions),
+            register_list.skipped,
+            {},
+            (*register_list.refused, *refused),
+        )
+    )
+
+
+def _entered(result: Imported) -> Imported:
+    """The result with its registers, and what of the list is none."""
+    enter = exported_entries if result.listing.own else entries
+    registers, contradicting = enter(result.rows, result.reasons)
+    if not registers:
+        refusals: Sequence[Refusal] = [*result.refused_cells, *contradicting]
+        raise ListError(f"has no row that can be a register: {refusals[0].text()}")
+    refused = sorted([*result.refused_cells, *contradicting], key=lambda refusal: refusal.row)
+    entered = replace(result, registers=tuple(registers), refused=tuple(refused))
+    used = entered.used_rows() | {refusal.row for refusal in refused}
+    return replace(entered, skipped=tuple(number for number in result.listing.skipped if number not in used))

@@ -1,0 +1,34 @@
+"""Files of other formats that have registers, which are refused by their names."""
+
+from __future__ import annotations
+
+import re
+
+from fieldspec.tools.lists.sheet import ListError
+
+_LOOKED_AT = 1 << 16
+
+_FORMATS = (
+    (
+        r"\A\s*\[(?:FileInfo|DeviceInfo|DeviceComissioning|Comments|DummyUsage|MandatoryObjects)\]",
+        "an electronic data sheet (EDS or DCF) of a bus with objects",
+    ),
+    (r"\A\s*VERSION\s+\"|^\s*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
+    (r"^\s*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
+    (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
+)
+_KEY = re.compile(r"[A-Za-z_]\w*:(?: |$)")
+_SECTION = re.compile(r"[A-Za-z_]\w*:\s*$|- [A-Za-z_]\w*:(?: |$)")
+_REFUSED = "which is not read as a list; write its registers as CSV, XLSX or JSON, a row for each"
+
+
+def refuse_known_format(text: str) -> None:
+    """Raises ListError for a text of a known format that is no table."""
+    head = text[:_LOOKED_AT].removeprefix("\ufeff")
+    for pattern, name in _FORMATS:
+        if re.search(pattern, head, re.MULTILINE):
+            raise ListError(f"is {name}, {_REFUSED}")
+    lines = [line for line in head.splitlines() if line.strip() and not line.lstrip().startswith(("#", "---"))][:2]
+    is_pair = len(lines) == 2 and all(_KEY.match(line) and not re.search(r"[,;\t|]", line) for line in lines)
+    if lines and (is_pair or _SECTION.match(lines[0])):
+        raise ListError(f"is YAML, {_REFUSED}")

@@ -1,0 +1,85 @@
+"""Names of facts from the texts of a list, in the Latin letters that code takes."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+
+from fieldspec.language.schema import schema
+
+_NAME = re.compile(schema()["$defs"]["name"]["pattern"])
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
+_ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
+_LONGEST = 48
+_ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth", "6th": "sixth"}
+_LATIN = {
+    "ß": "ss",
+    "æ": "ae",
+    "Æ": "AE",
+    "ø": "o",
+    "Ø": "O",
+    "ł": "l",
+    "Ł": "L",
+    "đ": "d",
+    "Đ": "D",
+    "þ": "th",
+    "\u0131": "i",
+    "∑": "sum",
+}
+_ALPHABETS = re.compile(r"(?:GREEK|CYRILLIC) (?:SMALL|CAPITAL) LETTER (?:FINAL )?([A-Z]+)(?: .*)?")
+
+
+def named(texts: Iterable[str], address: int) -> str:
+    """A name from the first text in Latin letters, of one letter if there is no longer one, else `register_2000`."""
+    names = [name for text in texts if (name := snake(text))]
+    return next((name for name in names if len(name) > 1), names[0] if names else f"register_{address:04x}")
+
+
+def snake(text: str) -> str:
+    """`Target Position (0.01 mm)` as `target_position`; empty if the words are in letters that have no Latin ones."""
+    if len(text) <= _LONGEST and _NAME.fullmatch(text):
+        return text
+    bare = _ASIDE.sub(" ", text)
+    name = _snake(bare if re.search(r"[^\W\d_]", bare) else text)
+    return name or _snake(text)
+
+
+def _snake(text: str) -> str:
+    latin = "".join(map(_letter, unicodedata.normalize("NFC", text)))
+    ascii_text = "".join(sign for sign in unicodedata.normalize("NFKD", latin) if not unicodedata.combining(sign))
+    if any(sign.isalpha() and not sign.isascii() for sign in ascii_text):
+        return ""
+    for ordinal, word in _ORDINALS.items():
+        ascii_text = re.sub(rf"\b{ordinal}\b", word, ascii_text, flags=re.IGNORECASE)
+    name_words = _WORD.findall(ascii_text)
+    leading = next((n for n, word in enumerate(name_words) if not word.isdecimal()), len(name_words))
+    name = ""
+    for word in [*name_words[leading:], *name_words[:leading]]:
+        longer = f"{name}_{word}".strip("_").lower()
+        if len(longer) > _LONGEST:
+            break
+        name = longer
+    return name if _NAME.fullmatch(name) else ""
+
+
+def _letter(sign: str) -> str:
+    """A sign as Latin letters, where it has some: `ß`, and the names of Greek letters."""
+    if sign.isascii():
+        return sign
+    if sign in _LATIN:
+        return _LATIN[sign]
+    latin = _ALPHABETS.fullmatch(unicodedata.name(sign, ""))
+    if latin is None:
+        return sign
+    return f" {latin[1].lower()} " if "\u0370" <= sign <= "\u03ff" else latin[1].lower()
+
+
+def fresh(name: str, suffix: str, names: set[str]) -> str:
+    """A name that is not among some, which it is added to: with a suffix where it has to be, then with a number."""
+    fresh_name, number = name, 1
+    while fresh_name in names:
+        fresh_name = f"{name}_{suffix}" if number == 1 else f"{name}_{suffix}_{number}"
+        number += 1
+    names.add(fresh_name)
+    return fresh_name

@@ -1,0 +1,285 @@
+"""Which addresses a list has on the wire: the bases in which its digits may be read, and the evidence for each."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.tools.lists.addresses import (
+    DECIMAL,
+    HEXADECIMAL,
+    HIGHEST,
+    REFERENCE,
+    AddressText,
+    Place,
+    base_of_heading,
+    place,
+)
+from fieldspec.tools.lists.assumption import Assumption, Refusal
+from fieldspec.tools.lists.column_roles import Columns
+from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
+
+_NEAR = 100
+_FAR = 1000
+_MOST_EXAMPLES = 5
+_NOTATIONS = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal", REFERENCE: "references that count from 1"}
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """The rows with a place, the rows without an address, and those whose address is refused."""
+
+    rows: tuple[tuple[SheetRow, Place], ...]
+    skipped: tuple[SheetRow, ...]
+    refused: tuple[Refusal, ...]
+
+
+def placed(columns: Columns) -> Placed:
+    """The places of the rows of a list. Raises ListError if there is none."""
+    rows: list[tuple[SheetRow, Place]] = []
+    skipped: list[SheetRow] = []
+    refused: list[Refusal] = []
+    heading = columns.heading("address")
+    for row in columns.rows:
+        text = columns.cell(row, "address")
+        try:
+            row_place = place(text) if text else None
+        except CellError as error:
+            refused.append(Refusal(row.number, heading, text, str(error)))
+            continue
+        if row_place is not None:
+            rows.append((row, row_place))
+        elif text and sum(map(bool, row.cells)) > 1 and row.cells != columns.headings:
+            refused.append(Refusal(row.number, heading, text, "is no address"))
+        else:
+            skipped.append(row)
+    if not rows:
+        _refuse_all(columns, refused)
+    return Placed(tuple(_with_bits(rows)), tuple(skipped), tuple(refused))
+
+
+def _refuse_all(columns: Columns, refused: Sequence[Refusal]) -> None:
+    heading = columns.heading("address")
+    alone = len(columns.headings) == 1 and len(heading.split()) > 1
+    parted = "; if spaces separate its columns, use tabs, commas or bars instead" if alone else ""
+    examples_text = "; ".join(
+        f"`{refusal.cell[:40]}` in row {refusal.row}, which {refusal.reason}" for refusal in refused[:_MOST_EXAMPLES]
+    )
+    raise ListError(
+        f"has no address under {heading}{': ' + examples_text if examples_text else ''}"
+        f"{parted or '; name the column with --address'}"
+    )
+
+
+def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, Place]]:
+    """The places, with `100.0` as a bit only where other places have bits."""
+    bits = any(row_place.bits and not row_place.pointless for _, row_place in rows)
+    for row, row_place in rows:
+        whole = row_place.pointless and not bits
+        yield row, Place(row_place.first, row_place.last, None, row_place.other) if whole else row_place
+
+
+def bases(placed_rows: Placed, base: str, heading: str) -> tuple[str, ...]:
+    """The ways to read digits without a mark, the likeliest first: only one if the user or the heading says it.
+
+    Raises ListError for a base in which no address can be read.
+    """
+    ends = list(_ends(placed_rows))
+    stated = base or base_of_heading(heading)
+    lettered = [end for end in ends if end.lettered]
+    if not stated and lettered and not _is_prefixed(ends):
+        stated = HEXADECIMAL
+    if stated:
+        if all(end.number(stated) is None for end in ends):
+            raise ListError(f"has the address `{ends[0].digits}` under {heading}, which cannot be read as {stated}")
+        return (stated,)
+    bare = [end for end in ends if not end.mark]
+    if not bare:
+        return (HEXADECIMAL,)
+    ways = [DECIMAL, HEXADECIMAL]
+    if _are_references(bare):
+        ways.append(REFERENCE)
+    return tuple(ways)
+
+
+def _ends(placed_rows: Placed) -> Iterator[AddressText]:
+    for _, row_place in placed_rows.rows:
+        yield row_place.first
+        if row_place.last is not None:
+            yield row_place.last
+
+
+def _is_prefixed(ends: Sequence[AddressText]) -> bool:
+    """Whether all addresses are decimal digits behind one letter, which may be the area of a controller's memory."""
+    return all(end.prefixed for end in ends) and len({end.digits[0].casefold() for end in ends}) == 1
+
+
+def _are_references(ends: Sequence[AddressText]) -> bool:
+    """Whether numbers may all be references. Those that begin with 0 or 1 are some only beside others."""
+    firsts = {end.digits[0] for end in ends}
+    return bool(firsts & {"3", "4"}) and all(end.reference() for end in ends)
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A way to read addresses, and what speaks for it."""
+
+    base: str
+    evidence: tuple[str, ...]
+
+    @property
+    def text(self) -> str:
+        """What speaks for it, in a line."""
+        return ", ".join(self.evidence) or "nothing"
+
+
+def chosen(
+    placed_rows: Placed, ways: Sequence[str], columns: Columns, spaces: Mapping[int, str]
+) -> tuple[str, Assumption | None]:
+    """The base of a list that nobody compares with a device, and what was assumed.
+
+    `spaces` are those that further columns name, by row. Raises ListError where the evidence is equal.
+    """
+    heading = columns.heading("address")
+    if len(ways) == 1:
+        ends = list(_ends(placed_rows))
+        lettered = next((end.digits for end in ends if end.lettered), "")
+        if base_of_heading(heading) == ways[0] or not lettered:
+            return ways[0], None
+        return ways[0], Assumption("addresses", _NOTATIONS[ways[0]], f"letters among digits: `{lettered}`", "--base")
+    ends = [end for end in _ends(placed_rows) if not end.mark]
+    if _is_prefixed(ends):
+        digits = ends[0].digits
+        raise ListError(
+            f"has addresses such as `{digits}` under {heading}, which are hexadecimal, or decimal behind the letter "
+            "of a memory area: choose with --base hex or --base decimal"
+        )
+    if REFERENCE in ways and all(map(_is_reference_of_other, (row_place for _, row_place in placed_rows.rows))):
+        return REFERENCE, Assumption(
+            "addresses", "those in brackets", "the numbers before them are their references", "--base"
+        )
+    if REFERENCE not in ways:
+        return DECIMAL, Assumption("addresses", "decimal", "digits without a mark", "--base hex")
+    return _between(
+        Reading(DECIMAL, tuple(_for_wire(placed_rows, ends, columns, spaces))),
+        Reading(REFERENCE, tuple(_for_references(placed_rows, ends, spaces))),
+        ends[0],
+    )
+
+
+def _between(wire: Reading, references: Reading, first: AddressText) -> tuple[str, Assumption]:
+    reference = first.reference()
+    assert reference is not None
+    examples = f"`{first.digits}` is the address {int(first.digits)} on the wire, or {reference[1]} of {reference[0]}"
+    evidence = f"as decimal: {wire.text}; as references: {references.text}"
+    if len(wire.evidence) == len(references.evidence):
+        raise ListError(
+            f"has numbers with two readings: {examples}. The evidence is equal ({evidence}); choose with "
+            "--base decimal or --base 4xxxx"
+        )
+    best = max(wire, references, key=lambda reading: len(reading.evidence))
+    return best.base, Assumption(
+        "addresses", f"{_NOTATIONS[best.base]}; {examples}", evidence, "--base decimal or --base 4xxxx"
+    )
+
+
+def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Mapping[int, str]) -> Iterator[str]:
+    references = [reference for end in ends if (reference := end.reference())]
+    lowest = min(references, key=lambda reference: reference[1])
+    if lowest[1] < _NEAR:
+        yield f"the numbers begin {lowest[1] + 1} above those of a table"
+    if len({reference[0] for reference in references}) > 1:
+        yield "several tables"
+    agreeing = [row.number for row, row_place in placed_rows.rows if _table(row_place) == spaces.get(row.number)]
+    if agreeing:
+        yield f"the kinds of registers of {len(agreeing)} rows agree with the first digits"
+
+
+def _for_wire(
+    placed_rows: Placed, ends: Sequence[AddressText], columns: Columns, spaces: Mapping[int, str]
+) -> Iterator[str]:
+    lowest = min((reference[1] for end in ends if (reference := end.reference())), default=0)
+    if lowest >= _FAR:
+        yield f"no number is less than {lowest} above the first of a table"
+    other = [
+        row.number for row, row_place in placed_rows.rows if spaces.get(row.number, "") not in ("", _table(row_place))
+    ]
+    if other:
+        yield f"the kinds of registers of {len(other)} rows contradict the first digits"
+    for column in columns.more.get("address", ()):
+        differences = {_difference(row, row_place, column, columns) for row, row_place in placed_rows.rows}
+        if differences == {0}:
+            yield f"{columns.heading_at(column)} has the same numbers"
+
+
+def _table(row_place: Place) -> str:
+    reference = row_place.first.reference()
+    return reference[0] if reference else ""
+
+
+def _is_reference_of_other(row_place: Place) -> bool:
+    reference = row_place.first.reference()
+    return row_place.other is not None and reference is not None and row_place.other.number(DECIMAL) == reference[1]
+
+
+def _difference(row: SheetRow, row_place: Place, column: int, columns: Columns) -> int | None:
+    """The number of a further column less the decimal number of the address; None if one of them is none."""
+    other = _further(row, column, columns)
+    number = row_place.first.number(DECIMAL)
+    return other - number if other is not None and number is not None else None
+
+
+def _further(row: SheetRow, column: int, columns: Columns) -> int | None:
+    try:
+        other = place(row.cell(column)) if row.cell(column) else None
+    except CellError:
+        return None
+    if other is None:
+        return None
+    return other.first.number(
+        base_of_heading(columns.heading_at(column)) or (HEXADECIMAL if other.first.lettered else DECIMAL)
+    )
+
+
+def contradictions(placed_rows: Placed, base: str, columns: Columns) -> tuple[dict[int, Refusal], list[Assumption]]:
+    """The rows whose columns with addresses contradict each other, and the usual difference of each further column."""
+    refused: dict[int, Refusal] = {}
+    assumptions = []
+    for column in columns.more.get("address", ()):
+        pairs = {}
+        for row, row_place in placed_rows.rows:
+            number, other = row_place.first.number(base), _further(row, column, columns)
+            if number is not None and other is not None:
+                pairs[row.number] = other - number, row.cell(column)
+        if not pairs:
+            continue
+        (usual, times), *_ = Counter(difference for difference, _ in pairs.values()).most_common(1)
+        heading = columns.heading_at(column)
+        if times * 2 <= len(pairs):
+            continue  # the column has other numbers, such as those of rows
+        if usual:
+            evidence = (
+                f"{heading} is {usual} more in {times} rows"
+                if usual > 0
+                else f"{heading} is {-usual} less in {times} rows"
+            )
+            assumptions.append(Assumption("addresses", f"those of {columns.heading('address')}", evidence, "--address"))
+        for number, (difference, cell) in pairs.items():
+            if difference != usual:
+                reason = f"contradicts the address under {columns.heading('address')}"
+                refused[number] = Refusal(number, heading, cell, reason)
+    return refused, assumptions
+
+
+def wire_number(row_place: Place, base: str) -> int | None:
+    """The first address of a place; the number in brackets where the one before it is its reference."""
+    number = row_place.first.number(base)
+    if row_place.other is None:
+        return number
+    other = row_place.other.number(DECIMAL if not row_place.other.lettered else HEXADECIMAL)
+    reference = row_place.first.reference()
+    decimal = row_place.first.number(DECIMAL)
+    if other is None or other > HIGHEST:
+        return None
+    return other if other in (number, reference and reference[1], decimal, decimal and decimal - 1) else None

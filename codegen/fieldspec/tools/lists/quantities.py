@@ -1,0 +1,130 @@
+"""Reads scales and units as people write them: `0.1V`, `/10`, `x0.1`, `10^-1`, `V (Volt)`, `x/10 - 40`."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from decimal import Decimal
+from fractions import Fraction
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.units import standard_units
+from fieldspec.tools.lists.cells import number
+from fieldspec.tools.lists.words import meanings
+
+_DIVIDED = re.compile(r"(?:[x\w]\s*)?(?:/|÷|:|divided? by)\s*([0-9.,]+)", re.IGNORECASE)
+_TIMES = re.compile(r"(?:[*x\u00d7·]|times)\s*(.+)|(.+?)\s*[*x\u00d7]", re.IGNORECASE)
+_RATIO = re.compile(r"([0-9]{1,9})\s*[/:]\s*([0-9]{1,9})")
+_LEADING = re.compile(
+    r"([-+]?[0-9]*[.,]?[0-9]+(?:[eE][-+]?[0-9]+)?|10\s*\^\s*\(?[-+]?[0-9]+\)?|[0-9]+\s*/\s*[0-9]+)\s*[*x\u00d7·]?\s*([^\s0-9.,*/^].*)"
+)
+_BEHIND = re.compile(r"([^\d\s*/x\u00d7÷]+[^\s*/x\u00d7÷]*)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)")
+_ASIDE = re.compile(r"(.+?)\s*[(\[]\s*([^()\[\]]+?)\s*[)\]]")
+_LINEAR = re.compile(
+    r"\(?\s*[a-z_][a-z_ ]*\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?\s*\)?\s*(?:([-+])\s*([0-9][0-9.,]*))?",
+    re.IGNORECASE,
+)
+_SYMBOL = re.compile(r"[^\W\d_°%µΩ\u2032″‰]*[°%‰]?[^\W\d_]*(?:[/·*^⁻¹²³][^\W_]{1,8}){0,3}[²³]?")
+_NO_UNIT = ("", "-", "--", "---", "n/a", "na", "none", "/", "1", ".", "无", "無", "keine", "aucune", "\u2013", "\u2014")
+_LONGEST_SYMBOL = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A scale with a unit, either of which may be missing: None, or empty. `offset` is added after scaling."""
+
+    scale: Fraction | None = None
+    unit: str = ""
+    offset: Decimal = Decimal(0)
+
+
+def _units() -> dict[str, str]:
+    known = {}
+    for unit in reversed(standard_units().values()):
+        for symbol in (*unit.others, unit.symbol):
+            known[_key(symbol)] = unit.symbol
+    return {**meanings("units"), **known}
+
+
+def _key(text: str) -> str:
+    """A symbol without blanks and width. Its case counts for some: mW is not MW."""
+    return "".join(unicodedata.normalize("NFKC", text).split())
+
+
+_UNITS = _units()
+_BY_CASE: dict[str, set[str]] = {}
+for _symbol, _unit in _UNITS.items():
+    _BY_CASE.setdefault(_symbol.casefold(), set()).add(_unit)
+
+
+def known_unit(text: str) -> str:
+    """The unit of the language that a symbol or a word names; empty if it names none, or one of several."""
+    key = _key(text.strip().strip("[]()").strip())
+    if key in _UNITS:
+        return _UNITS[key]
+    units = _BY_CASE.get(key.casefold(), set())
+    return next(iter(units)) if len(units) == 1 else ""
+
+
+def is_symbol(text: str) -> bool:
+    """Whether a text may be the symbol of a unit that the language does not have."""
+    return 0 < len(text) <= _LONGEST_SYMBOL and _SYMBOL.fullmatch(text) is not None and any(map(str.isalpha, text))
+
+
+def factor(text: str, decimal: str) -> Fraction | None:
+    """The factor that a cell states, with its direction: `/10`, `x0.1`, `1/10`; None if it states none above 0."""
+    text = unicodedata.normalize("NFKC", text).strip().strip("`").strip()
+    if ratio := _RATIO.fullmatch(text):
+        return Fraction(int(ratio[1]), int(ratio[2])) if int(ratio[1]) and int(ratio[2]) else None
+    if divided := _DIVIDED.fullmatch(text):
+        value = number(divided[1], decimal)
+        return 1 / Fraction(value) if value is not None and value > 0 else None
+    times = _TIMES.fullmatch(text)
+    value = number((times[1] or times[2]) if times else text, decimal)
+    return Fraction(value) if value is not None and value > 0 else None
+
+
+def states_direction(text: str) -> bool:
+    """Whether a cell says by itself how a factor is used: `/10`, `x0.1`, `1/10`, `0.1 V`."""
+    return re.search(r"[/÷*x\u00d7^]|[^\W\d_]", text.strip()) is not None
+
+
+def unit_cell(text: str, decimal: str) -> Quantity | None:
+    """The unit of a cell, with the scale that it may have before or behind it. None if the cell is not understood."""
+    text = " ".join(unicodedata.normalize("NFC", text).split()).strip("`")
+    if text.casefold() in _NO_UNIT:
+        return Quantity()
+    if unit := known_unit(text):
+        return Quantity(unit=unit)
+    if leading := _LEADING.fullmatch(text):
+        scale, inner = factor(leading[1], decimal), unit_cell(leading[2], decimal)
+        if scale is not None and inner is not None and inner.scale is None and inner.unit:
+            return Quantity(scale, inner.unit)
+    if suffix := _BEHIND.fullmatch(text):
+        unit, value = known_unit(suffix[1]), number(suffix[3], decimal)
+        if unit and value is not None and value > 1 and suffix[2] in "/÷":
+            return Quantity(1 / Fraction(value), unit)
+        if unit and value is not None and 0 < value < 1:
+            return Quantity(Fraction(value), unit)
+    if aside := _ASIDE.fullmatch(text):
+        outer, inner = unit_cell(aside[1], decimal), unit_cell(aside[2], decimal)
+        if outer is not None and outer.unit and (inner is None or inner.unit in ("", outer.unit)):
+            return Quantity(outer.scale or (inner.scale if inner else None), outer.unit)
+        return None
+    symbol = text.strip("[]() ")
+    is_word = symbol.isalpha() and symbol == symbol.lower()
+    return Quantity(unit=symbol) if is_symbol(symbol) and not is_word else None
+
+
+def formula(text: str, decimal: str) -> Quantity | None:
+    """The scale and the offset of a linear formula, such as `x/10 - 40`; None for any other."""
+    before, _, suffix = unicodedata.normalize("NFKC", text).partition("=")
+    linear = _LINEAR.fullmatch((suffix or before).strip())
+    if linear is None or not (linear[1] or linear[3]):
+        return None
+    value = number(linear[2], decimal) if linear[1] else Decimal(1)
+    added = number(linear[4], decimal) if linear[3] else Decimal(0)
+    if value is None or added is None or value <= 0:
+        return None
+    scale = 1 / Fraction(value) if linear[1] in ("/", "÷") else Fraction(value)
+    return Quantity(scale, "", -added if linear[3] == "-" else added)

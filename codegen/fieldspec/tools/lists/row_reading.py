@@ -1,0 +1,303 @@
+"""Reads the cells of one row of a list, each by its role. What is not understood stays a doubt, word for word."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from decimal import Decimal
+from fractions import Fraction
+
+from fieldspec.foundation.classes import dataclass, field, replace
+from fieldspec.language.model.value import Kind, exact_scale
+from fieldspec.tools.lists import cells
+from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, whole
+from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
+from fieldspec.tools.lists.type_words import Typed, typed
+from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
+from fieldspec.tools.lists.words import folded, meaning
+
+FACTORS = ("scale", "gain", "divisor")
+"""The roles of columns with factors, whose direction a list may leave open."""
+
+_STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+) ([a-z0-9_]+)")
+_HIGHEST_COUNT = 0xFFFFFFFF
+_ASIDE = re.compile(r"[\[(]([^()\[\]]+)[\])]\s*$")
+
+
+@dataclass(frozen=True, slots=True)
+class ListRow:
+    """A row of a list. `address` is that of the list, `row` is its number in the file.
+
+    Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what could
+    not be understood or contradicts something. `words` is the size that the list states, `gap` the distance to the next
+    address. `special` are states that an export has apart from other values, `scale_text` is its scale as written.
+    `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register.
+    """
+
+    row: int
+    address: int
+    words: int | None
+    names: tuple[str, ...]
+    type: Typed | None
+    access: str
+    low: Decimal | None
+    high: Decimal | None
+    default: Decimal | None
+    const: Decimal | None
+    count: int
+    stride: int
+    texts: Mapping[str, str]
+    space: str = ""
+    bits: tuple[int, int] | None = None
+    scale: Fraction | None = None
+    factor: Fraction | None = None
+    offset: Decimal = Decimal(0)
+    unit: str = ""
+    order: str = ""
+    meanings: Meanings = field(default_factory=Meanings)
+    length: int | None = None
+    gap: int = 0
+    in_unit: bool = False
+    is_own: bool = False
+    scale_text: str = ""
+    special: tuple[tuple[str, str], ...] = ()
+    doubts: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Cells:
+    """The cells of a row by role, the names in all its columns of names, and its notes by heading."""
+
+    row: int
+    texts: Mapping[str, str]
+    names: tuple[str, ...]
+    notes: tuple[tuple[str, str], ...]
+
+
+def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
+    """A row without its address. `decimal` is the sign before a fraction, `default_order` that of other rows."""
+    texts = row.texts
+    doubts: list[str] = []
+    own_type = _type(texts, doubts)
+    low, high, meanings = _bounds(texts, decimal, doubts)
+    meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
+    quantity = _quantity(row, decimal, doubts)
+    count = whole(texts.get("count", "")) or 1
+    return ListRow(
+        row=row.row,
+        address=0,
+        words=None,
+        names=row.names,
+        type=own_type,
+        access=_access(texts, doubts),
+        low=low,
+        high=high,
+        default=number(texts.get("default", ""), decimal),
+        const=number(texts.get("const", ""), decimal),
+        count=count if 1 <= count <= _HIGHEST_COUNT else 1,
+        stride=max(whole(texts.get("stride", "")) or 0, 0),
+        texts=texts,
+        space=_space(texts, doubts),
+        bits=_bits(texts.get("bit", "")),
+        scale=quantity.scale,
+        factor=next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
+        offset=quantity.offset,
+        unit=quantity.unit,
+        order=_order(texts, own_type, default_order, doubts),
+        meanings=meanings,
+        length=whole(
+            re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
+        ),
+        doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
+    )
+
+
+def exported_row(row: ListRow) -> ListRow:
+    """A row of an export, whose columns need no decision: bounds are counts, and a scale is exact."""
+    text = row.texts.get("scale", "")
+    try:
+        exact = exact_scale(text) if text and not text.startswith("10^") else None
+        scale = Fraction(exact) if exact is not None else None
+    except ValueError:
+        scale = row.factor
+    special = tuple((match[1], match[2]) for match in _STATE.finditer(row.texts.get("special", "")))
+    own_text = text if "/" in text else ""
+    return replace(row, scale=scale, scale_text=own_text, words=row.length, is_own=True, special=special)
+
+
+def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
+    """The factor of a row whose cell does not say whether it multiplies or divides; None if it says so, or has none."""
+    text = texts.get(role, "")
+    return None if states_direction(text) else factor(text, decimal)
+
+
+def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
+    text = texts.get("type", "")
+    own_type = typed(text)
+    if text and own_type is None:
+        doubts.append(f"Type in the list: {text}.")
+    signed_text = texts.get("signed", "")
+    if not signed_text:
+        return own_type
+    word = typed(signed_text)
+    signed = word.signed if word is not None and word.signed is not None else answer(signed_text)
+    if signed is None:
+        doubts.append(f"Sign in the list: {signed_text}.")
+    elif own_type is None:
+        return Typed("", Kind.INTEGER, signed)
+    elif own_type.kind is Kind.INTEGER:
+        return replace(own_type, signed=signed)
+    elif own_type.name[:1] in ("u", "i") and (own_type.name[0] == "i") is not signed:
+        if own_type.name[0] == "u" and folded(text) in ("word", "dword", "uint", "byte", "register", "short"):
+            return replace(own_type, name=f"i{own_type.name[1:]}")
+        doubts.append(f"The list says {text}, and signed: {signed_text}.")
+    return own_type
+
+
+def _access(texts: Mapping[str, str], doubts: list[str]) -> str:
+    text, writable = texts.get("access", ""), texts.get("writable", "")
+    stated = access(text)
+    codes = functions(text) if text and not stated else None
+    codes = functions(texts["function"]) if "function" in texts else codes
+    by_code = ("rw" if codes.reads else "wo") if codes is not None and codes.writes else ""
+    if text and not stated and codes is None:
+        doubts.append(f"Access in the list: {text}.")
+    if writable:
+        answer_value = answer(writable)
+        by_answer = access(writable) or {True: "rw", False: "ro", None: ""}[answer_value]
+        if not by_answer:
+            doubts.append(f"Writable in the list: {writable}.")
+        elif stated and (stated == "ro") is (by_answer != "ro"):
+            doubts.append(f"The list says {text}, and writable: {writable}.")
+        stated = stated or by_answer
+    if stated == "ro" and by_code:
+        doubts.append(f"The list says {text or writable}, and the function codes {texts.get('function', text)}.")
+    return stated or by_code
+
+
+def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
+    """The name of the space: one of the four, or the list's own word for another."""
+    text = texts.get("space", "")
+    stated = meaning("spaces", text) or text
+    code_text = texts.get("function", "")
+    codes = functions(code_text)
+    if code_text and codes is None:
+        doubts.append(f"Function codes in the list: {code_text}.")
+    if codes is None or not stated:
+        return stated or (codes.space if codes is not None else "")
+    if codes.space != stated:
+        doubts.append(f"The list says {text}, and the function codes {code_text}.")
+    return stated
+
+
+def _bits(text: str) -> tuple[int, int] | None:
+    numbers = [int(digits) for digits in re.findall(r"[0-9]{1,2}", text)]
+    if not numbers or len(numbers) > 2 or max(numbers) > 63:
+        return None
+    return min(numbers), max(numbers)
+
+
+def _bounds(
+    texts: Mapping[str, str], decimal: str, doubts: list[str]
+) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
+    """The least and the greatest number, or the meanings that a list has in their place."""
+    low, high = number(texts.get("min", ""), decimal), number(texts.get("max", ""), decimal)
+    text = texts.get("range", "")
+    range_ends = bounds(text, decimal)
+    if range_ends is not None:
+        if (low, high) != (None, None) and (low, high) != range_ends:
+            doubts.append(f"Range in the list: {text}.")
+            return low, high, None
+        return *range_ends, None
+    meanings = value_meanings(text) if text else None
+    if text and meanings is None:
+        doubts.append(f"Range in the list: {text}.")
+    return low, high, meanings
+
+
+def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[str]) -> Meanings:
+    text = texts.get("values", "")
+    if text:
+        meanings = value_meanings(text, single=True)
+        if meanings is not None:
+            return meanings
+        doubts.append(f"Values in the list: {text}.")
+    for role in ("label", "note"):
+        described = value_meanings(texts.get(role, ""))
+        if of_range is None and described is not None and len(described.members) + len(described.bits) > 1:
+            return described
+    return of_range or Meanings()
+
+
+def _with_bits(texts: Mapping[str, str], meanings: Meanings, doubts: list[str]) -> Meanings:
+    """The meanings with those of a column of bits."""
+    text = texts.get("bits", "")
+    bits = bit_names(text) if text else ()
+    if bits is None or (bits and meanings.bits):
+        doubts.append(f"Bits in the list: {text}.")
+        return meanings
+    return replace(meanings, bits=bits) if bits else meanings
+
+
+def _order(texts: Mapping[str, str], own_type: Typed | None, default_order: str, doubts: list[str]) -> str:
+    text = texts.get("word_order", "")
+    stated = cells.order(text)
+    if text and not stated:
+        answer_value = answer(text)
+        if answer_value is None:
+            doubts.append(f"Order of words in the list: {text}.")
+        else:
+            stated = "CDAB" if answer_value else "ABCD"
+    of_type = own_type.order if own_type is not None else ""
+    if stated and of_type and stated != of_type:
+        doubts.append(f"The list says {texts['type']}, and the order {text}.")
+    return stated or of_type or default_order
+
+
+def _quantity(row: Cells, decimal: str, doubts: list[str]) -> Quantity:
+    """The unit of a row, and the scale and the offset that need no decision for the whole list."""
+    texts = row.texts
+    text = texts.get("unit", "")
+    unit = unit_cell(text, decimal) if text else _unit_of_name(row.names, decimal)
+    if unit is None:
+        doubts.append(f"Unit in the list: {text}.")
+        unit = Quantity()
+    stated: list[tuple[Fraction, str]] = [(unit.scale, text)] if unit.scale not in (None, 1) else []
+    offset = number(texts.get("value_offset", ""), decimal) or Decimal(0)
+    if texts.get("value_offset") and number(texts["value_offset"], decimal) is None:
+        doubts.append(f"Offset in the list: {texts['value_offset']}.")
+    if texts.get("formula"):
+        linear = formula(texts["formula"], decimal)
+        if linear is None:
+            doubts.append(f"Formula in the list: {texts['formula']}.")
+        else:
+            stated.append((linear.scale or Fraction(1), texts["formula"]))
+            offset = offset or linear.offset
+    places = whole(texts.get("places", ""))
+    if places is not None and 0 <= places <= 18:
+        stated.append((Fraction(1, 10**places), texts["places"]))
+    for role in FACTORS:
+        if texts.get(role) and states_direction(texts[role]):
+            scaled = unit_cell(texts[role], decimal)
+            own_factor = factor(texts[role], decimal)
+            if own_factor is None and scaled is not None and scaled.scale is not None:
+                own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
+            if own_factor is not None:
+                stated.append((own_factor, texts[role]))
+    scales = {scale for scale, _ in stated}
+    if len(scales) > 1:
+        doubts.append("The list has several scales: " + ", ".join(cell for _, cell in stated) + ".")
+        return replace(unit, scale=None, offset=offset)
+    return Quantity(next(iter(scales), None), unit.unit, offset)
+
+
+def _unit_of_name(names: tuple[str, ...], decimal: str) -> Quantity:
+    """The unit in brackets behind a name, where the list has no cell for it: `Speed [rpm]`."""
+    for name in names:
+        aside = _ASIDE.search(name)
+        quantity = unit_cell(aside[1], decimal) if aside else None
+        if aside is None or quantity is None or not known_unit(quantity.unit):
+            continue
+        if len(quantity.unit) > 1 or aside[0].startswith("[") or quantity.scale:
+            return quantity
+    return Quantity()

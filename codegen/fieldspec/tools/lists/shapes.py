@@ -1,0 +1,80 @@
+"""The type and the size of a register: the name of its type, the length and the next address decide together."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.tools.lists.row_reading import ListRow
+
+BIT = "bit"
+
+_BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
+_WHOLE_WORDS = {"u8": "u16", "i8": "i16"}
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A type with its words, how often it is repeated, what contradicts it, and what the list leaves open."""
+
+    type: str
+    words: int
+    count: int = 1
+    doubts: tuple[str, ...] = ()
+    inferred: str = ""
+
+
+def shape(row: ListRow, in_bits: bool) -> Shape:
+    """The shape of a row's register. Where two of three agree, they win; else the length does. The rest is a doubt."""
+    own_type = row.type
+    type_text = row.texts.get("type", "")
+    if in_bits:
+        is_bit = own_type is None or own_type.kind is Kind.BOOLEAN or own_type.size <= 1
+        return Shape(BIT, 1, row.count, () if is_bit else (f"The list says {type_text}, and the space is of bits.",))
+    name = own_type.of_words(row.words) if own_type is not None else ""
+    if not name:
+        name = _BY_WORDS.get(row.words or 1, "bytes")
+        if row.low is not None and row.low < 0 and name != "bytes":
+            name = name.replace("u", "i")
+        return Shape(name, row.words or 1, row.count, (), "The list does not say it.")
+    size = (PRIMITIVES[name].size + 1) // 2
+    length = own_type.length if own_type is not None else 0
+    if not size:
+        return _of_text(row, name, length)
+    if name in _WHOLE_WORDS:
+        return Shape(
+            _WHOLE_WORDS[name], row.words or 1, row.count, (f"The list says {type_text}, which fills half a word.",)
+        )
+    if length > 1 and row.words in (None, length * size):
+        return Shape(name, size, length)
+    if row.words in (None, size):
+        return Shape(name, size, row.count)
+    doubt = f"The list says {type_text or name}, and {row.words} words."
+    if row.gap == size:
+        return Shape(name, size, row.count, (doubt,))
+    return Shape(_of_length(name, row.words or 1), row.words or 1, row.count, (doubt,))
+
+
+def _of_length(name: str, words: int) -> str:
+    """The type of so many words that is like another one."""
+    if name == "f32" and words == 4:
+        return "f64"
+    by_words = _BY_WORDS.get(words, "bytes")
+    return by_words.replace("u", "i") if name.startswith("i") else by_words
+
+
+def _of_text(row: ListRow, name: str, length: int) -> Shape:
+    """The shape of a text or of bytes: by the length, the characters in brackets, or the next address."""
+    halves = (length + 1) // 2
+    type_text = row.texts.get("type", name)
+    if row.words is not None:
+        fits = not length or row.words in (length, halves)
+        return Shape(
+            name, row.words, row.count, () if fits else (f"The list says {type_text}, and {row.words} words.",)
+        )
+    if length:
+        words = length if row.gap == length else halves
+        fits = row.gap == 0 or row.gap >= words
+        doubt = f"The list says {type_text}, and the next address is {row.gap} behind."
+        return Shape(name, words, row.count, () if fits else (doubt,))
+    doubt = f"The list says {type_text} without a length; it is taken up to the next address."
+    return Shape(name, row.gap or 1, row.count, (doubt,))

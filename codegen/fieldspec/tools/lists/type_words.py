@@ -1,0 +1,132 @@
+"""Reads the types of lists: by the words that they use, or by what the words are made of."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.tools.lists.words import folded, meaning
+
+_WORD_BITS = 16
+_COMPOSED = re.compile(
+    r"(?P<sign>unsigned|uns|usigned|u|signed|sgn|s|)(?P<base>integer|int|word|float|real|double|bcd|bitfield|bitmap|bits?|enum|hex|)"
+    r"(?P<bits>8|16|24|32|48|64)(?P<late>u|s|i|)(?:bits?|flags?|t|)(?P<order>|abcd|cdab|dcba|badc|be|le|sw|swapped|msw|lsw|big|little|bigendian|littleendian)"
+)
+_EARLY_BITS = re.compile(r"(8|16|32|64)bits?(.*)")
+_LENGTH = re.compile(
+    r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
+)
+_SIZED = re.compile(r"([0-9]{1,2})\s*-?(byte|bit|word|register)s?", re.IGNORECASE)
+_ORDERED = re.compile(
+    r"(float|real|f32|u?int32|[ui]32|dint|u?dint|dword|long)[\s_-]*(sw|swap|swapped|swappedwords|inverse|rev)"
+)
+_ORDER_WORD = re.compile(
+    r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """A type as a list has it: the name of a type, or its kind and perhaps whether it is signed.
+
+    `bits` is its size where only that is said, `length` a number in brackets: of characters, or of elements. `order`
+    is that of the bytes, such as `CDAB`, and empty if the type does not say it.
+    """
+
+    name: str = ""
+    kind: Kind | None = None
+    signed: bool | None = None
+    bits: int = 0
+    length: int = 0
+    order: str = ""
+
+    def fits(self, name: str) -> bool:
+        """Whether the type with a name agrees."""
+        primitive = PRIMITIVES.get(name)
+        if primitive is None or name == self.name:
+            return name == self.name
+        if self.name:
+            return False
+        if self.bits:
+            return self.bits == primitive.size * 8
+        return primitive.kind is self.kind and self.signed in (None, primitive.signed)
+
+    @property
+    def size(self) -> int:
+        """Its size in words where the type says it; 0 where it does not."""
+        bits = PRIMITIVES[self.name].size * 8 if self.name else self.bits
+        return (bits + _WORD_BITS - 1) // _WORD_BITS
+
+    def of_words(self, words: int | None) -> str:
+        """The name of the type; if the list has only its kind, that of the type with so many words."""
+        if self.name:
+            return self.name
+        if self.kind is Kind.BOOLEAN:
+            return "bool16"
+        if self.kind is Kind.FLOAT:
+            return {2: "f32", 4: "f64"}.get(words or 2, "bytes")
+        letter = "i" if self.signed else "u"
+        return {1: f"{letter}16", 2: f"{letter}32", 4: f"{letter}64"}.get(words or self.size or 1, "bytes")
+
+
+def typed(text: str) -> Typed | None:
+    """The type that a text names, None if it names none that is known."""
+    text = unicodedata.normalize("NFKC", text).strip().strip("`*").strip()
+    if not text:
+        return None
+    if known := _known(text):
+        return known
+    if order := _ORDER_WORD.search(text):
+        inner = typed(text[: order.start()])
+        return replace(inner, order=meaning("orders", order[1])) if inner else None
+    if swapped := _ORDERED.fullmatch(text.casefold()):
+        inner = _known(swapped[1])
+        return replace(inner, order="CDAB") if inner else None
+    length = _LENGTH.search(text)
+    if length and (inner := typed(text[: length.start()])) and not inner.length:
+        return replace(inner, length=int(next(filter(None, length.groups()))))
+    bare = re.sub(r"[\[(].*", "", text)
+    return typed(bare) if bare != text else None
+
+
+def _known(text: str) -> Typed | None:
+    word = folded(text)
+    if word in PRIMITIVES:
+        return Typed(word)
+    if name := meaning("types", word):
+        return Typed(name)
+    loose = meaning("loose_types", word)
+    if loose == "boolean":
+        return Typed("", Kind.BOOLEAN)
+    if loose:
+        return Typed("", Kind.INTEGER, loose == "signed")
+    if sized := _SIZED.fullmatch(text):
+        unit = {"byte": 8, "bit": 1}.get(sized[2].casefold(), _WORD_BITS)
+        return Typed(kind=Kind.INTEGER, bits=int(sized[1]) * unit)
+    if early := _EARLY_BITS.fullmatch(word):
+        word = early[2] + early[1] if early[2] else word
+        if name := meaning("types", word):
+            return Typed(name)
+    return _composed(word)
+
+
+def _composed(word: str) -> Typed | None:
+    """A type from the parts of its word: `unsigned32bit`, `int32u`, `u32be`."""
+    parts = _COMPOSED.fullmatch(word)
+    if parts is None or not (parts["sign"] or parts["base"] or parts["late"]):
+        return None
+    base, bits = parts["base"], parts["bits"]
+    if base == "bcd":
+        return None
+    if base in ("float", "real", "double"):
+        name = f"f{bits}"
+    else:
+        unsigned = parts["sign"] in ("unsigned", "uns", "usigned", "u") or parts["late"] == "u"
+        signed = parts["sign"] in ("signed", "sgn", "s") or parts["late"] in ("s", "i")
+        if base in ("int", "integer") and not unsigned:
+            signed = True
+        name = f"{'i' if signed else 'u'}{bits}"
+    order = meaning("orders", parts["order"]) if parts["order"] else ""
+    return Typed(name, order=order) if name in PRIMITIVES else None

@@ -1,0 +1,95 @@
+"""Reads cells with the meanings of values or of bits: `0: off; 1: on`, `{"0": "grid"}`, `bit 7 = relay failure`."""
+
+from __future__ import annotations
+
+import json
+import re
+import unicodedata
+
+from fieldspec.foundation.classes import dataclass
+
+_PART = re.compile(
+    r"(?:(?<=^)|(?<=[\s,;/|\n.)]))(?P<bit>bits?\s*#?|b)?(?P<number>0x[0-9a-f]{1,16}|-?[0-9]{1,20})h?(?P<end>\s*(?:=|:|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z]))\s*)",
+    re.IGNORECASE,
+)
+_SIMPLE = re.compile(r"(-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
+_BIT = re.compile(r"([0-9]{1,2})(?:\.\.([0-9]{1,2}))?\s+(\S.*)")
+_JSON_KEY = re.compile(r"(bit\s*|b)?(0x[0-9a-f]+|-?[0-9]+)", re.IGNORECASE)
+_MOST = 1 << 16
+
+
+@dataclass(frozen=True, slots=True)
+class Meanings:
+    """The texts of values, or those of bits by their lowest and highest numbers, in the order of the cell."""
+
+    members: tuple[tuple[int, str], ...] = ()
+    bits: tuple[tuple[int, int, str], ...] = ()
+
+
+def value_meanings(text: str, single: bool = False) -> Meanings | None:
+    """The meanings in a cell; None if the cell has anything else, or one number twice.
+
+    `single` says that the column is one of meanings, so that `0 stop` alone is one.
+    """
+    text = unicodedata.normalize("NFKC", text).strip().strip("`").strip()
+    if text.startswith("{"):
+        return _of_json(text)
+    text = re.sub(r"<br\s*/?>", "; ", text, flags=re.IGNORECASE)
+    parts = list(_PART.finditer(text))
+    parts = [part for part in parts if part["end"].strip() == parts[0]["end"].strip()]
+    if parts and not text[: parts[0].start()].strip(" [("):
+        ends = [*(part.start() for part in parts[1:]), len(text)]
+        texts = [text[part.end() : end].strip(" ,;/|.]") for part, end in zip(parts, ends, strict=True)]
+        if all(texts):
+            return _sorted(
+                [
+                    (bool(part["bit"]), int(part["number"], 0 if "x" in part["number"].lower() else 10), name)
+                    for part, name in zip(parts, texts, strict=True)
+                ]
+            )
+    simple = [_SIMPLE.fullmatch(piece.strip()) for piece in text.split(";") if piece.strip()]
+    if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
+        return _sorted(
+            [(False, int(piece[1]), piece[2].strip()) for piece in simple if piece and piece[1].lower() != "nan"]
+        )
+    return None
+
+
+def _of_json(text: str) -> Meanings | None:
+    try:
+        data = json.loads(text.replace("'", '"') if '"' not in text else text)
+    except (ValueError, RecursionError):
+        return None
+    pairs = []
+    for key, value in data.items():
+        match = _JSON_KEY.fullmatch(str(key).strip())
+        if match is None or not isinstance(value, str | int | float):
+            return None
+        pairs.append((bool(match[1]), int(match[2], 0 if "x" in match[2].lower() else 10), str(value)))
+    return _sorted(pairs)
+
+
+def _sorted(pairs: list[tuple[bool, int, str]]) -> Meanings | None:
+    bits = tuple((number, number, text) for is_bit, number, text in pairs if is_bit)
+    members = tuple((number, text) for is_bit, number, text in pairs if not is_bit)
+    if len({(is_bit, number) for is_bit, number, _ in pairs}) < len(pairs) or len(pairs) > _MOST:
+        return None
+    if not pairs or (bits and members) or any(not 0 <= number < 64 for number, _, _ in bits):
+        return None
+    return Meanings(members, bits)
+
+
+def bit_names(text: str) -> tuple[tuple[int, int, str], ...] | None:
+    """The bits in a cell of a column of bits: `0 ready; 8..15 hours`. None if the cell has anything else."""
+    meanings = value_meanings(text)
+    if meanings is not None and meanings.bits:
+        return meanings.bits
+    bits = [_BIT.fullmatch(piece.strip()) for piece in text.split(";") if piece.strip()]
+    if not bits:
+        return None
+    bit_texts = [(int(bit[1]), int(bit[2] or bit[1]), bit[3]) for bit in bits if bit]
+    return (
+        tuple(bit_texts)
+        if len(bit_texts) == len(bits) and all(low <= high < 64 for low, high, _ in bit_texts)
+        else None
+    )

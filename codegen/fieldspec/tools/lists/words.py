@@ -1,0 +1,37 @@
+"""The words of lists, from `words.json`: headings by role, accesses, types, spaces, answers, orders of bytes, units.
+
+All of them are folded. A heading that begins with `*` is a part of one; those of a role have the likeliest first.
+"""
+
+from __future__ import annotations
+
+import json
+import unicodedata
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+
+
+@cache
+def words(table: str) -> Mapping[str, tuple[str, ...]]:
+    """The words of a table by what they stand for."""
+    text = resources.files("fieldspec.tools.lists").joinpath("words.json").read_text("utf-8")
+    return {key: tuple(entries) for key, entries in json.loads(text)[table].items()}
+
+
+@cache
+def meanings(table: str) -> Mapping[str, str]:
+    """What each word of a table stands for."""
+    return {word: key for key, entries in words(table).items() for word in entries}
+
+
+@cache
+def folded(text: str) -> str:
+    """A text without case, width, blanks and punctuation, for comparisons."""
+    wide = unicodedata.normalize("NFKC", text).casefold()
+    return "".join(sign for sign in wide if sign.isalnum())
+
+
+def meaning(table: str, text: str) -> str:
+    """What a text stands for in a table; empty if it is not there."""
+    return meanings(table).get(folded(text) or text.strip(), "")

@@ -1,0 +1,86 @@
+"""Lists as people have them: what must come out of each is written in `register_lists`, from the list alone."""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import openpyxl
+import pytest
+import yaml
+
+from command_line import CommandLine
+
+FOLDER = Path(__file__).parent / "register_lists"
+CASES = {
+    f"{path.stem}: {case['name']}": case
+    for path in sorted(FOLDER.glob("*.yaml"))
+    for case in yaml.safe_load(path.read_text("utf-8"))
+}
+
+
+def content(case: dict[str, Any]) -> bytes:
+    """The file of a case: a text in its encoding, or a workbook."""
+    if "list" in case:
+        return bytes(case["list"].encode(case.get("encoding", "utf-8")))
+    book = openpyxl.Workbook()
+    book.remove(book.worksheets[0])
+    for title, rows in case["sheets"].items():
+        sheet = book.create_sheet(title)
+        for row in rows:
+            sheet.append(row)
+        for area in case.get("merged", ()):
+            sheet.merge_cells(area)
+    buffer = io.BytesIO()
+    book.save(buffer)
+    return buffer.getvalue()
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> CommandLine:
+    (tmp_path / "specs").mkdir()
+    return CommandLine(capsys, monkeypatch, tmp_path / "specs")
+
+
+def cell(value: object) -> object:
+    """A cell of an exported list, numbers as they are and not as they are written."""
+    return Decimal(str(value)).normalize() if isinstance(value, int | float) else value
+
+
+def place(row: dict[str, Any]) -> str:
+    return str(row["address"]) if row["space"] == "registers" else f"{row['space']}:{row['address']}"
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_a_list_gives_what_it_says_and_names_the_rest(case: dict[str, Any], run: CommandLine) -> None:
+    path = run.folder / "dut" / "device.yaml"
+    ran = run("import", "-", "--to", str(path), *case.get("options", ()), stdin=content(case))
+    if "refusal" in case:
+        assert ran.code == 2
+        assert case["refusal"] in ran.err
+        return
+    assert (ran.code, ran.err) == (0, "")
+    assert run("check", "dut").code == 0
+    rows = {place(row): row for row in json.loads(run("export", "dut", "--to", "json").out)}
+    wanted = {str(key): facts for key, facts in case["rows"].items()}
+    got = {key: {fact: cell(rows[key][fact]) for fact in facts} for key, facts in wanted.items() if key in rows}
+    assert got == {key: {fact: cell(value) for fact, value in facts.items()} for key, facts in wanted.items()}
+    assert [*rows.keys() - wanted.keys()] == []
+    refused = dict(re.findall(r"^not used: row (\d+)(.*)", ran.out, re.MULTILINE))
+    assert {int(number) for number in refused} == case.get("refused", {}).keys()
+    for number, reason in case.get("refused", {}).items():
+        assert reason in refused[str(number)]
+    unused = re.search(r"^columns not used: (.*)", ran.out, re.MULTILINE)
+    assert (unused[1].split(", ") if unused else []) == case.get("unused", [])
+    assert re.search(case.get("message", ""), ran.out)
+    text = path.read_text("utf-8")
+    assert [part for part in case.get("spec", ()) if part not in text] == []
+
+
+def test_every_name_of_a_case_is_told_apart() -> None:
+    texts = [path.read_text("utf-8") for path in FOLDER.glob("*.yaml")]
+    assert len(CASES) == sum(len(re.findall("^- name: ", text, re.MULTILINE)) for text in texts)
