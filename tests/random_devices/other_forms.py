@@ -73,12 +73,13 @@ def _derived(spec: Spec, derived: Spec) -> Iterator[Spec]:
 
 def _copy(group: Spec, stated: Spec) -> Spec:
     """The group that repeats another one at another address."""
-    rows = []
+    rows, sources = [], {row["of"]: row["source"] for row in stated.get("rows", ())}
     for row in group["rows"]:
         own = {"at": row["at"] - group["rows"][0]["at"] + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
         own |= {key: value for key, value in row.items() if key not in _OF_COPIES}
         own |= {key: inner for key in ("access", "trigger") if (inner := stated.get(key, row.get(key))) is not None}
-        rows.append({**own, "copy_of": row["name"], "source": stated["source"]})
+        own |= {"source": sources[row["name"]]} if row["name"] in sources else {}
+        rows.append({**own, "copy_of": row["name"]})
     result = {"group": stated["group"], "source": stated["source"], "rows": rows}
     return result | {key: group[key] for key in ("space", "defaults") if key in group}
 
