@@ -166,7 +166,7 @@ def _disagreements(
             continue
         if judge.name == "explainer" and "wrong_length" in reasons and _may_move(layout, query, wanted):
             continue
-        if judge.name == "javascript" and query.values is not None and _may_differ(wanted, answer):
+        if judge.name == "javascript" and query.values is not None and _has_no_constant(wanted, answer):
             continue
         if not wanted.is_stable and judge.drops_bits:
             answer.again = None
@@ -190,14 +190,9 @@ def _may_move(layout: DeviceLayout, query: Query, wanted: Answer) -> bool:
     return any(part.form for part in layout.links[link].frame(direction).trailer)
 
 
-def _may_differ(wanted: Answer, answer: Answer) -> bool:
-    """Whether JavaScript may answer otherwise where values are encoded.
-
-    It counts the bytes before it writes them, so that of two mistakes it names the length of a list first. Its objects
-    do not have the constant that a selector has chosen, which therefore cannot be wrong.
-    """
-    chosen = wanted.reason == "wrong_const" and not answer.reason
-    return chosen or bool(wanted.reason and answer.reason == "wrong_length")
+def _has_no_constant(wanted: Answer, answer: Answer) -> bool:
+    """Whether a constant that a selector has chosen is wrong: objects of JavaScript do not have it."""
+    return wanted.reason == "wrong_const" and not answer.reason
 
 
 __all__ = ["JUDGES", "Comparison", "Judge", "compare"]
