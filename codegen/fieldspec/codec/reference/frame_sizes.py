@@ -54,11 +54,11 @@ class FrameSize:
 
 def frame_size(shape: FrameLayout, record: RecordLayout) -> FrameSize | None:
     """The size of frames with some data; None where they go on as long as bytes come."""
-    around = len(shape.start) + shape.header_size + shape.trailer_size + len(shape.end)
+    framing_size = len(shape.start) + shape.header_size + shape.trailer_size + len(shape.end)
     if record.size is not None:
-        return FrameSize(around + record.size)
+        return FrameSize(framing_size + record.size)
     if record.spans:
-        return _size_of_text(shape, record, around)
+        return _size_of_text(shape, record, framing_size)
     tail = record.fields[-1]
     lists = [field for field in record.fields if field.count is None]
     counts = [field for field in _measuring(record, tail) if record.has_place(field)]
@@ -68,24 +68,24 @@ def frame_size(shape: FrameLayout, record: RecordLayout) -> FrameSize | None:
     measure = count.field.measures
     assert measure is not None
     unit = 1 if measure.of == "bytes" else tail.size
-    return FrameSize(around + tail.offset - measure.plus * unit, _count(shape, count), unit)
+    return FrameSize(framing_size + tail.offset - measure.plus * unit, _count(shape, count), unit)
 
 
-def _size_of_text(shape: FrameLayout, record: RecordLayout, around: int) -> FrameSize | None:
+def _size_of_text(shape: FrameLayout, record: RecordLayout, framing_size: int) -> FrameSize | None:
     """The size where values vary in width: by the count of the only one, else by an end delimiter not found within."""
     varying = [span for span in record.spans if span.value is not None]
-    others = sum(span.size for span in record.spans if span.value is None)
+    other_bytes = sum(span.size for span in record.spans if span.value is None)
     if len(varying) == 1 and varying[0].count is not None:
         count = record.fields[varying[0].count]
         if record.has_place(count):
-            return FrameSize(around + others - varying[0].plus, _count(shape, count), 1)
+            return FrameSize(framing_size + other_bytes - varying[0].plus, _count(shape, count), 1)
     names = [span.name for span in dropwhile(lambda span: span.value is None, record.spans)]
     fields = [field for field in record.fields if field.name in names]
     is_apart = bool(shape.end) and shape.end[0] not in _CHARACTERS and all(part.form for part in shape.trailer)
     if not is_apart or not all(_is_apart(field, shape.end[0]) for field in fields):
         return None
     first_bytes = sum(field.size for field in record.fields[: record.fields.index(fields[0])])
-    return FrameSize(around + first_bytes, with_end=shape.end)
+    return FrameSize(framing_size + first_bytes, with_end=shape.end)
 
 
 _CHARACTERS = b"+-. 0123456789ABCDEFabcdef"

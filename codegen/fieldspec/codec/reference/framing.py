@@ -35,10 +35,10 @@ class Framing:
         if self.refusal is not None:
             self.records.append(layout.records[self.refusal.record])
         marks, width = len(shape.start) + len(shape.end), 2 if self.link.link.encoding == "hex_ascii" else 1
-        around = shape.header_size + shape.trailer_size
-        self.least = marks + width * (around + min((record.least for record in self.records), default=0))
+        framing_size = shape.header_size + shape.trailer_size
+        self.least = marks + width * (framing_size + min((record.least for record in self.records), default=0))
         mosts = (_UNBOUNDED if record.most is None else record.most for record in self.records)
-        self.most = marks + width * (around + max(mosts, default=0))
+        self.most = marks + width * (framing_size + max(mosts, default=0))
         self.is_escaped = shape.escape is not None and (shape.escape_start, shape.escape_stop) == (0, None)
         self.longest = self.most
         if shape.escape is not None:
@@ -77,9 +77,9 @@ class Framing:
             rest += block
             before, place = cut(rest, False)
             rest = rest[place:]
-            behind, place = cut(rest, True)
+            with_silence, place = cut(rest, True)
             rest = rest[place:]
-            yield before, behind
+            yield before, with_silence
 
     def _between_marks(self, stream: bytes, is_silent: bool) -> Cut:
         """At each end delimiter, the bytes from the last start delimiter on are a frame, or none. Frames may pause."""
