@@ -58,8 +58,8 @@ class Framers:
     def answers(self, queries: list[Query]) -> list[Answer]:
         """Nothing about single queries."""
         drawn = list(streams(self.layout, random.Random(len(queries))))
-        for stream, other in zip(drawn, self._javascript(drawn), strict=True):
-            own = self._python(stream)
+        for stream, other in zip(drawn, self.javascript_cuts(drawn), strict=True):
+            own = self.python_cut(stream)
             text = f"{stream.link} {stream.direction} {_text(stream)}"
             assert own is not None, f"Python has no framer for {text}"
             assert other is not None, f"JavaScript has no framer for {text}"
@@ -69,7 +69,8 @@ class Framers:
             assert own == other, f"Python and JavaScript differ in {text}: {same}"
         return [Answer(reason=None)] * len(queries)
 
-    def _python(self, stream: Stream) -> Cut | None:
+    def python_cut(self, stream: Stream) -> Cut | None:
+        """What Python makes of a stream; None where it has no framer."""
         make = getattr(link_of(self.module, stream.link), f"{stream.direction}_framer", None)
         if make is None:
             return None
@@ -87,7 +88,8 @@ class Framers:
                 assert framer.missing <= end - place, f"{framer.missing} missing at {place}: {_text(stream)}"
         return Cut(tuple(map(tuple, frames)), framer.dropped)
 
-    def _javascript(self, drawn: list[Stream]) -> list[Cut | None]:
+    def javascript_cuts(self, drawn: list[Stream]) -> list[Cut | None]:
+        """What JavaScript makes of streams; None where it has no framer."""
         jobs: list[dict[str, Any]] = [
             {
                 "framer": Name.of(stream.link).camel() + stream.direction.capitalize() + "Framer",
