@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.command.audits.evidence_audit import folder_report
+from fieldspec.command.audit_inputs.evidence_audit import folder_report
 from fieldspec.command.pipeline import checked, layouts, load, refusals
 from fieldspec.command.rendering.finding_text import concise
 from fieldspec.command.rules import all_rules, rule

@@ -54,7 +54,7 @@ HOMES = {
     "getpass": (),
     "datetime": ("tools/lists/workbook_writer.py",),  # workbooks have one that is the same in all of them
     # A review records the date of the day, and a simulation runs by a clock.
-    "time": ("command/verbs/build.py", "command/audits/audit_files.py", "tools/simulator/clock.py"),
+    "time": ("command/verbs/build.py", "command/audit_inputs/audit_files.py", "tools/simulator/clock.py"),
     "random": ("tools/simulator/faults.py",),
     "uuid": ("targets/twincat/",),  # identifiers are computed from names and equal in every build
     "pickle": (),

@@ -304,7 +304,7 @@ def _parser() -> argparse.ArgumentParser:
     into.set_defaults(verb="importing")
 
     audit = verb("audit", "report the evidence that the spec of a device is right, and where it is missing")
-    audit.late_arguments = ("fieldspec.command.audits.audit_options", "add_audit")
+    audit.late_arguments = ("fieldspec.command.audit_inputs.audit_options", "add_audit")
 
     for name, help in (
         ("simulate", "serve a device that is simulated from its spec"),

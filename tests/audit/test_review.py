@@ -110,7 +110,7 @@ def test_a_chapter_stands_for_its_sections() -> None:
         f"      - {{at: {n}, name: r{n}, type: u16, source: {s}}}\n" for n, s in enumerate(sections.values())
     )
     sections_by_name = state("registers:\n  - group: all\n    rows:\n" + rows)
-    from fieldspec.command.audits.audit_files import _picked
+    from fieldspec.command.audit_inputs.audit_files import _picked
 
     assert list(_picked(sections_by_name, "9")) == ["9", "9.1", "9.10"]
 

@@ -27,6 +27,7 @@ from random_devices.framer_judge import Framers
 from random_devices.javascript_judge import JavaScript
 from random_devices.meaning_judge import Meanings
 from random_devices.python_judge import Python
+from random_devices.quantities import expected_answer, quantity_queries
 from random_devices.queries import Answer, Query, queries
 from random_devices.queries_judge import Queries
 from random_devices.reference_answers import Reference
@@ -47,13 +48,14 @@ class Judge:
     """A codec that is compared with the reference: one of `every` devices is asked.
 
     `build` makes it for a layout in a folder, with a number that no other device of the process has. A language that
-    `drops_bits` has its own NaN, and texts that end at a zero.
+    `drops_bits` has its own NaN, and texts that end at a zero. What `has_quantities` is asked about these too.
     """
 
     name: str
     every: int
     build: Callable[[DeviceLayout, Path, int], Any]
     drops_bits: bool = False
+    has_quantities: bool = False
 
 
 def has_matiec() -> bool:
@@ -64,24 +66,24 @@ def has_matiec() -> bool:
 JUDGES = (
     Judge("python", 1, Python),
     Judge("access", 1, Access),
-    Judge("javascript", 3, JavaScript),
+    Judge("javascript", 3, JavaScript, has_quantities=True),
     Judge("framers", 4, Framers),
     Judge("explainer", 1, lambda layout, folder, number: Explainer(layout, folder)),
     Judge("script", 3, ScriptExplainer),
     Judge("captures", 2, Captures),
     Judge("meanings", 2, Meanings),
-    Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True),
+    Judge("tcc", 1, lambda layout, folder, number: C(layout, folder, ["tcc", "-std=c99", "-w"]), True, True),
     Judge("command", 5, Command),
     Judge("tables", 1, lambda layout, folder, number: Tables(layout)),
     Judge("simulator", 4, lambda layout, folder, number: Simulator(layout)),
     Judge("selftest", 25, Selftest),
-    Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True),
+    Judge("sanitized", 20, lambda layout, folder, number: C(layout, folder, SANITIZED), True, True),
     Judge("structured_text", 8, lambda layout, folder, number: StructuredText(layout, folder)),
     *([Judge("matiec", 60, lambda layout, folder, number: StructuredText(layout, folder, True))] * has_matiec()),
     Judge("duckdb", 6, lambda layout, folder, number: Queries(layout, "duckdb")),
     Judge("polars", 6, lambda layout, folder, number: Queries(layout, "polars")),
     *([Judge("wireshark", 30, lambda layout, folder, number: Wireshark(layout))] * has_tshark()),
-    Judge("big_endian", 50, lambda layout, folder, number: C(layout, folder, BIG_ENDIAN, ("qemu-m68k",)), True),
+    Judge("big_endian", 50, lambda layout, folder, number: C(layout, folder, BIG_ENDIAN, ("qemu-m68k",)), True, True),
 )
 """All judges. A codec in another language is added here, and nowhere else."""
 
@@ -135,25 +137,28 @@ def compare_layout(layout: DeviceLayout, seed: int, frames: int, judges: tuple[J
     asked = queries(layout, seed, frames)
     reference = Reference(layout)
     expected = [reference.answer(query) for query in asked]
+    measured = quantity_queries(layout, random.Random(seed))
+    quantities = [expected_answer(query) for query in measured]
     result.frames += sum(query.kind == "frame" for query in asked)
     with tempfile.TemporaryDirectory(prefix="fieldspec-chance-") as folder:
         for judge in judges:
             if seed % judge.every != 1 % judge.every:
                 continue
             result.asked[judge.name] = result.asked.get(judge.name, 0) + 1
+            own = [*asked, *measured] if judge.has_quantities else asked
             try:
-                answers = judge.build(layout, Path(folder), next(_NUMBERS)).answers(asked)
+                answers = judge.build(layout, Path(folder), next(_NUMBERS)).answers(own)
             except Exception as error:
                 result.disagreements.append(f"{judge.name}: {type(error).__name__}: {str(error)[-1500:]}")
                 continue
-            result.disagreements += _disagreements(layout, judge, asked, expected, answers)
+            result.disagreements += _disagreements(layout, judge, own, [*expected, *quantities], answers)
 
 
 def _disagreements(
     layout: DeviceLayout, judge: Judge, asked: list[Query], expected: list[Answer], answers: list[Answer]
 ) -> list[str]:
     disagreements = []
-    for query, wanted, answer in zip(asked, expected, answers, strict=True):
+    for query, wanted, answer in zip(asked, expected[: len(asked)], answers, strict=True):
         if answer.reason is None:
             continue
         reasons = (answer.reason or "").split()
@@ -161,7 +166,7 @@ def _disagreements(
             continue
         if judge.name == "explainer" and "wrong_length" in reasons and _may_move(layout, query, wanted):
             continue
-        if judge.name == "javascript" and query.values is not None and _may_differ(wanted, answer):
+        if judge.name == "javascript" and query.values is not None and _has_no_constant(wanted, answer):
             continue
         if not wanted.is_stable and judge.drops_bits:
             answer.again = None
@@ -185,14 +190,9 @@ def _may_move(layout: DeviceLayout, query: Query, wanted: Answer) -> bool:
     return any(part.form for part in layout.links[link].frame(direction).trailer)
 
 
-def _may_differ(wanted: Answer, answer: Answer) -> bool:
-    """Whether JavaScript may answer otherwise where values are encoded.
-
-    It counts the bytes before it writes them, so that of two mistakes it names the length of a list first. Its objects
-    do not have the constant that a selector has chosen, which therefore cannot be wrong.
-    """
-    chosen = wanted.reason == "wrong_const" and not answer.reason
-    return chosen or bool(wanted.reason and answer.reason == "wrong_length")
+def _has_no_constant(wanted: Answer, answer: Answer) -> bool:
+    """Whether a constant that a selector has chosen is wrong: objects of JavaScript do not have it."""
+    return wanted.reason == "wrong_const" and not answer.reason
 
 
 __all__ = ["JUDGES", "Comparison", "Judge", "compare"]

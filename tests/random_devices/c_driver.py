@@ -16,6 +16,8 @@ from fieldspec.targets.c.naming import Naming, frame_member, member
 from fieldspec.targets.c.runtime_files import status_names
 from fieldspec.targets.c.subcodes import shared_codes
 from fieldspec.targets.c.values import accessed_type
+from random_devices.c_quantities import FUNCTIONS as QUANTITY_FUNCTIONS
+from random_devices.c_quantities import QuantityCases
 from random_devices.inputs import is_computed
 from random_devices.queries import shapes
 
@@ -99,6 +101,7 @@ class Driver:
         self.layout = layout
         self.naming = Naming(layout.device.id)
         header(layout, self.naming)
+        self.quantities = QuantityCases(layout, self.naming)
 
     def source(self) -> str:
         """The source."""
@@ -112,7 +115,8 @@ class Driver:
                 guessed = [name for name in link.carried(direction) if link.is_guessed(direction, name)]
                 coded = [""] if link.frame(direction).role("code") is not None else []
                 cases += [self._frame_case(link, direction, message) for message in (*coded, *guessed)]
-        text = _MAIN.replace("FUNCTIONS", functions).replace("CASES", "\n        ".join(cases))
+        cases += self.quantities.cases()
+        text = _MAIN.replace("FUNCTIONS", QUANTITY_FUNCTIONS + functions).replace("CASES", "\n        ".join(cases))
         return f"{included}#include <stdio.h>\n#include <string.h>\n{text}"
 
     def _records(self) -> list[RecordLayout]:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import random
 import subprocess
+from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from external_tools import require_tool
 from fieldspec.codec.layout.device import DeviceLayout
@@ -40,10 +42,10 @@ class Cut:
 class Framers:
     """Says nothing about queries; raises AssertionError where a framer loses, joins or splits frames.
 
-    `compared` counts the streams of all devices, `cut` those that the reference cuts, too.
+    `cut` counts the streams of all devices by what ends their frames.
     """
 
-    compared = cut = 0
+    cut: ClassVar[Counter[str]] = Counter()
 
     def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
         self.layout, self.folder = layout, folder / f"framers_{number}"
@@ -56,8 +58,8 @@ class Framers:
     def answers(self, queries: list[Query]) -> list[Answer]:
         """Nothing about single queries."""
         drawn = list(streams(self.layout, random.Random(len(queries))))
-        for stream, other in zip(drawn, self._javascript(drawn), strict=True):
-            own = self._python(stream)
+        for stream, other in zip(drawn, self.javascript_cuts(drawn), strict=True):
+            own = self.python_cut(stream)
             text = f"{stream.link} {stream.direction} {_text(stream)}"
             assert own is not None, f"Python has no framer for {text}"
             assert other is not None, f"JavaScript has no framer for {text}"
@@ -65,10 +67,10 @@ class Framers:
             same = f"{_list(own.all_frames)}, {own.dropped} dropped, and {_list(other.all_frames)}, {other.dropped}"
             _assert_cut(self.layout, stream, own, text)
             assert own == other, f"Python and JavaScript differ in {text}: {same}"
-            Framers.compared += 1
         return [Answer(reason=None)] * len(queries)
 
-    def _python(self, stream: Stream) -> Cut | None:
+    def python_cut(self, stream: Stream) -> Cut | None:
+        """What Python makes of a stream; None where it has no framer."""
         make = getattr(link_of(self.module, stream.link), f"{stream.direction}_framer", None)
         if make is None:
             return None
@@ -86,7 +88,8 @@ class Framers:
                 assert framer.missing <= end - place, f"{framer.missing} missing at {place}: {_text(stream)}"
         return Cut(tuple(map(tuple, frames)), framer.dropped)
 
-    def _javascript(self, drawn: list[Stream]) -> list[Cut | None]:
+    def javascript_cuts(self, drawn: list[Stream]) -> list[Cut | None]:
+        """What JavaScript makes of streams; None where it has no framer."""
         jobs: list[dict[str, Any]] = [
             {
                 "framer": Name.of(stream.link).camel() + stream.direction.capitalize() + "Framer",
@@ -115,18 +118,26 @@ def _assert_promised(stream: Stream, cut: Cut, text: str) -> None:
 
 
 def _assert_cut(layout: DeviceLayout, stream: Stream, cut: Cut, text: str) -> None:
-    """The frames of a stream before its first silence are those that the reference cuts out of it."""
+    """The frames of each block of a stream, and those that the silence behind it shows, are those of the reference."""
     framing = Framing(layout, stream.link, stream.direction)
-    if not framing.ending:
-        return
-    count = stream.pieces.index(None)
-    wanted = framing.frames(b"".join(piece or b"" for piece in stream.pieces[:count]))
-    frames = [frame for own in cut.frames[:count] for frame in own]
-    Framers.cut += 1
-    assert frames == wanted, f"{_list(frames)}, and the reference cuts {_list(wanted)} out of {text}"
+    assert framing.ending, f"the reference does not know what ends the frames of {text}"
+    blocks = [b""]
+    completed: list[tuple[tuple[bytes, ...], tuple[bytes, ...]]] = [((), ())]
+    for piece, frames in zip(stream.pieces, cut.frames, strict=True):
+        before, _ = completed[-1]
+        completed[-1] = ((*before, *frames), ()) if piece is not None else (before, frames)
+        blocks[-1] += piece or b""
+        if piece is None:
+            blocks.append(b"")
+            completed.append(((), ()))
+    Framers.cut[framing.ending] += 1
+    wanted = [(tuple(before), tuple(behind)) for before, behind in framing.cut(blocks[:-1])]
+    for block, expected, actual in zip(blocks, wanted, completed[:-1], strict=False):
+        expected_text, actual_text = (" and, with the silence, ".join(map(_list, own)) for own in (expected, actual))
+        assert actual == expected, f"{actual_text}; the reference: {expected_text}; in {block.hex(' ')} of {text}"
 
 
-def _list(frames: tuple[bytes, ...] | list[bytes]) -> str:
+def _list(frames: Iterable[bytes]) -> str:
     return ", ".join(frame.hex(" ") for frame in frames) or "nothing"
 
 

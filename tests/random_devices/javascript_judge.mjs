@@ -98,8 +98,30 @@ function registerOf(name) {
   return entry.decode === undefined ? entry.at(entry.first) : entry;
 }
 
+/** What has the unit and the states of a value: a register, a parameter, or those of a field of a record. */
+function measured({ noun, path, key }) {
+  if (noun === "register") return registerOf(path[0]);
+  if (noun === "parameter") return parameter(path);
+  const { units, absent } = find(path[0], "least");
+  return { units: units[key], absent: absent?.[key] };
+}
+
+/** The count of a quantity; null for a value that has no unit. */
+function count(job) {
+  const units = measured(job).units ?? null;
+  return { again: units === null ? null : toJson(units.fromUnit(job.quantity, ...job.exponent)) };
+}
+
+function share({ path: [name], raw, reference }) {
+  const conversion = [exports[name], exports[`${name}Conversion`]].find((value) => value?.fromRaw !== undefined);
+  return { quantity: toJson(conversion.fromRaw(fromJson(raw), reference)), state: null };
+}
+
 function answer(job) {
   try {
+    if (job.kind === "quantity") return quantity(measured(job), fromJson(job.raw), job.exponent);
+    if (job.kind === "count") return count(job);
+    if (job.kind === "share") return share(job);
     if (job.kind === "frame") return frame(job);
     if (job.kind === "record") return alone(find(job.path[0], "least"), job);
     if (job.kind === "register") return alone(registerOf(job.path[0]), job);

@@ -6,6 +6,7 @@ import json
 import math
 import subprocess
 from collections.abc import Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +17,9 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.value import Kind, Value
 from fieldspec.targets.js.backend import shared
 from fieldspec.targets.js.links import WIDE
-from fieldspec.targets.js.members import members_of
+from fieldspec.targets.js.members import Member, members_of
 from fieldspec.targets.js.module import module_texts
+from random_devices.quantities import Measured
 from random_devices.queries import (
     ABSENT_OFFSET,
     EXPONENT,
@@ -53,7 +55,31 @@ class JavaScript:
             raise RuntimeError(run.stderr)
         return [self._answer(query, result) for query, result in zip(queries, json.loads(run.stdout), strict=True)]
 
+    def _quantity_job(self, query: Query) -> dict[str, Any]:
+        """What is asked about a count or a quantity: the record with the property of a field, else the names."""
+        assert query.values is not None
+        kind, *names = query.path
+        job: dict[str, Any] = {"kind": query.kind, "noun": kind, "path": names, **query.values}
+        if query.kind == "share":
+            raw = _number(query.values["raw"], query.shape.type.size)
+            return {**job, "path": [Name.of(names[0]).camel()], "raw": raw}
+        measured: Measured = query.shape
+        if kind == "record":
+            job["key"] = next(member.key for member in self._members[names[0]] if member.field.name == names[1])
+        if query.kind == "quantity":
+            job["raw"] = _element(measured.value, query.values["raw"], measured.size)
+        job["exponent"] = [] if query.values["power"] is None else [query.values["power"]]
+        return job
+
+    @cached_property
+    def _members(self) -> dict[str, list[Member]]:
+        """The properties of all records, by their names."""
+        bodies = (body for message in self.layout.messages.values() for body in message.bodies)
+        return {record.name: members_of(record) for record in (*self.layout.records.values(), *bodies)}
+
     def _job(self, query: Query) -> dict[str, Any]:
+        if query.kind in ("quantity", "count", "share"):
+            return self._quantity_job(query)
         job: dict[str, Any] = {"kind": query.kind, "path": query.path, "data": query.data.hex(), "error": query.error}
         coded = query.kind == "frame" and self.layout.links[query.path[0]].frame(query.path[1]).role("code") is not None
         job["carriesCode"] = coded
@@ -96,6 +122,13 @@ class JavaScript:
             reason, offset = result["error"]
             placed = query.kind in ("frame", "record")
             return Answer(reason, (ABSENT_OFFSET if offset is None else offset) if placed else None)
+        if query.kind == "count":
+            again = _scalar(result["again"])
+            return Answer(reason=None) if again is None else Answer(again=str(again))
+        if query.kind in ("quantity", "share"):
+            number = _scalar(result["quantity"])
+            text = float(number["$f"]) if isinstance(number, dict) else number
+            return Answer(quantity=quantity_text(text, result["state"]))
         if query.values is not None or query.kind == "subindex":
             return Answer(again=result["again"])
         quantity = None

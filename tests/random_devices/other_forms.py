@@ -17,8 +17,11 @@ Files = dict[str, Spec]
 """The files of a project by path."""
 
 LINE = "firmware"
-DEVICE, PROTOCOL = "chance/device.yaml", "protocols/shared.yaml"
+DEVICE, PROTOCOL, INNER = "chance/device.yaml", "protocols/shared.yaml", "protocols/inner.yaml"
 _OF_PROTOCOL = ("links", "messages", "records", "enums")
+_TEXTS = ("doc", "label", "notes")
+_OF_DEVICES = (*_TEXTS, "broadcast", "unit_addresses", "silence", "open", "unit", "range")
+"""The keys that a device may state of what it takes from a protocol."""
 _OF_DERIVED = ("name", "label", "doc", "source")
 _OF_COPIES = ("name", "at", "decimal", "access", "trigger", "restart", "source", "clears_on_read", "label", "notes")
 
@@ -73,12 +76,13 @@ def _derived(spec: Spec, derived: Spec) -> Iterator[Spec]:
 
 def _copy(group: Spec, stated: Spec) -> Spec:
     """The group that repeats another one at another address."""
-    rows = []
+    rows, sources = [], {row["of"]: row["source"] for row in stated.get("rows", ())}
     for row in group["rows"]:
         own = {"at": row["at"] - group["rows"][0]["at"] + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
         own |= {key: value for key, value in row.items() if key not in _OF_COPIES}
         own |= {key: inner for key in ("access", "trigger") if (inner := stated.get(key, row.get(key))) is not None}
-        rows.append({**own, "copy_of": row["name"], "source": stated["source"]})
+        own |= {"source": sources[row["name"]]} if row["name"] in sources else {}
+        rows.append({**own, "copy_of": row["name"]})
     result = {"group": stated["group"], "source": stated["source"], "rows": rows}
     return result | {key: group[key] for key in ("space", "defaults") if key in group}
 
@@ -103,7 +107,8 @@ def with_bits_from_most(spec: Spec) -> Spec | None:
 def split(spec: Spec, dice: random.Random) -> Files:
     """The files of a device that takes some of its links, messages, records and enums from a protocol.
 
-    Of some of these, the device states a key of its own.
+    Of some of these, the device states keys of its own, also such as the protocol states otherwise. The protocol may
+    have a link that the device does not take, and its enums may be those of a protocol that it uses itself.
     """
     own = copy.deepcopy(spec)
     protocol: Spec = {"protocol": {"id": "shared", "title": "What several devices share"}}
@@ -115,18 +120,36 @@ def split(spec: Spec, dice: random.Random) -> Files:
         protocol[section] = taken
         entries = [_own_entry(item, dice) for item in taken if section != "records" and dice.random() < 0.5]
         own[section] = [*entries, *left]
-    uses: Spec = {"uses": [{"protocol": "shared"}]}
-    return {
-        DEVICE: {key: inner for key, inner in {**own, **uses}.items() if inner},
-        PROTOCOL: {key: inner for key, inner in protocol.items() if inner},
-    }
+    use: Spec = {"protocol": "shared"}
+    if dice.random() < 0.5:
+        use["links"] = [link["name"] for link in protocol["links"]]
+        other = copy.deepcopy(protocol["links"][0])
+        protocol["links"].insert(0, {**other, "name": f"{other['name']}_of_others"})
+    files = {DEVICE: {**own, "uses": [use]}, PROTOCOL: protocol}
+    if protocol["enums"] and dice.random() < 0.5:
+        files[INNER] = {"protocol": {"id": "inner", "title": "What protocols share"}, "enums": protocol.pop("enums")}
+        protocol["uses"] = [{"protocol": "inner"}]
+    return {path: {key: inner for key, inner in content.items() if inner} for path, content in files.items()}
 
 
 def _own_entry(item: Spec, dice: random.Random) -> Spec:
-    """The entry of a device for what it takes from a protocol, with keys that are no longer in the protocol."""
-    moved = [key for key in ("doc", "label", "notes", "broadcast", "unit_addresses", "silence", "open") if key in item]
-    own_keys = [key for key in moved if dice.random() < 0.7]
-    return {"name": item["name"], "source": item["source"], **{key: item.pop(key) for key in own_keys}}
+    """The entry of a device for what it takes from a protocol, with keys that are not in the protocol, or otherwise."""
+    entry = _moved(item, dice)
+    for direction in ("request", "response"):
+        fields = item.get(direction, ())
+        if "code" in item and fields and all("name" in field for field in fields) and dice.random() < 0.5:
+            entry[direction] = [_moved(dice.choice(fields), dice)]
+    return entry
+
+
+def _moved(item: Spec, dice: random.Random) -> Spec:
+    entry = {"name": item["name"], "source": item["source"]}
+    for key in _OF_DEVICES:
+        if key in item and dice.random() < 0.7:
+            entry[key] = item.pop(key)
+            if key in _TEXTS and dice.random() < 0.5:
+                item[key] = "Other devices have another one."
+    return entry
 
 
 # Overlays

@@ -14,7 +14,7 @@ import { frames, link, message } from "../runtime/link.js";
 import { parameter, parameterSet, parameters } from "../runtime/parameter.js";
 import { unit } from "../runtime/quantity.js";
 import { checkSize, record } from "../runtime/record.js";
-import { booleanOf, listLength, numberOf, putText, setBits, textOf } from "../runtime/values.js";
+import { booleanOf, checkList, listLength, numberOf, putText, setBits, textOf } from "../runtime/values.js";
 
 export const DEVICE = "esc11";
 export const VERSION = "1.17";
@@ -335,6 +335,7 @@ function readReadPointsResponse(b, o, end) {
   };
 }
 function writeReadPointsResponse(value, b, o) {
+  checkList("points", value.points, 1, 15);
   for (let at = o, index = 0; index < value.points.length; index++, at += 16) {
     const item = value.points[index];
     Point.check(item);
@@ -342,7 +343,7 @@ function writeReadPointsResponse(value, b, o) {
   }
 }
 function sizeReadPointsResponse(value) {
-  return 0 + listLength("points", value.points, 1, 15) * 16;
+  return 0 + listLength(value, "points", 15) * 16;
 }
 function checkReadPointsResponse(b, o, end) {
   checkSize("read_points_response", 16, 240, o, end);
@@ -391,7 +392,7 @@ function readReadParametersResponse(b, o) {
   };
 }
 function writeReadParametersResponse(value, b, o) {
-  listLength("parameters", value.parameters, 32, 32);
+  checkList("parameters", value.parameters, 32, 32);
   for (let at = o, index = 0; index < value.parameters.length; index++, at += 2) {
     const item = value.parameters[index];
     if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("parameters", item, 0, 65535, "0..65535");
@@ -499,6 +500,7 @@ function readReadAlarmHistoryResponse(b, o, end) {
   };
 }
 function writeReadAlarmHistoryResponse(value, b, o) {
+  checkList("entries", value.entries, 0, 16);
   for (let at = o, index = 0; index < value.entries.length; index++, at += 4) {
     const item = value.entries[index];
     AlarmHistoryEntry.check(item);
@@ -506,7 +508,7 @@ function writeReadAlarmHistoryResponse(value, b, o) {
   }
 }
 function sizeReadAlarmHistoryResponse(value) {
-  return 0 + listLength("entries", value.entries, 0, 16) * 4;
+  return 0 + listLength(value, "entries", 16) * 4;
 }
 function checkReadAlarmHistoryResponse(b, o, end) {
   checkSize("read_alarm_history_response", 0, 64, o, end);
@@ -536,6 +538,7 @@ function readWritePointsRequest(b, o, end) {
   };
 }
 function writeWritePointsRequest(value, b, o) {
+  checkList("points", value.points, 1, 15);
   for (let at = o, index = 0; index < value.points.length; index++, at += 16) {
     const item = value.points[index];
     Point.check(item);
@@ -543,7 +546,7 @@ function writeWritePointsRequest(value, b, o) {
   }
 }
 function sizeWritePointsRequest(value) {
-  return 0 + listLength("points", value.points, 1, 15) * 16;
+  return 0 + listLength(value, "points", 15) * 16;
 }
 function checkWritePointsRequest(b, o, end) {
   checkSize("write_points_request", 16, 240, o, end);
@@ -592,7 +595,7 @@ function readWriteParametersRequest(b, o) {
   };
 }
 function writeWriteParametersRequest(value, b, o) {
-  listLength("parameters", value.parameters, 32, 32);
+  checkList("parameters", value.parameters, 32, 32);
   for (let at = o, index = 0; index < value.parameters.length; index++, at += 2) {
     const item = value.parameters[index];
     if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("parameters", item, 0, 65535, "0..65535");

@@ -14,7 +14,7 @@ import { frames, link, message } from "../runtime/link.js";
 import { parameter, parameterSet, parameters } from "../runtime/parameter.js";
 import { conversion, unit } from "../runtime/quantity.js";
 import { checkSize, record } from "../runtime/record.js";
-import { bitsOf, booleanOf, floatOf, listLength, numberOf, setBits } from "../runtime/values.js";
+import { bitsOf, booleanOf, checkList, floatOf, listLength, numberOf, setBits } from "../runtime/values.js";
 
 export const DEVICE = "hiwin-e";
 export const VERSION = "2.12.5";
@@ -913,58 +913,59 @@ function writeReadParameterResponseCase1(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
     const itemRaw = numberOf("values", item);
     b[at] = itemRaw;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase1(value) {
-  return 2 + listLength("values", value.values, 1, 255);
+  return 2 + listLength(value, "values", 255);
 }
 function writeReadParameterResponseCase2(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
     if (!((item | 0) === item && item >= -128 && item <= 127)) throw refusedNumber("values", item, -128, 127, "-128..127");
     b[at] = item;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase2(value) {
-  return 2 + listLength("values", value.values, 1, 255);
+  return 2 + listLength(value, "values", 255);
 }
 function writeReadParameterResponseCase3(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
     if (!((item | 0) === item && item >= -32768 && item <= 32767)) throw refusedNumber("values", item, -32768, 32767, "-32768..32767");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase3(value) {
-  return 2 + listLength("values", value.values, 1, 255) * 2;
+  return 2 + listLength(value, "values", 255) * 2;
 }
 function writeReadParameterResponseCase4(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
     if (!((item | 0) === item)) throw refusedNumber("values", item, -2147483648, 2147483647, "-2147483648..2147483647");
@@ -973,50 +974,53 @@ function writeReadParameterResponseCase4(value, b, o) {
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase4(value) {
-  return 2 + listLength("values", value.values, 1, 255) * 4;
+  return 2 + listLength(value, "values", 255) * 4;
 }
 function writeReadParameterResponseCase5(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
     if (!((item >>> 0) === item && item <= 255)) throw refusedNumber("values", item, 0, 255, "0..255");
     b[at] = item;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase5(value) {
-  return 2 + listLength("values", value.values, 1, 255);
+  return 2 + listLength(value, "values", 255);
 }
 function writeReadParameterResponseCase6(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
     if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("values", item, 0, 65535, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase6(value) {
-  return 2 + listLength("values", value.values, 1, 255) * 2;
+  return 2 + listLength(value, "values", 255) * 2;
 }
 function writeReadParameterResponseCase7(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
     if (!((item >>> 0) === item)) throw refusedNumber("values", item, 0, 4294967295, "0..4294967295");
@@ -1025,17 +1029,18 @@ function writeReadParameterResponseCase7(value, b, o) {
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase7(value) {
-  return 2 + listLength("values", value.values, 1, 255) * 4;
+  return 2 + listLength(value, "values", 255) * 4;
 }
 function writeReadParameterResponseCase8(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 1] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
     const itemRaw = bitsOf("values", item, null, []);
@@ -1044,9 +1049,12 @@ function writeReadParameterResponseCase8(value, b, o) {
     b[at + 1] = itemRaw >>> 16;
     b[at] = itemRaw >>> 24;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase8(value) {
-  return 2 + listLength("values", value.values, 1, 255) * 4;
+  return 2 + listLength(value, "values", 255) * 4;
 }
 function writeReadParameterResponse(value, b, o) {
   const index = choicesReadParameterResponse[value.format];
@@ -1288,17 +1296,18 @@ function writeWriteParameterRequestCase1(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
     const itemRaw = numberOf("values", item);
     b[at] = itemRaw;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase1(value) {
-  return 8 + listLength("values", value.values, 1, 255);
+  return 8 + listLength(value, "values", 255);
 }
 function writeWriteParameterRequestCase2(value, b, o) {
   b[o] = 16;
@@ -1316,17 +1325,18 @@ function writeWriteParameterRequestCase2(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
     if (!((item | 0) === item && item >= -128 && item <= 127)) throw refusedNumber("values", item, -128, 127, "-128..127");
     b[at] = item;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase2(value) {
-  return 8 + listLength("values", value.values, 1, 255);
+  return 8 + listLength(value, "values", 255);
 }
 function writeWriteParameterRequestCase3(value, b, o) {
   b[o] = 16;
@@ -1344,18 +1354,19 @@ function writeWriteParameterRequestCase3(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
     if (!((item | 0) === item && item >= -32768 && item <= 32767)) throw refusedNumber("values", item, -32768, 32767, "-32768..32767");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase3(value) {
-  return 8 + listLength("values", value.values, 1, 255) * 2;
+  return 8 + listLength(value, "values", 255) * 2;
 }
 function writeWriteParameterRequestCase4(value, b, o) {
   b[o] = 16;
@@ -1373,9 +1384,7 @@ function writeWriteParameterRequestCase4(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
     if (!((item | 0) === item)) throw refusedNumber("values", item, -2147483648, 2147483647, "-2147483648..2147483647");
@@ -1384,9 +1393,12 @@ function writeWriteParameterRequestCase4(value, b, o) {
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase4(value) {
-  return 8 + listLength("values", value.values, 1, 255) * 4;
+  return 8 + listLength(value, "values", 255) * 4;
 }
 function writeWriteParameterRequestCase5(value, b, o) {
   b[o] = 16;
@@ -1404,17 +1416,18 @@ function writeWriteParameterRequestCase5(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
     if (!((item >>> 0) === item && item <= 255)) throw refusedNumber("values", item, 0, 255, "0..255");
     b[at] = item;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase5(value) {
-  return 8 + listLength("values", value.values, 1, 255);
+  return 8 + listLength(value, "values", 255);
 }
 function writeWriteParameterRequestCase6(value, b, o) {
   b[o] = 16;
@@ -1432,18 +1445,19 @@ function writeWriteParameterRequestCase6(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
     if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("values", item, 0, 65535, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase6(value) {
-  return 8 + listLength("values", value.values, 1, 255) * 2;
+  return 8 + listLength(value, "values", 255) * 2;
 }
 function writeWriteParameterRequestCase7(value, b, o) {
   b[o] = 16;
@@ -1461,9 +1475,7 @@ function writeWriteParameterRequestCase7(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
     if (!((item >>> 0) === item)) throw refusedNumber("values", item, 0, 4294967295, "0..4294967295");
@@ -1472,9 +1484,12 @@ function writeWriteParameterRequestCase7(value, b, o) {
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase7(value) {
-  return 8 + listLength("values", value.values, 1, 255) * 4;
+  return 8 + listLength(value, "values", 255) * 4;
 }
 function writeWriteParameterRequestCase8(value, b, o) {
   b[o] = 16;
@@ -1492,9 +1507,7 @@ function writeWriteParameterRequestCase8(value, b, o) {
   const format_ = value.format;
   if (!((format_ >>> 0) === format_ && format_ <= 255 && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o + 6] = format_;
-  const valueCount_ = value.values.length;
-  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
-  b[o + 7] = valueCount_;
+  checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
     const itemRaw = bitsOf("values", item, null, []);
@@ -1503,9 +1516,12 @@ function writeWriteParameterRequestCase8(value, b, o) {
     b[at + 1] = itemRaw >>> 16;
     b[at] = itemRaw >>> 24;
   }
+  const valueCount_ = value.values.length;
+  if (!((valueCount_ >>> 0) === valueCount_ && valueCount_ <= 255)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase8(value) {
-  return 8 + listLength("values", value.values, 1, 255) * 4;
+  return 8 + listLength(value, "values", 255) * 4;
 }
 function writeWriteParameterRequest(value, b, o) {
   const index = choicesWriteParameterRequest[value.format];

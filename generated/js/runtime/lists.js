@@ -140,14 +140,12 @@ export function sentOfImage({ fixed, lists }, image, last) {
  * cannot be written counts as the longest one: whoever writes the fields before it refuses these first.
  */
 export function elementsLength(items, codec) {
-  return items.reduce((sum, item) => {
-    codec.check(item);
-    return sum + sizeOrMost(item, codec);
-  }, 0);
+  return items.reduce((sum, item) => sum + sizeOrMost(item, codec), 0);
 }
 
 function sizeOrMost(item, codec) {
   try {
+    codec.check(item);
     return codec.size(item);
   } catch (error) {
     if (!(error instanceof CodecError)) throw error;

@@ -15,7 +15,7 @@ import { frames, link, message } from "../runtime/link.js";
 import { unit } from "../runtime/quantity.js";
 import { checkSize, record } from "../runtime/record.js";
 import { readRequestsOf, register, registerArray, table, valueOf, writeRequestsOf } from "../runtime/register.js";
-import { booleanOf, listLength, numberOf, putText, setBits, textOf } from "../runtime/values.js";
+import { booleanOf, checkList, listLength, numberOf, putText, setBits, textOf } from "../runtime/values.js";
 
 export const DEVICE = "tc100";
 export const VERSION = "before-2.0";
@@ -361,18 +361,19 @@ function readReadRegistersResponse(b, o, end) {
   };
 }
 function writeReadRegistersResponse(value, b, o) {
-  const byteCount_ = value.values.length * 2;
-  if (!((byteCount_ >>> 0) === byteCount_ && byteCount_ <= 255 && byteCount_ >= 2 && byteCount_ <= 120)) throw refusedNumber("byte_count", byteCount_, 0, 255, "2..120");
-  b[o] = byteCount_;
+  checkList("values", value.values, 1, 60);
   for (let at = o + 1, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
     if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("values", item, 0, 65535, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
+  const byteCount_ = value.values.length * 2;
+  if (!((byteCount_ >>> 0) === byteCount_ && byteCount_ <= 255 && byteCount_ >= 2 && byteCount_ <= 120)) throw refusedNumber("byte_count", byteCount_, 0, 255, "2..120");
+  b[o] = byteCount_;
 }
 function sizeReadRegistersResponse(value) {
-  return 1 + listLength("values", value.values, 1, 60) * 2;
+  return 1 + listLength(value, "values", 60) * 2;
 }
 function checkReadRegistersResponse(b, o, end) {
   checkSize("read_registers_response", 3, 121, o, end);
@@ -473,6 +474,13 @@ function writeWriteRegistersRequest(value, b, o) {
   if (!((address_ >>> 0) === address_ && address_ <= 65535)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
+  checkList("values", value.values, 1, 59);
+  for (let at = o + 5, index = 0; index < value.values.length; index++, at += 2) {
+    const item = value.values[index];
+    if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("values", item, 0, 65535, "0..65535");
+    b[at + 1] = item;
+    b[at] = item >>> 8;
+  }
   const wordCount_ = value.values.length;
   if (!((wordCount_ >>> 0) === wordCount_ && wordCount_ <= 65535 && wordCount_ >= 1 && wordCount_ <= 59)) throw refusedNumber("word_count", wordCount_, 0, 65535, "1..59");
   b[o + 3] = wordCount_;
@@ -480,15 +488,9 @@ function writeWriteRegistersRequest(value, b, o) {
   const byteCount_ = value.values.length * 2;
   if (!((byteCount_ >>> 0) === byteCount_ && byteCount_ <= 255 && byteCount_ >= 2 && byteCount_ <= 118)) throw refusedNumber("byte_count", byteCount_, 0, 255, "2..118");
   b[o + 4] = byteCount_;
-  for (let at = o + 5, index = 0; index < value.values.length; index++, at += 2) {
-    const item = value.values[index];
-    if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("values", item, 0, 65535, "0..65535");
-    b[at + 1] = item;
-    b[at] = item >>> 8;
-  }
 }
 function sizeWriteRegistersRequest(value) {
-  return 5 + listLength("values", value.values, 1, 59) * 2;
+  return 5 + listLength(value, "values", 59) * 2;
 }
 function checkWriteRegistersRequest(b, o, end) {
   checkSize("write_registers_request", 7, 123, o, end);

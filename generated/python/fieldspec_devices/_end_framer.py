@@ -122,14 +122,14 @@ class EndFramer(Framer):
         size = len(buffer) - at
         return all(buffer[at + place] in values for place, values in self._first if place < size)
 
-    def _stop(self, at: int, examined: int, fits: Callable[[bytes], bool]) -> int:
+    def _stop(self, at: int, examined: int, fits: Callable[[bytes], bool], limit: int | None = None) -> int:
         """The end of the shortest frame that begins at a byte and fits; 0 for none.
 
-        No end among the first `examined` bytes fits.
+        No end among the first `examined` bytes fits, and none behind the place `limit` counts.
         """
         buffer, end = self._buffer, self.frames.end
         close = max(at + self.shortest, at + examined + 1) - len(end)
-        limit = min(len(buffer), at + self.longest)
+        limit = min(len(buffer) if limit is None else limit, at + self.longest)
         while (close := buffer.find(end, close, limit)) >= 0:
             stop = close + len(end)
             if fits(bytes(buffer[at:stop])):
@@ -138,10 +138,13 @@ class EndFramer(Framer):
         return 0
 
     def _refused(self, at: int) -> int:
-        """The end of a frame whose data the link refuses; 0 for none, and where one that it accepts begins within."""
-        stop = self._stop(at, 0, self._holds)
-        within = range(at + 1, stop)
-        return 0 if any(self._may_begin(place) and self._stop(place, 0, self._accepts) for place in within) else stop
+        """The end of a frame whose data the link refuses; 0 for none, and where one that it accepts begins within.
+
+        Bytes that come when this is decided do not count: frames do not depend on the pieces in which they come.
+        """
+        stop, limit = self._stop(at, 0, self._holds), min(len(self._buffer), at + self.longest + 1)
+        within = (place for place in range(at + 1, stop) if self._may_begin(place))
+        return 0 if any(self._stop(place, 0, self._accepts, limit) for place in within) else stop
 
     def _accepts(self, frame: bytes) -> bool:
         return self._holds(frame) and any(self._decodes(frame, asked) for asked in self.messages or (None,))

@@ -12,6 +12,7 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.reference.escapes import escaped, unescaped
 from fieldspec.codec.reference.parts import checksum_of, checksum_text, part_construct
 from fieldspec.codec.reference.records import CodecError, Values, decoded, encoded
@@ -335,9 +336,11 @@ class FrameCodec:
             if not 0 <= own <= part.value.high:
                 raise CodecError("unknown_code", f"{part.name} cannot be {own}")
             return own
-        number = values.get(part.name)
-        if not isinstance(number, int):
+        if part.name not in values:
             raise CodecError("missing_value", f"{part.name} is not given")
+        number = values[part.name]
+        if not isinstance(number, int):
+            raise CodecError("wrong_type", f"{part.name} is a whole number, not {spec_text(number)}")
         assert part.value is not None
         refusal = self.link.link.exception_response
         marks = refusal is not None and refusal.part == part.name and part in self.link.response.header

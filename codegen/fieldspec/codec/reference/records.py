@@ -253,9 +253,7 @@ def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Dev
 
 
 def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device) -> Any:
-    value = values.get(field.name)
-    if value is None:
-        value = _implied(field)
+    value = values[field.name] if field.name in values else _implied(field)
     if not field.is_list:
         return _encode_element(field, value, device)
     if not isinstance(value, list | tuple):

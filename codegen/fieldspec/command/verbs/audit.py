@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.command.audits import audit_files
+from fieldspec.command.audit_inputs import audit_files
 from fieldspec.command.console.streams import print_document, print_line
 from fieldspec.command.console.terminal import print_blocks, print_findings
 from fieldspec.command.console.usage import UsageError, unknown
@@ -193,7 +193,7 @@ def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
 
 def _print_evidence(arguments: argparse.Namespace, layout: DeviceLayout, layouts: Mapping[str, DeviceLayout]) -> int:
     """Prints the report on the evidence of real units. Exit code 1 where a finding is an error."""
-    from fieldspec.command.audits import evidence_audit
+    from fieldspec.command.audit_inputs import evidence_audit
 
     report, findings = evidence_audit.report(arguments, layout, layouts)
     findings = tuple(in_order(findings))
@@ -206,7 +206,7 @@ def _print_evidence(arguments: argparse.Namespace, layout: DeviceLayout, layouts
 
 def _print_captures(arguments: argparse.Namespace) -> int:
     """Prints the report on captures. Exit code 1 where they contradict the spec."""
-    from fieldspec.command.audits import capture_audit
+    from fieldspec.command.audit_inputs import capture_audit
 
     if arguments.format == "sarif":
         raise UsageError("sarif shows findings in specs, and --captures has none; use text, json, html or parquet")

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from fieldspec.command.audits.evidence_audit import is_dump
+from fieldspec.command.audit_inputs.evidence_audit import is_dump
 from fieldspec.command.bulk.bulk_decoding import require_captures
 from fieldspec.command.console.streams import print_error
 from fieldspec.command.console.terminal import print_blocks

@@ -12,7 +12,7 @@ from fieldspec.targets.controllers.cache import cached
 from fieldspec.targets.controllers.constants import ConstantList
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import IEC, Spelling
-from fieldspec.targets.controllers.routines.device import routines
+from fieldspec.targets.controllers.routines.all_routines import routines
 from fieldspec.targets.controllers.routines.printer import comment, comment_text, routine_text
 from fieldspec.targets.controllers.routines.remarks import without_block
 from fieldspec.targets.controllers.statements.expressions import ArrayType

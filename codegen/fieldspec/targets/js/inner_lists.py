@@ -11,6 +11,11 @@ from fieldspec.targets.js.members import members_of
 from fieldspec.targets.js.text import literal
 
 
+def list_length(key: str, most: int) -> str:
+    """The elements of a list whose bytes are counted before it is checked: `listLength(value, "values", 59)`"""
+    return f"listLength(value, {literal(key)}, {most})"
+
+
 def list_table(record: RecordLayout, name: str) -> list[str]:
     """Where the lists of a record with fields behind them are; nothing for others."""
     if record.inner_lists is None:
@@ -33,7 +38,7 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
         field, repeat = member.field, member.field.field.repeat
         if repeat is None:
             continue
-        length = f"listLength({literal(field.name)}, value.{member.key}, {repeat.low}, {repeat.high})"
+        length = list_length(member.key, repeat.high)
         lengths.append(length if field.size == 1 else f"{length} * {field.size}")
         differs = field.record is not None and field.record.size is None
         inner = names.records[field.record.record.name] if field.record is not None else ""

@@ -35,6 +35,7 @@ IMPORTS = {
     "values": (
         "bitsOf",
         "booleanOf",
+        "checkList",
         "doubleBitsOf",
         "doubleOf",
         "encodedTextOf",

@@ -31,8 +31,8 @@ MODULE = _words(
 # The locals and helpers of generated functions, so that no name of a spec hides one.
 HELPERS = _words(
     "absentValues addressIntervals allowed bitsOf booleanOf doubleBitsOf doubleOf"
-    " adding brokenList canIdentifier cobs escapeFramer inserting replacing bytesOf checkSize codeFramer conversion"
-    " delimiterFramer device endFramer"
+    " adding brokenList canIdentifier cobs escapeFramer inserting replacing bytesOf checkList checkSize codeFramer"
+    " conversion delimiterFramer device endFramer"
     " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
     " parameterSet putBytes putText record refusedBits refusedMember refusedNumber register registerArray"
     " spans table textOf unit encodedTextOf narrowedImage putEncodedText readImage wordsOf wrongNumber"

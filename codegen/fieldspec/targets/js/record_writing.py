@@ -8,7 +8,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.language.model.value import Kind
 from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
-from fieldspec.targets.js.inner_lists import write_lists
+from fieldspec.targets.js.inner_lists import list_length, write_lists
 from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.targets.js.record_reading import CHOOSES_NOTHING
 from fieldspec.targets.js.text import literal, plus
@@ -31,12 +31,17 @@ def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
 
 
 def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The function that checks the fields of a value and writes them."""
+    """The function that checks the fields of a value and writes them, those that measure others behind these.
+
+    So of several mistakes the one is named that other codecs name.
+    """
     lines: list[str] = []
     members = members_of(record)
     keys = {member.field.name: member.key for member in members}
     for member in members:
         field = member.field
+        if field.field.measures is not None:
+            continue
         if not member.key:
             lines += _write_implied(record, member, names, keys)
         elif field.is_list:
@@ -49,6 +54,8 @@ def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
             lines.append(f"const {member.variable} = value.{member.key};")
             lines += slot_of(field, names).write(member.variable, "o", field.offset)
     for member in members:
+        if member.field.field.measures is not None:
+            lines += _write_implied(record, member, names, keys)
         lines += bit_count_check(member.field, names, f"value.{keys.get(member.field.bits_of, '')}.length", "null")
     if not lines:
         return [f"function {name}() {{}}"]
@@ -59,18 +66,14 @@ def _write_list(member: Member, names: Names) -> list[str]:
     field, items = member.field, f"value.{member.key}"
     if field.record is not None:
         inner = names.records[field.record.record.name]
-        ends = field.record.fields[-1] if field.record.size is None and not field.record.spans else None
-        # Of two mistakes in an element, the number of its own elements is named, as by other codecs.
-        size_checks = [f"size{inner}(item);"] if ends is not None and ends.field.repeat is not None else []
-        body = [f"{inner}.check(item);", *size_checks, f"write{inner}(item, b, at);"]
+        body = [f"{inner}.check(item);", f"write{inner}(item, b, at);"]
     else:
         body = slot_of(field, names).write("item", "at", 0)
-    checks = []
-    if field.count is not None:
-        checks.append(f"listLength({literal(field.name)}, {items}, {field.count}, {field.count});")
+    repeat = field.field.repeat
+    least, most = (field.count, field.count) if repeat is None else (repeat.low, repeat.high)
     start = place("o", field.offset)
     return [
-        *checks,
+        f"checkList({literal(field.name)}, {items}, {least}, {most});",
         f"for (let at = {start}, index = 0; index < {items}.length; index++, at += {field.size}) {{",
         f"  const item = {items}[index];",
         *(f"  {line}" for line in body),
@@ -108,7 +111,7 @@ def _count_bytes(record: RecordLayout, name: str) -> list[str]:
     field: FieldLayout = member.field
     repeat = field.field.repeat
     assert repeat is not None
-    length = f"listLength({literal(field.name)}, value.{member.key}, {repeat.low}, {repeat.high})"
+    length = list_length(member.key, repeat.high)
     size = length if field.size == 1 else f"{length} * {field.size}"
     return [f"function {name}(value) {{", f"  return {field.offset} + {size};", "}"]
 

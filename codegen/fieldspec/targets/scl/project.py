@@ -12,8 +12,8 @@ from fieldspec.targets.controllers.cache import cached
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import SIEMENS, Scope
 from fieldspec.targets.controllers.enums import TextTable
-from fieldspec.targets.controllers.routines.blocks.device import Blocks
-from fieldspec.targets.controllers.routines.device import routines
+from fieldspec.targets.controllers.routines.all_routines import routines
+from fieldspec.targets.controllers.routines.blocks.all_blocks import Blocks
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import narrowest
 from fieldspec.targets.controllers.statements.expressions import Elementary

@@ -19,7 +19,7 @@ from fieldspec.tools.captures.frame_reading import FrameReader
 from fieldspec.tools.captures.link_decoding import LinkDecoder, LinkFrames
 from fieldspec.tools.captures.pairing import NONE
 from fieldspec.tools.captures.payloads import DIRECTION_CODES, REQUEST, RESPONSE, UNKNOWN, Names, Payloads
-from fieldspec.tools.captures.registers import RegisterMap, spaces_of
+from fieldspec.tools.captures.register_columns import RegisterMap, spaces_of
 from fieldspec.tools.captures.verdicts import MISMATCH, OK
 
 DIRECTIONS = {REQUEST: "request", RESPONSE: "response"}

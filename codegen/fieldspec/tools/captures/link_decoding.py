@@ -16,7 +16,7 @@ from fieldspec.tools.captures.frame_reading import FrameReader, ReadFrames
 from fieldspec.tools.captures.pairing import NO_EXCHANGES, NONE, Exchanges, joined, paired, still_open
 from fieldspec.tools.captures.part_numbers import part_numbers
 from fieldspec.tools.captures.payloads import DATAGRAM, REQUEST, RESPONSE, STREAM, UNKNOWN, Payloads, payloads_of
-from fieldspec.tools.captures.registers import Accesses
+from fieldspec.tools.captures.register_columns import Accesses
 from fieldspec.tools.captures.verdicts import MISMATCH, NO_FRAME, NO_REQUEST, OK
 
 _FACTOR = 0x9E3779B97F4A7C15 - (1 << 64)

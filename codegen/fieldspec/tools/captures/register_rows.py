@@ -14,7 +14,7 @@ from fieldspec.tools.captures.columns import NO_TIME, gathered, numbers
 from fieldspec.tools.captures.decoding import Batch, DeviceDecoder, FrameTable, ValueTable
 from fieldspec.tools.captures.log_times import LogClock
 from fieldspec.tools.captures.pairing import NONE
-from fieldspec.tools.captures.registers import ADDRESSES, Accesses
+from fieldspec.tools.captures.register_columns import ADDRESSES, Accesses
 from fieldspec.tools.captures.sources import Lines
 
 HEADINGS = {

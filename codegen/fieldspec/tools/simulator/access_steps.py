@@ -9,7 +9,7 @@ from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.record import RegisterAccess
 from fieldspec.tools.simulator.judging import first_out_of_range
 from fieldspec.tools.simulator.refusal import Refusal
-from fieldspec.tools.simulator.registers import accessed_words, place_words, read_registers, write_registers
+from fieldspec.tools.simulator.register_requests import accessed_words, place_words, read_registers, write_registers
 
 if TYPE_CHECKING:
     from typing import Any

@@ -10,7 +10,7 @@ from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.access import readable
 from fieldspec.tools.simulator.memory import element_value, numbers_of
 from fieldspec.tools.simulator.refusal import Refusal
-from fieldspec.tools.simulator.registers import invalid
+from fieldspec.tools.simulator.register_requests import invalid
 from fieldspec.tools.simulator.target import Target
 
 if TYPE_CHECKING:

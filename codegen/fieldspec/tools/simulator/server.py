@@ -17,7 +17,7 @@ from fieldspec.tools.simulator.access_steps import carry_out_steps
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.memory import element_value
 from fieldspec.tools.simulator.refusal import Refusal, reason_place
-from fieldspec.tools.simulator.registers import read_bits, read_registers, write_bits, write_registers
+from fieldspec.tools.simulator.register_requests import read_bits, read_registers, write_bits, write_registers
 from fieldspec.tools.simulator.segments import Transfer, Transfers, sent_bytes
 from fieldspec.tools.simulator.target import Target
 

@@ -12,7 +12,7 @@ from fieldspec.targets.controllers.cache import cached
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import STRUCTURED, Dialect, Spelling
 from fieldspec.targets.controllers.layout.memory import Placed, placed
-from fieldspec.targets.controllers.routines.device import routines
+from fieldspec.targets.controllers.routines.all_routines import routines
 from fieldspec.targets.controllers.routines.printer import comment_text, declaration, implementation
 from fieldspec.targets.controllers.routines.remarks import left_out, without_block
 from fieldspec.targets.controllers.statements.routine import Routine

@@ -75,11 +75,14 @@ class EndFramer extends Framer {
     );
   }
 
-  /** The end of the shortest frame that begins at a byte and fits; 0 for none. No end among `examined` bytes fits. */
-  stop(at, examined, fits) {
+  /**
+   * The end of the shortest frame that begins at a byte and fits; 0 for none. No end among `examined` bytes fits, and none
+   * behind the place `last` counts.
+   */
+  stop(at, examined, fits, last = this.bytes.length) {
     const { shortest, longest, parts } = this.shape;
     const { end } = parts;
-    const limit = Math.min(this.bytes.length, at + longest);
+    const limit = Math.min(last, at + longest);
     const first = at + Math.max(shortest, examined + 1) - end.length;
     for (let close = find(this.bytes, first, end); close >= 0; close = find(this.bytes, close + 1, end)) {
       const behind = close + end.length;
@@ -89,11 +92,15 @@ class EndFramer extends Framer {
     return 0;
   }
 
-  /** The end of a frame whose data the link refuses; 0 for none, and where one that it accepts begins within. */
+  /**
+   * The end of a frame whose data the link refuses; 0 for none, and where one that it accepts begins within. Bytes that
+   * come when this is decided do not count: frames do not depend on the pieces in which they come.
+   */
   refused(at) {
     const stop = this.stop(at, 0, (frame) => this.holds(frame));
+    const last = Math.min(this.bytes.length, at + this.shape.longest + 1);
     for (let place = at + 1; place < stop; place++) {
-      if (this.mayBegin(place) && this.stop(place, 0, (frame) => this.accepts(frame)) > 0) return 0;
+      if (this.mayBegin(place) && this.stop(place, 0, (frame) => this.accepts(frame), last) > 0) return 0;
     }
     return stop;
   }

@@ -136,10 +136,15 @@ export function signed48(number, bits) {
   return number >= 2 ** (bits - 1) ? number - 2 ** bits : number;
 }
 
-/** The number of elements of a list. Throws CodecError for what is no list of `least` to `most` elements. */
-export function listLength(name, value, least, most) {
+/** Throws CodecError for what is no list of `least` to `most` elements. */
+export function checkList(name, value, least, most) {
   if (!Array.isArray(value) || value.length < least || value.length > most) throw refusedList(name, value, least, most);
-  return value.length;
+}
+
+/** The number of elements for which there is room before a list is checked: none for what is no list, `most` at the most. */
+export function listLength(value, key, most) {
+  const list = value?.[key];
+  return Array.isArray(list) ? Math.min(list.length, most) : 0;
 }
 
 /** What a word begins as without a number. Throws CodecError where what has to be given is left out. */

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.targets.controllers.routines.absent import absent_routines
-from fieldspec.targets.controllers.routines.blocks.device import Blocks, device_blocks
+from fieldspec.targets.controllers.routines.blocks.all_blocks import Blocks, device_blocks
 from fieldspec.targets.controllers.routines.checksums import checksum
 from fieldspec.targets.controllers.routines.enums import enum_routines
 from fieldspec.targets.controllers.routines.exchanges import exchange_blocks

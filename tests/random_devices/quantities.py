@@ -1,0 +1,163 @@
+"""Questions about quantities: the number in the unit of a count, the count of a number in the unit, and both of parts
+of a reference. The answers are exact fractions of the reference, rounded once.
+
+A count of a quantity is the nearest one, of two equally near ones the even one. It is refused where it may not be
+written, and where it stands for a state.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import struct
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.exponents import ExponentLayout, exponent_of
+from fieldspec.codec.reference.quantities import quantity, scale_of, special_name, special_number
+from fieldspec.language.model.value import Conversion, Kind, Value
+from random_devices.inputs import is_computed, number_or_text
+from random_devices.queries import Answer, Query, has_quantity, quantity_text, shapes
+
+DRAWS = 2
+_DOUBLE_BITS = 50
+"""Counts of so many bits are told apart after some roundings of doubles."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A value in `size` bytes with a quantity, and what has the exponent of its scale."""
+
+    value: Value
+    size: int
+    exponent: ExponentLayout | None = None
+
+    @property
+    def powers(self) -> tuple[int, ...]:
+        """The exponents that are tried; none where the scale is fixed."""
+        if self.exponent is None:
+            return ()
+        ranges = self.exponent.value.ranges
+        return (ranges.low, ranges.high) if ranges is not None else ()
+
+
+def measured_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], Measured]]:
+    """The values with quantities, by their kind and names: registers, parameters, and fields of records."""
+    for kind, path, (value, _, _, _, size) in shapes(layout):
+        if has_quantity(value) and kind != "subindex" and not (value.scale_by and kind == "parameter"):
+            yield (kind, *path), Measured(value, size, exponent_of(value, layout.registers))
+    bodies = (body for message in layout.messages.values() for body in message.bodies)
+    for record in {record.name: record for record in (*layout.records.values(), *bodies)}.values():
+        for field in record.fields:
+            value = field.value
+            if value is not None and not is_computed(field) and value.parameter is None and has_quantity(value):
+                exponent = exponent_of(value, layout.registers, record)
+                yield ("record", record.name, field.name), Measured(value, field.size, exponent)
+
+
+def quantity_queries(layout: DeviceLayout, dice: random.Random) -> list[Query]:
+    """Questions about all values with quantities, and about conversions."""
+    drawn: list[Query] = []
+    for path, measured in measured_values(layout):
+        if measured.exponent is not None and not measured.powers:
+            continue
+        for count in _counts(layout, measured.value, dice):
+            for power in measured.powers or (None,):
+                drawn.append(Query("quantity", path, values={"raw": count, "power": power}, shape=measured))
+                exact = quantity(measured.value, count, power)
+                if exact is None or measured.value.type.kind is Kind.FLOAT:
+                    continue
+                for number in (float(exact), float(exact + scale_of(measured.value, power) / 2)):
+                    values = {"quantity": number, "power": power}
+                    drawn.append(Query("count", path, values=values, shape=measured))
+    for conversion in layout.device.conversions.values():
+        for reference in (1.0, 1500.5, -3.25):
+            low, high = conversion.type.low, conversion.type.high
+            for count in (low, high, 0, dice.randint(low, high)):
+                values = {"raw": count, "reference": reference}
+                drawn.append(Query("share", ("conversion", conversion.name), values=values, shape=conversion))
+    return drawn
+
+
+def _counts(layout: DeviceLayout, value: Value, dice: random.Random) -> list[Any]:
+    """The ends of what a value may be, numbers beside them, states, and drawn numbers."""
+    special = [special_number(value, sentinel.name) for sentinel in value.sentinels]
+    drawn = [number_or_text(layout, value, dice) for _ in range(DRAWS)]
+    if value.type.kind is Kind.FLOAT:
+        form = "<f" if value.size == 4 else "<d"
+        drawn = [struct.unpack(form, struct.pack(form, number))[0] for number in drawn if math.isfinite(number)]
+        return [*special, *drawn, math.nan, -1.5]
+    ranges = value.writable_ranges
+    ends = [end for interval in ranges.intervals for end in interval] if ranges is not None else []
+    edges = {other for number in (*ends, *special) for other in (number - 1, number, number + 1)}
+    numbers = {*edges, *drawn, value.low, value.high, 0}
+    return sorted(number for number in numbers if value.type.low <= number <= value.type.high)
+
+
+def expected_answer(query: Query) -> Answer:
+    """The answer of the reference."""
+    assert query.values is not None
+    if query.kind == "share":
+        return Answer(quantity=quantity_text(float(_share(query.shape, query.values)), None))
+    value, power = query.shape.value, query.values["power"]
+    if query.kind == "quantity":
+        raw = query.values["raw"]
+        exact = quantity(value, raw, power)
+        state = special_name(value, raw) or None
+        is_own = value.type.kind is Kind.FLOAT and state is None  # it is in the unit already, as -0.0 and NaN are
+        number = raw if is_own else exact
+        return Answer(quantity=quantity_text(None if number is None else float(number), state))
+    count = round(_exact_count(query))
+    ranges = value.writable_ranges
+    is_within = value.low <= count <= value.high if ranges is None else count in ranges
+    return Answer("out_of_range") if not is_within or special_name(value, count) else Answer(again=str(count))
+
+
+def _share(conversion: Conversion, values: Mapping[str, Any]) -> Fraction:
+    """The quantity of a count that is a part of a reference."""
+    reference = Fraction(values["reference"])
+    share = Fraction(values["raw"], conversion.full_scale)
+    return reference * (1 - share) if conversion.complement else reference * share
+
+
+def _exact_count(query: Query) -> Fraction:
+    assert query.values is not None
+    value = query.shape.value
+    return (Fraction(query.values["quantity"]) - Fraction(value.offset)) / scale_of(value, query.values["power"])
+
+
+def is_for_doubles(query: Query) -> bool:
+    """Whether arithmetic with doubles has one answer: the count is nearly whole, and has few bits.
+
+    The terms of the quantity have no more digits than a double, and neither has the scale.
+    """
+    if query.kind != "count":
+        return True
+    assert query.values is not None
+    value, exact = query.shape.value, _exact_count(query)
+    scale, number = abs(scale_of(value, query.values["power"])), abs(Fraction(query.values["quantity"]))
+    terms = (number + abs(Fraction(value.offset))) / scale
+    return terms < 1 << _DOUBLE_BITS and abs(exact - round(exact)) < Fraction(1, 100)
+
+
+def with_rounding(query: Query, answer: Answer) -> Answer:
+    """An answer of arithmetic with doubles: a quantity that is as near as they get is that of the reference."""
+    expected = expected_answer(query)
+    if answer.quantity is None or expected.quantity is None:
+        return answer
+    (own, own_state), (exact, state) = answer.quantity.split(" "), expected.quantity.split(" ")
+    if own_state != state or "None" in (own, exact) or own.startswith("!"):
+        return answer
+    assert query.values is not None
+    if query.kind == "share":
+        terms = 2 * abs(Fraction(query.values["reference"])) * max(1, abs(query.values["raw"]))
+    elif query.shape.value.type.kind is Kind.FLOAT:
+        terms = Fraction(0)
+    else:
+        scale = abs(scale_of(query.shape.value, query.values["power"]))
+        terms = abs(query.values["raw"]) * scale + abs(Fraction(query.shape.value.offset))
+    is_near = abs(Fraction(own) - Fraction(exact)) <= terms / 10**14 if math.isfinite(float(own)) else own == exact
+    return replace(answer, quantity=expected.quantity) if is_near else answer
