@@ -18,7 +18,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference import CodecError
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.python.backend import PACKAGE, files, shared
 from fieldspec.targets.python.naming import module_name, package_name
 from layouts import SPECS, TEST_SPECS, layouts

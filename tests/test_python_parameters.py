@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from example_counts import examples
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Kind
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 from python_package import codec_error, module_of, package
 

@@ -23,10 +23,11 @@ from fieldspec.language.model.device import Device, Manual
 from fieldspec.language.model.enums import Bit, Enum, Flags, Member
 from fieldspec.language.model.fact import Citation, Fact, Place
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.primitives import Kind, Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import Field, Message, Record
 from fieldspec.language.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Table
-from fieldspec.language.model.value import Kind, Primitive, Sentinel, Value
+from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets import Files
 
 __all__ = [

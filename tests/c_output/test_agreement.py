@@ -20,7 +20,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference import CodecError, codec
 from fieldspec.codec.reference.records import decoded, encoded
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.c.backend import files
 from fieldspec.targets.c.runtime_files import status_names
 from layouts import SPECS, TEST_SPECS, newest

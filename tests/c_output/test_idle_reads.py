@@ -16,7 +16,7 @@ from driver import settled
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import stem
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.c.backend import files
 from fieldspec.targets.c.delimiters import is_wrapped
 from fieldspec.targets.vectors.backend import idle_vectors

@@ -11,7 +11,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.backend import header
 from fieldspec.targets.c.naming import Naming
 from layouts import SPECS, TEST_SPECS, layouts

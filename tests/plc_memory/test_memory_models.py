@@ -13,8 +13,8 @@ from fieldspec.codec.layout.frame import original_parts
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import codec
 from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.texts import Example
-from fieldspec.language.model.value import Kind
 from fieldspec.targets.controllers.declarations import declarations
 from fieldspec.targets.controllers.dialects import DIALECTS
 from fieldspec.targets.controllers.layout.fitting import misfit_findings, misfits

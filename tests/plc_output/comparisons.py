@@ -15,7 +15,7 @@ from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import CodecError, codec
 from fieldspec.codec.reference.records import decoded, encoded
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.controllers.routines.absent import absent_values
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.wrapping import framed

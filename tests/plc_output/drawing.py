@@ -7,7 +7,8 @@ from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 
 def drawn_bytes(record: RecordLayout, dice: random.Random) -> bytes:

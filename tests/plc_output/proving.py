@@ -12,7 +12,8 @@ from st_machine import Machine
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.frames import head_members
 from fieldspec.targets.controllers.routines.records import is_user_field
 from fieldspec.targets.controllers.routines.world import World

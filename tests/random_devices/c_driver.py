@@ -6,7 +6,8 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout, PartLayout
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.foundation.names import stem
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.backend import header
 from fieldspec.targets.c.delimiters import is_wrapped
 from fieldspec.targets.c.encoded_texts import text_capacity

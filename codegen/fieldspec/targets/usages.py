@@ -8,7 +8,8 @@ from typing import NamedTuple
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Member
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 
 class Usage(NamedTuple):

@@ -13,9 +13,10 @@ from fieldspec.codec.layout.values import Raw
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.registers import Parameter, ParameterSet, Subindex
-from fieldspec.language.model.value import Kind, ParameterPart, Value
+from fieldspec.language.model.value import ParameterPart, Value
 
 _COUNTS = (Kind.INTEGER, Kind.BOOLEAN)
 

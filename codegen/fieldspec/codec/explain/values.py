@@ -10,10 +10,11 @@ from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.enums import Bit, Enum, Flags, State
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.raw_numbers import SinglePrecision, number_in
 from fieldspec.language.model.text_form import decoded_text, encoding_title, text_form_title
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from fractions import Fraction

@@ -8,7 +8,8 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.attributes import descendants
 from fieldspec.language.model.device import Detection, Device
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _SEQUENCE_WORDS = frozenset({"counter", "reference", "sequence", "transaction"})
 """The words of names that say that a part numbers the requests, if the response has a part with the same name."""

@@ -10,10 +10,11 @@ from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation import classes
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.language.model.enums import Enum
+from fieldspec.language.model.primitives import Kind, Primitive
 from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Case, Choice, Field, Record, list_count, text_count
 from fieldspec.language.model.registers import Register
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Literal

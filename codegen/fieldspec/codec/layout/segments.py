@@ -5,8 +5,8 @@ from __future__ import annotations
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.segments import NumberPlace, initial_number, number_places
-from fieldspec.language.model.value import Kind
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping

@@ -9,8 +9,9 @@ from fieldspec.codec.reference.records import CodecError
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.raw_numbers import SinglePrecision
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Any

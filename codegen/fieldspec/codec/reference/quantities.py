@@ -6,7 +6,8 @@ import math
 import struct
 from fractions import Fraction
 
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 
 class NoQuantityError(ValueError):

@@ -18,8 +18,9 @@ from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes, text_r
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.enums import Flags
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.text_form import encoding_title, text_form_title
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 class CodecError(ValueError):

@@ -10,7 +10,8 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import narrowed, widened
 from fieldspec.codec.reference.digits import digits_of_number, number_of_digits
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 
 def record_struct(record: RecordLayout) -> construct.Struct:

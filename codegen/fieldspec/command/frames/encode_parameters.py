@@ -8,9 +8,10 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.values import MeaningError, pieces, raw_value
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.frames.frame_options import number_of
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.quantity import count_of
 from fieldspec.language.model.registers import Parameter
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.memory import element_value
 from fieldspec.tools.simulator.parameters import part_of
 

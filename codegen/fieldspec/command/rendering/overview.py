@@ -11,8 +11,9 @@ from fieldspec.command.rendering.blocks import Block, Line, Table, narrowed
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.enums import Enum
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import ParameterSet, Register
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 def value_details(value: Value) -> Iterator[tuple[str, str]]:

@@ -19,7 +19,7 @@ from fieldspec.command.files.regular_file import SizeError
 from fieldspec.command.rendering.blocks import Line, Table
 from fieldspec.command.sources import specs
 from fieldspec.foundation.classes import dataclass, field
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.reading.nodes import Mapping, Scalar
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 from fieldspec.tools.evidence.notes import FILE, REDACTED

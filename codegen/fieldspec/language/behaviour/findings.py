@@ -19,7 +19,7 @@ from fieldspec.language.behaviour.reading import SECTION, behaviour_of, kinds_of
 from fieldspec.language.checks.finding import is_imported
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.reading.findings import near, quoted
 from fieldspec.language.reading.nodes import Mapping, Scalar, mappings
 from fieldspec.language.reading.yaml_reader import key_span

@@ -10,10 +10,11 @@ from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
 from fieldspec.language.changes.descriptions import named
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.primitives import Kind, Primitive
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,8 +20,8 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT, AddressSpace
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field, Message, RegisterAccess
-from fieldspec.language.model.value import Kind
 
 _CODE = "access_steps_fit_space"
 

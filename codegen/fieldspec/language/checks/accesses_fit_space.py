@@ -22,9 +22,10 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT, BYTE, WORD, AddressSpace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.record import Field, Message, RegisterAccess
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "accesses_fit_space"
 

@@ -17,9 +17,10 @@ from fieldspec.language.checks.finding import finding, hexadecimal, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.sizes import RecordSizes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "addresses_fit_messages"
 _REFUSED = {"read": "wo", "write": "ro"}

@@ -19,7 +19,7 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 
 
 def bits_within_width(device: Device) -> Iterator[Diagnostic]:

@@ -16,7 +16,7 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 
 _CODE = "broadcast_apart"
 

@@ -20,9 +20,10 @@ from fieldspec.language.checks.facts import fields, layers
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Case, Choice, Field, Record
 from fieldspec.language.model.registers import Table
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "choices_complete"
 

@@ -19,9 +19,10 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.link import ExceptionResponse, Link
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.sizes import messages_on
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "codes_fit_link"
 

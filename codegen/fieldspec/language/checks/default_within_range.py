@@ -20,7 +20,8 @@ from fieldspec.language.checks.finding import default_key, finding, label, range
 from fieldspec.language.checks.numbers import Legal
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 _CODE = "default_within_range"
 _DECIMAL = re.compile(r"-?\d+\.\d+")

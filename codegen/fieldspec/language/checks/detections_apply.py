@@ -22,7 +22,8 @@ from fieldspec.language.checks.finding import finding, label, plural
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Detection, Device, VersionLine
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 _CODE = "detections_apply"
 _EARLIER = "before-"

@@ -27,9 +27,10 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import BCD, digit_bounds, digit_count, digits_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.sizes import messages_on
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "digits_fit"
 _MOST_BYTES = 8

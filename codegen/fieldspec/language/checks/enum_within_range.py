@@ -18,7 +18,8 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Member
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 
 def enum_within_range(device: Device) -> Iterator[Diagnostic]:

@@ -19,11 +19,12 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.sizes import RecordSizes, messages_on
 from fieldspec.language.model.subcodes import Place, constant_at
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "exception_marks_distinct"
 

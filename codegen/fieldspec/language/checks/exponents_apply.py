@@ -22,10 +22,11 @@ from fieldspec.language.checks.inferred_keys_present import has_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.table_records import table_records
-from fieldspec.language.model.value import MOST_PLACES, Kind, Value
+from fieldspec.language.model.value import MOST_PLACES, Value
 
 _CODE = "exponents_apply"
 _OWN = ("scale", "offset", "enum", "flags", "const", "parameter", "measures", "reserved")

@@ -24,7 +24,8 @@ from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact, Place
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 _NAMED = ("enum", "flags", "const")
 _SCALED = ("scale", "offset")

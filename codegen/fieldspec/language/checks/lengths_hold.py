@@ -20,9 +20,10 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
 from fieldspec.language.model.link import Part, PartSpan
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.sizes import RecordSizes, messages_sent, shapes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "lengths_hold"
 _HELP = "correct the number of elements or the type"

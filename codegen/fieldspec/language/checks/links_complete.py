@@ -24,8 +24,9 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.escape import SLIP
 from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.sizes import coded, messages_on
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "links_complete"
 _NUMBERS = ("unit_address", "code", "length")

@@ -17,9 +17,10 @@ from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import finding, interval, label, range_key
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.sizes import RecordSizes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "measures_match_repeats"
 _KEYS = ("const", "default", "unit_default", "scale", "offset", "enum", "flags", "sentinels", "parameter")

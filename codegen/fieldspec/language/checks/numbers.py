@@ -8,11 +8,12 @@ from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.quantity import count_of
 from fieldspec.language.model.record import Case, Choice, Field
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.texts import Example
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 class Legal:

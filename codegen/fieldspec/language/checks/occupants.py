@@ -10,11 +10,12 @@ from fieldspec.language.model.access import narrowed
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.raw_numbers import number_in, orders_of
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _NUMBERS = (Kind.INTEGER, Kind.BOOLEAN, Kind.FLOAT)
 

@@ -21,10 +21,11 @@ from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Kind, ParameterSizes, Value
+from fieldspec.language.model.value import ParameterSizes, Value
 
 _CODE = "parameter_bytes_complete"
 

@@ -20,10 +20,11 @@ from fieldspec.language.checks.finding import enumeration, finding, interval, la
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "parameter_numbers_within_range"
 

@@ -21,8 +21,8 @@ from fieldspec.language.checks.facts import cases, fields
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field
-from fieldspec.language.model.value import Kind
 
 _CODE = "parameters_fit_messages"
 _VALUES = ("value", "values")

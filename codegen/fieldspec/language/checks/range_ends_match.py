@@ -17,7 +17,7 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 
 
 def range_ends_match(device: Device) -> Iterator[Diagnostic]:

@@ -20,8 +20,9 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_count, digits_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.primitives import Kind, Primitive
 from fieldspec.language.model.ranges import Ranges, bound_text
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 
 _HELP = "correct the type or the bound"
 _QUIET_NAN = {4: 0x7FC00000, 8: 0x7FF8000000000000}

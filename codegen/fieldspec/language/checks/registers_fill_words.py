@@ -18,7 +18,7 @@ from fieldspec.language.checks.finding import finding
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 
 
 def registers_fill_words(device: Device) -> Iterator[Diagnostic]:

@@ -17,10 +17,11 @@ from fieldspec.language.checks.finding import finding, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field, Message, Record, Segments, SegmentsAbort
 from fieldspec.language.model.segments import number_places
 from fieldspec.language.model.sizes import sent_on
-from fieldspec.language.model.value import Kind, ParameterSizes
+from fieldspec.language.model.value import ParameterSizes
 
 _CODE = "segments_complete"
 

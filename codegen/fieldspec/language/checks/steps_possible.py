@@ -19,9 +19,10 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.operand import Operand, Operands
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.task import Step, Task, argument_text, value_text
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _RULE = "steps_possible"
 _ON_BITS = ("set", "clear", "pulse")

@@ -19,8 +19,9 @@ from fieldspec.language.checks.finding import finding, label, plural
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.text_form import text_fault
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 def text_fits_words(device: Device) -> Iterator[Diagnostic]:

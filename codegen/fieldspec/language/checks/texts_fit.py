@@ -18,9 +18,10 @@ from fieldspec.language.checks.finding import finding, plural
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, Subindex
 from fieldspec.language.model.text_form import text_fault
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "texts_fit"
 _KEYS = ("encoding", "padding", "align", "terminator")

@@ -18,8 +18,8 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.sizes import messages_on
-from fieldspec.language.model.value import Kind
 
 _CODE = "unit_addresses_match"
 _DIRECTIONS = ("request", "response")

@@ -26,11 +26,12 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import BCD, digits_letters, has_sign
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.record import Field, Message, Record, text_count
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.text_form import UTF_16
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "varying_widths_end"
 

@@ -20,8 +20,9 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "write_range_applies"
 

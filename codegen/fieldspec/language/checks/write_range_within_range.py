@@ -18,8 +18,9 @@ from fieldspec.language.checks.finding import finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "write_range_within_range"
 _HELP = "correct one of them"

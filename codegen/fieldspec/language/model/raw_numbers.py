@@ -6,8 +6,10 @@ import struct
 from decimal import ROUND_HALF_UP, Context, Decimal
 from math import isfinite
 
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.digits import digits_number
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, real_number, whole_number
+from fieldspec.language.model.value import Value
 
 _SINGLE_DIGITS = 10
 """Nine digits tell all numbers of four bytes apart."""
@@ -53,10 +55,19 @@ def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | flo
     in_order = data
     if swapped:
         in_order = b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
-    big = (order == "big") != swapped
-    if value.type.kind is Kind.FLOAT:
-        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
-        return number
-    if value.digits:
-        return digits_number(value, in_order if big else in_order[::-1])
-    return int.from_bytes(in_order, "big" if big else "little", signed=value.type.signed)
+    first_to_last = in_order if (order == "big") != swapped else in_order[::-1]
+    bits = int.from_bytes(first_to_last, "big")
+    encoding = value.encoding
+    match encoding:
+        case Whole():
+            return whole_number(encoding, bits)
+        case Real():
+            return real_number(encoding.precision, bits)
+        case Truth():
+            return bits
+        case Digits():
+            return digits_number(value, first_to_last)
+        case Text() | Octets():
+            raise AssertionError("a text or bytes are no number")
+        case _:
+            assert_never(encoding)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Handling, Kind, Value
+from fieldspec.language.model.value import Handling, Value
 
 
 @dataclass(frozen=True, slots=True)

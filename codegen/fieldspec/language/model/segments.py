@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

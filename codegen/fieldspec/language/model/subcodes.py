@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import TYPE_CHECKING
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 
 if TYPE_CHECKING:
     from fieldspec.language.model.record import Field

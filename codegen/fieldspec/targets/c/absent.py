@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import Kind, Sentinel, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
 from fieldspec.targets.c.expressions import (
     VALUE,

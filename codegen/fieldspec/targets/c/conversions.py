@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Conversion, Primitive
+from fieldspec.language.model.primitives import Primitive
+from fieldspec.language.model.value import Conversion
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment, describe_fact
 from fieldspec.targets.c.expressions import (
     Cast,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Member
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import (
     BLANK,
     Comment,

@@ -8,7 +8,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.c.conversions import count_type
 from fieldspec.targets.c.declarations import Function, escape_comment
 from fieldspec.targets.c.delimiters import is_wrapped

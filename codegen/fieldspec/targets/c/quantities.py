@@ -7,8 +7,9 @@ from fractions import Fraction
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.exponents import ExponentLayout, exponent_of
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.conversions import COUNT, RAW, count_of_share
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment

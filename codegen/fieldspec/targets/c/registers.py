@@ -6,7 +6,8 @@ from fieldspec.codec.layout.device import TableLayout
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind, Signal, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Signal, Value
 from fieldspec.targets.c.declarations import (
     BLANK,
     Declaration,

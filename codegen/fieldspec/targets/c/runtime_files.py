@@ -15,7 +15,8 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.digits import BCD
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import Source
 from fieldspec.targets.c.digits import digits_parts
 from fieldspec.targets.c.naming import Naming

@@ -14,8 +14,9 @@ from fieldspec.codec.layout.widths import data_of
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.text_form import UTF_16, text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.enums import available_members
 from fieldspec.targets.c.fields import case_member, count_member, greatest_count, is_set_by_user, members
 from fieldspec.targets.c.naming import Noun, member

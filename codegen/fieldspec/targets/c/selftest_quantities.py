@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.assertions import expect, expect_equal
 from fieldspec.targets.c.expressions import (

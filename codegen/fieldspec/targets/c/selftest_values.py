@@ -8,8 +8,9 @@ from fractions import Fraction
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Flags
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Conversion, Kind, Value
+from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal
 from fieldspec.targets.c.conversions import count_bounds, count_type
 from fieldspec.targets.c.enums import available_members, code_tables, enum_type

@@ -5,8 +5,9 @@ from __future__ import annotations
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import PRIMITIVES, Kind
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import PRIMITIVES, Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.bit_ranges import refused_bits_tests
 from fieldspec.targets.c.digits import digits_call, digits_test, load_digits
 from fieldspec.targets.c.encoded_texts import load_text, store_text, text_bytes_test, text_capacity, text_test

@@ -8,8 +8,9 @@ from decimal import Decimal
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.enums import available
 from fieldspec.targets.controllers.routines.remarks import cited, count_of, member_remark, printed
 from fieldspec.targets.controllers.routines.scaling import every_value

@@ -11,9 +11,10 @@ from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.foundation.classes import replace
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import PRIMITIVES, Kind, Primitive
 from fieldspec.language.model.record import Measure
 from fieldspec.language.model.registers import Register
-from fieldspec.language.model.value import PRIMITIVES, Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.absent import stated_values
 from fieldspec.targets.controllers.dialects import Dialect
 from fieldspec.targets.controllers.routines.world import every_record

@@ -8,7 +8,8 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
     BYTE,

@@ -8,7 +8,8 @@ from collections.abc import Iterator, Sequence
 from fieldspec.codec.explain.values import in_unit
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets import OUTPUTS
 from fieldspec.targets.docs.changes import Step, page_name
 

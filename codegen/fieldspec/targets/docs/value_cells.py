@@ -8,8 +8,9 @@ from fieldspec.codec.explain.values import in_unit, range_in_unit
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.enums import Enum, Member
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.text_form import text_form_title
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.docs.context import Context, many
 from fieldspec.targets.docs.document import (
     UNKNOWN,

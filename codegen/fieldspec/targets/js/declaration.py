@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass, field
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.js.naming import Scope
 
 

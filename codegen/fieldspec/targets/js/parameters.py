@@ -5,8 +5,9 @@ from __future__ import annotations
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, ParameterSet, Subindex
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.members import members_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.inner_lists import write_lists

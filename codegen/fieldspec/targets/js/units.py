@@ -5,7 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.value import Conversion, Kind, Sentinel, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Conversion, Sentinel, Value
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.text import comment, literal
 

@@ -8,9 +8,10 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import has_sign
 from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.text_form import UTF_16
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.js.text import flag, literal
 
 INLINE = 6

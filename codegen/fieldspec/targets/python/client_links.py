@@ -12,8 +12,8 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.link import Link, Serial
 from fieldspec.language.model.operand import Operands
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.texts import Limit
-from fieldspec.language.model.value import Kind
 from fieldspec.targets.python.client_names import CODEC, ClientNames
 from fieldspec.targets.python.frames import PartView, head_arguments
 from fieldspec.targets.python.links import LinkView

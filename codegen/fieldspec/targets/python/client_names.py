@@ -9,8 +9,9 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.fact import Fact, ScalarValue
 from fieldspec.language.model.operand import Operand
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, Register, Subindex
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 from fieldspec.targets.python.links import Exchange
 from fieldspec.targets.python.records import RecordView

@@ -8,7 +8,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import CaseLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import BIT
-from fieldspec.language.model.value import PRIMITIVES, Kind, Primitive
+from fieldspec.language.model.primitives import PRIMITIVES, Kind, Primitive
 from fieldspec.targets.python.links import Exchange
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.record_shape import RecordShape

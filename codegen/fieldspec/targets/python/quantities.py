@@ -7,8 +7,9 @@ from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Conversion, Kind, Value
+from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.fact_texts import described, sentence, unit_word
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.registers import absent_states, value_expression

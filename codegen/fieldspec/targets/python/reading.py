@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from fieldspec.codec.layout.record import CaseLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.python.registers import value_expression
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.language.model.primitives import Kind, Primitive
 from fieldspec.language.model.ranges import Ranges, merged
-from fieldspec.language.model.value import Kind, Primitive
 from fieldspec.targets.fact_texts import availability, described, printed, sentence
 from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.registers import value_facts

@@ -10,10 +10,11 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.text_form import text_form_title
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.scaling import quantity, ratio

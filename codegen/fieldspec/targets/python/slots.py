@@ -13,8 +13,9 @@ from typing import Literal
 from fieldspec.codec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.enums import EnumView
 
 

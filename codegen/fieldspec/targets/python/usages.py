@@ -9,7 +9,8 @@ from typing import Any
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.access import readable, writable
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.device import device_view
 from fieldspec.targets.python.enums import EnumView
 from fieldspec.targets.python.links import Exchange, LinkView

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.primitives import Kind, Primitive
 from fieldspec.language.model.ranges import Ranges, merged
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.enums import EnumView
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal

@@ -7,7 +7,8 @@ from itertools import groupby
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.queries.dialect import Body, Dialect, Slot
 from fieldspec.targets.queries.values import Reader, ValueQuery
 

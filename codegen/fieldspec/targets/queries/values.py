@@ -9,7 +9,8 @@ from fractions import Fraction
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 from fieldspec.targets.queries.dialect import DecimalScale, Dialect, Slot
 

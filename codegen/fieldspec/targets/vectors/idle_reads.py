@@ -16,8 +16,9 @@ from fieldspec.codec.reference.records import CodecError, decoded, decoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import RegisterAccess
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,8 @@ from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.wireshark.text import Data, joined, line_text
 

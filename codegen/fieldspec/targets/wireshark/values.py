@@ -10,8 +10,9 @@ from fieldspec.codec.explain.row import errata_at, errata_of_words
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.wireshark.filters import title_of
 from fieldspec.targets.wireshark.text import Data, line_text

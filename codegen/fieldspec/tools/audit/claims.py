@@ -13,9 +13,10 @@ from fieldspec.language.checks.facts import facts
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags, Member
 from fieldspec.language.model.fact import Citation, Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import Parameter, Register, Table
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 NUMBERS = (
     "at",

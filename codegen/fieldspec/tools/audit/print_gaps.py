@@ -12,10 +12,10 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Member
 from fieldspec.language.model.fact import Citation, Fact, Place
 from fieldspec.language.model.link import Part
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.texts import Lookup, LookupRow
-from fieldspec.language.model.value import Kind
 from fieldspec.tools.audit.manual_lines import CELL, ManualIndex
 
 

@@ -13,8 +13,9 @@ from fieldspec.language.checks.finding import range_key
 from fieldspec.language.diagnostics import Diagnostic, Label, Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.language.reading.findings import bounded
 from fieldspec.tools.audit.addressed_values import Address, AddressedValue, addressed_values
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable

@@ -9,9 +9,10 @@ from fieldspec.codec.explain.values import decode_value, number_of
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import decoded_text
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Texts, number_at
 from fieldspec.tools.captures.verdicts import (
     OK,

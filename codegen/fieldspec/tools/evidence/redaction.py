@@ -19,10 +19,11 @@ from fieldspec.codec.reference.frames import Decoded, codec
 from fieldspec.codec.reference.parameters import stated_bytes
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Message, RegisterAccess
 from fieldspec.language.model.registers import Parameter
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.evidence.secrets import Secrets
 from fieldspec.tools.live.reading import all_occupants, is_bit
 from fieldspec.tools.simulator.memory import element_value, numbers_of

@@ -7,7 +7,7 @@ import unicodedata
 from decimal import Decimal
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.language.model.primitives import PRIMITIVES, Kind
 from fieldspec.tools.lists.sheet import ListError
 
 HEXADECIMAL, DECIMAL, REFERENCE = "hex", "decimal", "4xxxx"

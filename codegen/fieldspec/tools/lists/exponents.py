@@ -6,7 +6,8 @@ import re
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
-from fieldspec.language.model.value import MOST_PLACES, PRIMITIVES, Kind
+from fieldspec.language.model.primitives import PRIMITIVES, Kind
+from fieldspec.language.model.value import MOST_PLACES
 from fieldspec.tools.lists.column_roles import folded
 from fieldspec.tools.lists.listing import ListRow
 

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 
 from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.language.model.primitives import PRIMITIVES, Kind
 from fieldspec.language.model.units import standard_units
-from fieldspec.language.model.value import PRIMITIVES, Kind
 from fieldspec.language.schema import schema
 from fieldspec.tools.lists.column_roles import folded
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open

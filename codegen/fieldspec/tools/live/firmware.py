@@ -5,8 +5,8 @@ from __future__ import annotations
 from fieldspec.codec.layout.detection import detecting_value
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.sizes import sent_on
-from fieldspec.language.model.value import Kind
 from fieldspec.targets.python.runtime._firmware import UnknownFirmwareError, module_name, version_in
 from fieldspec.tools.live.client import Client
 from fieldspec.tools.live.messages import read_signals, signals

@@ -17,10 +17,11 @@ from fieldspec.codec.reference.records import CodecError, encoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, ParameterSet
 from fieldspec.language.model.segments import initial_number
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, UnfitAnswerError
 from fieldspec.tools.live.segments import read_pieces, write_pieces
 from fieldspec.tools.live.writing import WriteError

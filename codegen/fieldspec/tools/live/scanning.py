@@ -14,8 +14,8 @@ from fieldspec.codec.layout.segments import SegmentsLayout, segments_of
 from fieldspec.codec.reference.parameters import stated_bytes, value_of_bytes, value_of_data
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Kind
 from fieldspec.tools.live.bases import known_bases
 from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, UnfitAnswerError
 from fieldspec.tools.live.messages import parameter_message

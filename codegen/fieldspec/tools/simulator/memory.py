@@ -13,9 +13,10 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import TYPE_CHECKING, replace
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, ParameterSet, Register, Table
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Any, Literal, TypeAlias

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.tools.simulator.memory import default_raw
 
 if TYPE_CHECKING:

@@ -8,8 +8,9 @@ from fieldspec.codec.explain.registers import FORBIDS, Occupant
 from fieldspec.codec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import RegisterAccess
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.refusal import Refusal
 
 if TYPE_CHECKING:

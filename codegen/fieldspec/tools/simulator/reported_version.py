@@ -10,8 +10,9 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.behaviour.names import Names
 from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.runtime._firmware import EARLIER, UnknownFirmwareError, module_name, version_in
 
 _BASES = {"decimal": 10, "hexadecimal": 16}

@@ -8,7 +8,8 @@ from fieldspec.codec.layout.segments import SegmentsLayout, segments_of
 from fieldspec.codec.reference.parameters import data_of_value, orders_of, value_of_data
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.refusal import Refusal
 
 if TYPE_CHECKING:

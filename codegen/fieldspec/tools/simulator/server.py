@@ -11,7 +11,7 @@ from fieldspec.codec.reference.parameters import bytes_of_value, carries, field_
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.behaviour.part import Part
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.tools.simulator import judging, parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
 from fieldspec.tools.simulator.engine import Engine

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from fieldspec.language.model.address_space import WHOLE, WORD, AddressSpace
 from fieldspec.language.model.fact import Citation
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.registers import (
     Gap,
@@ -17,7 +18,7 @@ from fieldspec.language.model.registers import (
     Subindex,
     Table,
 )
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.language.reading.building.context import Entry, Reused, rows
 from fieldspec.language.reading.building.values import value
 from fieldspec.language.reading.nodes import Mapping

@@ -7,15 +7,13 @@ from math import ceil, floor
 
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.fact import ScalarValue
+from fieldspec.language.model.primitives import PRIMITIVES, Kind, Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import text_form
 from fieldspec.language.model.value import (
-    PRIMITIVES,
     Conversion,
-    Kind,
     ParameterPart,
     ParameterSizes,
-    Primitive,
     Sentinel,
     Signal,
     SizeCase,

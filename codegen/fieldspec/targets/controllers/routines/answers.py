@@ -9,7 +9,8 @@ from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.repeated_parts import repeated_fields, repeated_parts
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.parameters import Fields, measure, parameters_of
 from fieldspec.targets.controllers.routines.records import is_user_field, members_of
 from fieldspec.targets.controllers.routines.world import World, narrowest

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.controllers.routines.world import World, values_of
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.controllers.routines.holders import Bytes, Holder
 from fieldspec.targets.controllers.routines.values import Wire, read, runs, write, write_number
 from fieldspec.targets.controllers.routines.world import PREFIXES, World

@@ -8,8 +8,9 @@ from fractions import Fraction as Ratio
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.value import Conversion as Share
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.remarks import count_of
 from fieldspec.targets.controllers.routines.world import PREFIXES, World, every_record
 from fieldspec.targets.controllers.statements.expressions import (

@@ -8,8 +8,9 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges, bound_text
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.holders import Holder
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (

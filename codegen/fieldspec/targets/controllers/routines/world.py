@@ -12,8 +12,9 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.address_space import BIT as BIT_UNIT
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import RegisterGroup
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.cache import cached
 from fieldspec.targets.controllers.routines.remarks import of_value, source
 from fieldspec.targets.controllers.statements.expressions import (

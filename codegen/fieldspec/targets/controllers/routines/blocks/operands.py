@@ -9,7 +9,8 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.fact import Fact, ScalarValue
 from fieldspec.language.model.operand import Operand
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
 from fieldspec.targets.controllers.routines.remarks import count_of, of_value
 from fieldspec.targets.controllers.routines.scaling import Quantity, quantities
