@@ -118,6 +118,8 @@ PRIMITIVES = {
             for bits in range(8, 65, 8)
             for letter, sign in (("u", Sign.NONE), ("i", Sign.COMPLEMENT))
         ),
+        *(Primitive(f"sm{bits}", Whole(bits, Sign.MAGNITUDE)) for bits in range(8, 65, 8)),
+        Primitive("f16", Real(Precision.HALF)),
         Primitive("f32", Real(Precision.SINGLE)),
         Primitive("f64", Real(Precision.DOUBLE)),
         Primitive("bool8", Truth(8)),
