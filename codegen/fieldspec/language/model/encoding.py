@@ -151,6 +151,12 @@ def number_of(encoding: Encoding) -> Whole | None:
             assert_never(encoding)
 
 
+def sign_of(encoding: Encoding) -> Sign:
+    """The sign of the whole number that its raw value is; NONE for all other encodings."""
+    number = number_of(encoding)
+    return Sign.NONE if number is None else number.sign
+
+
 def bounds_of(encoding: Encoding) -> tuple[int, int]:
     """The least and the greatest whole number that it can have; of digits, those of the type of their number.
 

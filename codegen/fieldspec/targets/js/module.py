@@ -39,6 +39,7 @@ IMPORTS = {
         "doubleOf",
         "encodedTextOf",
         "floatOf",
+        "halfBitsOf",
         "listLength",
         "numberOf",
         "putBytes",
@@ -50,6 +51,7 @@ IMPORTS = {
         "textOf",
         "within",
     ),
+    "number_bits": ("halfOf", "magnitudeBits", "magnitudeOf"),
     "lists": ("elementBytes", "elementsLength", "readAround", "sentOfImage"),
     "widths": ("narrowedImage", "readImage"),
 }

@@ -92,7 +92,7 @@ class _Usages:
             read = self._access(known, space, "read", layout.words)
             if read is not None and readable(register.access):
                 text += "\n" + _READ + self._exchange(read[1], "message", "data") + _VALUE
-                has_quantity = unit_of(value, layout.size) and not value.scale_by
+                has_quantity = unit_of(value) and not value.scale_by
                 text += "const quantity = device.@0@.units.inUnit(value);\n" if has_quantity else ""
             write, sample = self._access(known, space, "write", layout.words), self._sample(value, layout.size)
             if write is not None and sample and (writable(register.access) or register.trigger):
