@@ -34,6 +34,34 @@ export function roundedReal(number, size) {
   }
 }
 
+/** The floating-point number of `size` bytes whose bits are a whole number, a bigint where there are eight. */
+export function realOfBits(bits, size) {
+  switch (size) {
+    case 2: return halfOf(bits);
+    case 4:
+      VIEW.setUint32(0, bits);
+      return VIEW.getFloat32(0);
+    case 8:
+      VIEW.setBigUint64(0, bits);
+      return VIEW.getFloat64(0);
+    default: throw new RangeError(`no floating-point number has ${size} bytes`);
+  }
+}
+
+/** The bits of the nearest floating-point number of `size` bytes. */
+export function realBits(number, size) {
+  switch (size) {
+    case 2: return halfBits(number);
+    case 4:
+      VIEW.setFloat32(0, number);
+      return VIEW.getUint32(0);
+    case 8:
+      VIEW.setFloat64(0, number);
+      return VIEW.getBigUint64(0);
+    default: throw new RangeError(`no floating-point number has ${size} bytes`);
+  }
+}
+
 /** Whether a number is finite and becomes infinite in a floating-point number of `size` bytes. */
 export function exceedsReal(number, size) {
   return Number.isFinite(number) && !Number.isFinite(roundedReal(number, size));
