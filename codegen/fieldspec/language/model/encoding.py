@@ -138,6 +138,17 @@ def is_count(encoding: Encoding) -> bool:
             assert_never(encoding)
 
 
+def is_whole(encoding: Encoding) -> bool:
+    """Whether its raw value is a whole number, or a truth value."""
+    match encoding:
+        case Whole() | Digits() | Truth():
+            return True
+        case Real() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
 def number_of(encoding: Encoding) -> Whole | None:
     """The type of the whole number that its raw value is; None where it is none, or a truth value."""
     match encoding:
