@@ -37,7 +37,7 @@ def kind_of(encoding: Encoding) -> str:
 
 
 def sign_data(encoding: Encoding) -> bool | str:
-    """How a number shows that it is below zero: false for not at all, true for two's complement and reals, else a name."""
+    """How a number shows that it is below zero: not at all, a name for a bit beside the magnitude, true otherwise."""
     match encoding:
         case Whole():
             return _sign_data(encoding.sign)

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from fieldspec.language.model.text_form import TextForm
 
 
+MACHINE_BITS = (8, 16, 32, 64)
+"""The widths of the numbers of machines."""
+
+
 class Sign(Enum):
     """How a whole number shows that it is below zero: not at all, in two's complement, or by its highest bit alone."""
 
@@ -138,8 +142,52 @@ def is_count(encoding: Encoding) -> bool:
             assert_never(encoding)
 
 
-def is_whole(encoding: Encoding) -> bool:
-    """Whether its raw value is a whole number, or a truth value."""
+def is_real(encoding: Encoding) -> bool:
+    """Whether it is a floating-point number."""
+    match encoding:
+        case Real():
+            return True
+        case Whole() | Truth() | Digits() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def is_truth(encoding: Encoding) -> bool:
+    """Whether it is true or false."""
+    match encoding:
+        case Truth():
+            return True
+        case Whole() | Real() | Digits() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def is_text(encoding: Encoding) -> bool:
+    """Whether it is a text."""
+    match encoding:
+        case Text():
+            return True
+        case Whole() | Real() | Truth() | Digits() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def is_octets(encoding: Encoding) -> bool:
+    """Whether it is bytes without a meaning of their own."""
+    match encoding:
+        case Octets():
+            return True
+        case Whole() | Real() | Truth() | Digits() | Text():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def is_exact(encoding: Encoding) -> bool:
+    """Whether its raw value is a whole number, which may be 0 or 1 alone."""
     match encoding:
         case Whole() | Digits() | Truth():
             return True
@@ -147,6 +195,27 @@ def is_whole(encoding: Encoding) -> bool:
             return False
         case _:
             assert_never(encoding)
+
+
+def is_signed(encoding: Encoding) -> bool:
+    """Whether it has numbers below zero."""
+    match encoding:
+        case Whole():
+            return encoding.sign.is_signed
+        case Digits():
+            return encoding.number.sign.is_signed
+        case Real():
+            return True
+        case Truth() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def is_odd(encoding: Encoding) -> bool:
+    """Whether it is a whole number of a width that machines do not have: 24, 40, 48 or 56 bits."""
+    whole = number_of(encoding)
+    return whole is not None and whole.bits not in MACHINE_BITS
 
 
 def number_of(encoding: Encoding) -> Whole | None:
@@ -186,10 +255,6 @@ def bounds_of(encoding: Encoding) -> tuple[int, int]:
             return 0, 0
         case _:
             assert_never(encoding)
-
-
-MACHINE_BITS = (8, 16, 32, 64)
-"""The widths of the numbers of machines."""
 
 
 def struct_letter(encoding: Encoding) -> str:
@@ -270,3 +335,26 @@ def real_bits(precision: Precision, number: float) -> int:
     """The bits of the nearest number of a precision. Raises OverflowError for one that would become infinite."""
     # `struct` raises its own error for a whole number that no half holds.
     return int.from_bytes(struct.pack(f">{_real_letter(precision)}", float(number)), "big")
+
+
+def quiet_nan(precision: Precision) -> int:
+    """The bits of the NaN that machines produce."""
+    return infinity(precision) | 1 << significant_bits(precision) - 2
+
+
+def infinity(precision: Precision) -> int:
+    """The bits of the number that is greater than all others: all bits of the exponent are 1, all others 0."""
+    return (1 << precision.value - 1) - (1 << significant_bits(precision) - 1)
+
+
+def significant_bits(precision: Precision) -> int:
+    """The bits of the greatest whole number up to which all whole numbers are exact."""
+    match precision:
+        case Precision.HALF:
+            return 11
+        case Precision.SINGLE:
+            return 24
+        case Precision.DOUBLE:
+            return 53
+        case _:
+            assert_never(precision)

@@ -17,7 +17,7 @@ from fieldspec.language.model.encoding import (
     Truth,
     Whole,
     is_count,
-    is_whole,
+    is_exact,
 )
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
@@ -79,7 +79,7 @@ class Filters:
         """The name of the display filter of a value."""
         encoding = value.encoding
         row: dict[str, Data] = {"title": title_of(fact), "text": description(fact), "type": _type(encoding)}
-        if is_whole(encoding):
+        if is_exact(encoding):
             row |= {"base": "HEX" if value.flags else "DEC", "names": self._names(value)}
         return self.take(names, row)
 

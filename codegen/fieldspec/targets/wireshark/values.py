@@ -8,8 +8,8 @@ from math import lcm
 
 from fieldspec.codec.explain.row import errata_at, errata_of_words
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_array, is_count, is_exact
 from fieldspec.language.model.enums import Enum, Flags
-from fieldspec.language.model.encoding import is_array, is_count, is_whole
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.value import Value
@@ -38,7 +38,7 @@ def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
     }
     if is_array(encoding):
         return data
-    if is_whole(encoding) and not wide:
+    if is_exact(encoding) and not wide:
         data |= {"low": value.type.low, "high": value.type.high}
     data |= {
         "enum": value.enum or None,

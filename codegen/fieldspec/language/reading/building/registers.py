@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from fieldspec.language.model.address_space import WHOLE, WORD, AddressSpace
+from fieldspec.language.model.encoding import is_array, is_text
 from fieldspec.language.model.fact import Citation
-from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.registers import (
     Gap,
@@ -212,11 +212,11 @@ def _refuse_idle_defaults(entry: Entry, values: Sequence[Value]) -> None:
 
 
 def _is_text(value: Value) -> bool:
-    return value.type.kind is Kind.TEXT
+    return is_text(value.encoding)
 
 
 def _has_length(value: Value) -> bool:
-    return value.type.kind in (Kind.TEXT, Kind.BYTES) or bool(value.digits)
+    return is_array(value.encoding) or bool(value.digits)
 
 
 def _has_padding(value: Value) -> bool:
