@@ -323,10 +323,7 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
         case Text():
             return _encoded_text(name, value, raw_value)
         case Octets():
-            data = _bytes(name, raw_value)
-            if len(data) != value.size:
-                raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
-            return data
+            return _bytes(name, raw_value, range(value.size, value.size + 1))
         case Real():
             if not isinstance(raw_value, int | float):
                 raise CodecError("wrong_type", f"{name} is a number, not {spec_text(raw_value)}")
@@ -346,10 +343,7 @@ def _encoded_text(name: str, value: Value, text: Any) -> Any:
         if fault is not None:
             raise CodecError(fault[0], f"{name} {fault[1]}")
         return text if value.text_form is not None else bytes_of_text(value, "big", text)
-    data = _bytes(name, text)
-    if len(data) > value.size:
-        raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
-    return data.ljust(value.size, b"\0")
+    return _bytes(name, text, range(value.size + 1)).ljust(value.size, b"\0")
 
 
 def _encoded_count(name: str, value: Value, number: int, device: Device) -> int:
@@ -371,9 +365,11 @@ def _check_bits(name: str, word: Flags, value: Value, number: int) -> None:
             raise CodecError("out_of_range", f"{bit.name} of {name} is {own}, not in {bit.ranges.text()}")
 
 
-def _bytes(name: str, data: Any) -> bytes:
+def _bytes(name: str, data: Any, sizes: range) -> bytes:
     if not isinstance(data, bytes | bytearray):
         raise CodecError("wrong_type", f"{name} is a text or bytes, not {spec_text(data)}")
+    if len(data) not in sizes:
+        raise CodecError("wrong_length", f"{name} has {sizes[-1]} bytes, not {len(data)}")
     return bytes(data)
 
 

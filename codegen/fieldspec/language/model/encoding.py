@@ -153,17 +153,6 @@ def is_real(encoding: Encoding) -> bool:
             assert_never(encoding)
 
 
-def is_truth(encoding: Encoding) -> bool:
-    """Whether it is true or false."""
-    match encoding:
-        case Truth():
-            return True
-        case Whole() | Real() | Digits() | Text() | Octets():
-            return False
-        case _:
-            assert_never(encoding)
-
-
 def is_text(encoding: Encoding) -> bool:
     """Whether it is a text."""
     match encoding:

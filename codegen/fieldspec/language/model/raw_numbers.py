@@ -83,7 +83,8 @@ def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:
 def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | float | None:
     """The number in all bytes of a value that is no text and no bytes; None where they are not its digits.
 
-    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
+    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each. Raises AssertionError
+    for a text and for bytes.
     """
     in_order = data
     if swapped:
@@ -107,7 +108,7 @@ def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | flo
 
 
 def bytes_of_number(value: Value, number: int) -> bytes:
-    """The bytes of a whole number that is a value, in big-endian order."""
+    """The bytes of a whole number that is a value, in big-endian order. Raises AssertionError for other values."""
     encoding = value.encoding
     match encoding:
         case Whole():
