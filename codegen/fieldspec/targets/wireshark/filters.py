@@ -148,7 +148,7 @@ def _type(encoding: Encoding) -> str:
         case Whole():
             return _whole_type(encoding)
         case Digits():
-            return _whole_type(encoding.number)
+            return _whole_type(Whole(8 * encoding.size, encoding.number.sign))
         case _:
             assert_never(encoding)
 
