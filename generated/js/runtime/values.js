@@ -1,5 +1,6 @@
 import { decodedText, textBytes, textFault } from "./encodings.js";
 import { CodecError, printed, refusedList } from "./error.js";
+import { exceedsReal, halfBits } from "./number_bits.js";
 
 const FLOAT = new DataView(new ArrayBuffer(8));
 /** The bits of NaN. Engines choose others at will, also while a program runs. */
@@ -12,15 +13,20 @@ export function floatOf(bits) {
   return FLOAT.getFloat32(0);
 }
 
+/** The 16 bits of a number. Throws CodecError like `bitsOf`. */
+export function halfBitsOf(name, value, ranges, others) {
+  checkFloat(name, value, ranges, others);
+  checkPrecision(name, value, 2);
+  return halfBits(value);
+}
+
 /**
  * The 32 bits of a number. Throws CodecError for what is no number, for a number that 32 bits cannot hold, and for
  * one that is neither in `ranges` nor among `others`; without ranges any number is allowed.
  */
 export function bitsOf(name, value, ranges, others) {
   checkFloat(name, value, ranges, others);
-  if (Math.abs(value) !== Infinity && Math.abs(Math.fround(value)) === Infinity) {
-    throw new CodecError("out_of_range", `${name} is ${value}, which 32 bits do not hold`);
-  }
+  checkPrecision(name, value, 4);
   if (Number.isNaN(value)) return QUIET_NAN;
   FLOAT.setFloat32(0, value);
   return FLOAT.getUint32(0);
@@ -49,6 +55,11 @@ function checkFloat(name, value, ranges, others) {
   if (ranges !== null && !within(ranges, value) && !others.some((other) => Object.is(other, value) || other === value)) {
     throw new CodecError("out_of_range", `${name} is ${value}, not in ${rangesText(ranges)}`);
   }
+}
+
+/** Throws CodecError for a finite number that becomes infinite in `size` bytes. */
+function checkPrecision(name, value, size) {
+  if (exceedsReal(value, size)) throw new CodecError("out_of_range", `${name} is ${value}, which ${8 * size} bits do not hold`);
 }
 
 /** Whether a number is in one of some intervals. */

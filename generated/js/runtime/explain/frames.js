@@ -79,9 +79,18 @@ export function lengthNumber(part, length) {
 export function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   if (digits) return [least, most];
   if (kind === "boolean") return [0, 1];
-  const bits = BigInt(8 * size);
-  const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];
+  const half = 1n << BigInt(8 * size - 1);
+  const [low, high] = boundsOf(half, signed);
   return size > 6 ? [low, high] : [Number(low), Number(high)];
+}
+
+function boundsOf(half, signed) {
+  switch (signed) {
+    case undefined: case false: return [0n, 2n * half - 1n];
+    case true: return [-half, half - 1n];
+    case "magnitude": return [1n - half, half - 1n];
+    default: throw new RangeError(`unknown sign: ${signed}`);
+  }
 }
 
 /** Bytes that are the escape of nothing; `offset` is the place of the first one. */
