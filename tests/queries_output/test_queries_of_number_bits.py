@@ -33,7 +33,7 @@ def layout() -> DeviceLayout:
     return layout_at(spec, spec.versions()[-1])
 
 
-def shown(number: float) -> str:
+def number_text(number: float) -> str:
     """A number as text: any NaN is the same, and zeros differ by their sign."""
     return "nan" if math.isnan(number) else repr(float(number))
 
@@ -43,8 +43,8 @@ def test_all_halves_have_the_numbers_of_struct_alone_and_in_lists(engine: str) -
     data = [bits.to_bytes(2, "big") for bits in range(1 << 16)]
     payloads = [own + own[::-1] + 2 * own for own in data]
     rows = engine_of(engine, layout()).rows("halves", {"payload": payloads})
-    read = [[shown(number) for number in (row["number"], row["turned"], *row["series"])] for row in rows]
-    assert read == [[shown(number)] * 4 for number in HALVES]
+    read = [[number_text(number) for number in (row["number"], row["turned"], *row["series"])] for row in rows]
+    assert read == [[number_text(number)] * 4 for number in HALVES]
 
 
 @pytest.mark.parametrize("engine", ENGINES)

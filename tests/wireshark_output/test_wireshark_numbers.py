@@ -132,5 +132,7 @@ def test_halves_are_shown_as_struct_reads_them() -> None:
     halves = [bits.to_bytes(2, "big") for bits in BITS_OF_HALVES]
     packets = [Packet(20000, FIRST_PORT, "request", b"\4" + half + half[::-1]) for half in halves]
     dissections = dissected([device], packets, port_options(device, {port: FIRST_PORT}))
-    shown = [[float(item.value) for item in items if item.name.endswith((".half", ".turned"))] for items in dissections]
-    assert shown == [[float(f"{HALVES[bits]:.6g}")] * 2 for bits in BITS_OF_HALVES]
+    halves_of = [
+        [float(item.value) for item in items if item.name.endswith((".half", ".turned"))] for items in dissections
+    ]
+    assert halves_of == [[float(f"{HALVES[bits]:.6g}")] * 2 for bits in BITS_OF_HALVES]

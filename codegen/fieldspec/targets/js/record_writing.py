@@ -11,9 +11,10 @@ from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.inner_lists import write_lists
 from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
+from fieldspec.targets.js.number_bytes import place
 from fieldspec.targets.js.record_reading import CHOOSES_NOTHING
 from fieldspec.targets.js.text import literal, plus
-from fieldspec.targets.js.values import place, throw_wrong_number
+from fieldspec.targets.js.values import throw_wrong_number
 from fieldspec.targets.js.widths import write_widths
 
 

@@ -12,7 +12,6 @@ from fieldspec.language.model.digits import BCD, digits_letters, has_sign, is_co
 from fieldspec.language.model.encoding import (
     Digits,
     Octets,
-    Precision,
     Real,
     Sign,
     Text,
@@ -26,14 +25,16 @@ from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.text_form import UTF_16, TextForm
 from fieldspec.language.model.value import Value
+from fieldspec.targets.js.number_bytes import (
+    BYTES_OF_OPERATOR,
+    byte,
+    place,
+    real_functions,
+    stored_bits,
+    whole_number,
+)
 from fieldspec.targets.js.text import flag, literal
 from fieldspec.targets.runtime_values import is_wide, sign_data
-
-BYTES_OF_OPERATOR = 4
-"""The bytes of the widest number that operators on bits take."""
-
-BYTES_OF_DOUBLE = 6
-"""The bytes of the widest whole number that is no bigint."""
 
 INLINE = 6
 """The number of intervals up to which a test is written out; more are looked up in an array."""
@@ -76,13 +77,13 @@ class Slot:
         return tuple(places)
 
     def number(self, base: str, offset: int) -> str:
-        """The expression of the raw number at `base` + `offset`."""
+        """The expression of the raw number at `base` + `offset`. Raises AssertionError for a text and for bytes."""
         encoding = self.value.encoding
         match encoding:
             case Whole():
-                return _whole(encoding.sign, [byte(base, offset + place) for place in self.places])
+                return whole_number(encoding.sign, self._bytes(base, offset))
             case Real() | Truth():
-                return _whole(Sign.NONE, [byte(base, offset + place) for place in self.places])
+                return whole_number(Sign.NONE, self._bytes(base, offset))
             case Digits():
                 return self._digits(encoding, base, offset)
             case Text() | Octets():
@@ -90,11 +91,15 @@ class Slot:
             case _:
                 assert_never(encoding)
 
+    def _bytes(self, base: str, offset: int) -> list[str]:
+        """Its bytes, the most significant one first."""
+        return [byte(base, offset + index) for index in self.places]
+
     def _digits(self, digits: Digits, base: str, offset: int) -> str:
         """The expression of the number of characters, or of two decimal digits in each byte."""
         name, wide, position = literal(self.name), flag(self.wide), place(base, offset)
         if digits.form == BCD:
-            listing = ", ".join(byte(base, offset + index) for index in self.places)
+            listing = ", ".join(self._bytes(base, offset))
             return f"bcdOf({name}, [{listing}], {position}, {wide})"
         function = "blankDigitsOf" if digits.has_blanks else "digitsOf"
         return f"{function}({name}, b, {position}, {self._form(digits)}, {wide})"
@@ -111,13 +116,13 @@ class Slot:
         return f'{digits.size}, "{letters}", {digits.places}, {flag(has_sign(self.value))}, {bits}'
 
     def stored(self, number: str, base: str, offset: int) -> list[str]:
-        """The statements that write a number, given by the name of a variable."""
+        """The statements that write a number, given by the name of a variable. Raises AssertionError like `number`."""
         encoding = self.value.encoding
         match encoding:
             case Whole():
                 return self._stored_whole(encoding, number, base, offset)
             case Real() | Truth():
-                return self._stored_bits(number, base, offset)
+                return stored_bits(number, self._bytes(base, offset))
             case Digits():
                 if encoding.form == BCD:
                     places = ", ".join(place(base, offset + index) for index in self.places)
@@ -132,28 +137,13 @@ class Slot:
     def _stored_whole(self, whole: Whole, number: str, base: str, offset: int) -> list[str]:
         match whole.sign:
             case Sign.NONE | Sign.COMPLEMENT:
-                return self._stored_bits(number, base, offset)
+                return stored_bits(number, self._bytes(base, offset))
             case Sign.MAGNITUDE:
                 bits = f"{number}Bits"
-                stored = self._stored_bits(bits, base, offset)
+                stored = stored_bits(bits, self._bytes(base, offset))
                 return [f"const {bits} = magnitudeBits({number}, {whole.bits});", *stored]
             case _:
                 assert_never(whole.sign)
-
-    def _stored_bits(self, number: str, base: str, offset: int) -> list[str]:
-        """The statements that write the bits of a number, or those of its two's complement."""
-        targets = [byte(base, offset + place) for place in reversed(self.places)]
-        if len(targets) > BYTES_OF_DOUBLE:
-            return [
-                f"{target} = Number({number if not k else f'({number} >> {8 * k}n)'} & 255n);"
-                for k, target in enumerate(targets)
-            ]
-        if len(targets) > BYTES_OF_OPERATOR:
-            return [
-                f"{target} = {number if not k else f'Math.floor({number} / {256**k})'} % 256;"
-                for k, target in enumerate(targets)
-            ]
-        return [f"{target} = {number if not k else f'{number} >>> {8 * k}'};" for k, target in enumerate(targets)]
 
     @property
     def known(self) -> list[int] | None:
@@ -207,8 +197,8 @@ class Slot:
         if whole.bits > 8 * BYTES_OF_OPERATOR:
             return f"Number.isInteger({number}) && {number} >= {low} && {number} <= {high}"
         operator, widest = ("|", Whole(32, Sign.COMPLEMENT)) if whole.sign.is_signed else (">>>", Whole(32, Sign.NONE))
-        least, most = widest.bounds
-        bounds = [f"{number} >= {low}"] * (low > least) + [f"{number} <= {high}"] * (high < most)
+        lowest, highest = widest.bounds
+        bounds = [f"{number} >= {low}"] * (low > lowest) + [f"{number} <= {high}"] * (high < highest)
         return " && ".join([f"({number} {operator} 0) === {number}", *bounds])
 
     def read(self, variable: str, base: str, offset: int) -> Reading:
@@ -224,7 +214,7 @@ class Slot:
             case Octets():
                 return Reading((), f"b.slice({position}, {place(base, offset + self.size)})")
             case Real():
-                return Reading((), f"{_real_functions(encoding.precision)[0]}({self.number(base, offset)})")
+                return Reading((), f"{real_functions(encoding.precision)[0]}({self.number(base, offset)})")
             case Truth():
                 return Reading((), f"booleanOf({name}, {self.number(base, offset)}, {position})", throws=True)
             case Whole() | Digits():
@@ -263,7 +253,7 @@ class Slot:
             case Truth():
                 return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
             case Real():
-                function = _real_functions(encoding.precision)[1]
+                function = real_functions(encoding.precision)[1]
                 call = f"{function}({name}, {variable}, {self._float_ranges()})"
                 return [f"const {raw} = {call};", *self.stored(raw, base, offset)]
             case Whole() | Digits():
@@ -350,82 +340,6 @@ def sign_literal(value: Value) -> str:
     return json.dumps(sign_data(value.encoding))
 
 
-def byte(base: str, offset: int) -> str:
-    """The byte at `base` + `offset` of the array `b`."""
-    return f"b[{place(base, offset)}]"
-
-
-def place(base: str, offset: int) -> str:
-    """The expression of an offset from the start of the data: `o + 4`, or `o` for 0."""
-    return f"{base} + {offset}" if offset else base
-
-
 def throw_wrong_number(reason: str, name: str, number: str, detail: str, position: str) -> str:
     """The statement that refuses a number; `number`, `detail` and `position` are expressions."""
     return f"throw wrongNumber({literal(reason)}, {literal(name)}, {number}, {detail}, {position});"
-
-
-def _real_functions(precision: Precision) -> tuple[str, str]:
-    """The functions of the runtime that make a number of bits, and check it and make its bits."""
-    match precision:
-        case Precision.HALF:
-            return "halfOf", "halfBitsOf"
-        case Precision.SINGLE:
-            return "floatOf", "bitsOf"
-        case Precision.DOUBLE:
-            return "doubleOf", "doubleBitsOf"
-        case _:
-            assert_never(precision)
-
-
-def _whole(sign: Sign, terms: list[str]) -> str:
-    """The whole number of some bytes, the most significant one first."""
-    match sign:
-        case Sign.NONE:
-            return _unsigned(terms)
-        case Sign.COMPLEMENT:
-            return _complement(terms)
-        case Sign.MAGNITUDE:
-            return f"magnitudeOf({_unsigned(terms)}, {8 * len(terms)})"
-        case _:
-            assert_never(sign)
-
-
-def _unsigned(terms: list[str]) -> str:
-    """The number of bytes without a sign."""
-    if len(terms) == 1:
-        return terms[0]
-    if len(terms) <= BYTES_OF_OPERATOR:
-        return _short(terms)
-    return f"({_long(terms)})"
-
-
-def _complement(terms: list[str]) -> str:
-    """The number of bytes in two's complement."""
-    bits = 8 * len(terms)
-    if len(terms) < BYTES_OF_OPERATOR:
-        return f"({_joined(terms) if len(terms) == 1 else f'({_joined(terms)})'} << {32 - bits}) >> {32 - bits}"
-    if len(terms) == BYTES_OF_OPERATOR:
-        return f"({_joined(terms)})"
-    if len(terms) <= BYTES_OF_DOUBLE:
-        return f"signed48({_long(terms)}, {bits})"
-    return f"BigInt.asIntN({bits}, {_long(terms)})"
-
-
-def _joined(terms: list[str]) -> str:
-    """The number of up to four bytes, with the sign that operators on bits give it."""
-    last = len(terms) - 1
-    return " | ".join(f"({term} << {8 * (last - index)})" if index < last else term for index, term in enumerate(terms))
-
-
-def _short(terms: list[str]) -> str:
-    """The number of up to four bytes, without a sign."""
-    return f"(({_joined(terms)}) >>> 0)" if len(terms) == BYTES_OF_OPERATOR else f"({_joined(terms)})"
-
-
-def _long(terms: list[str]) -> str:
-    """The number of more than four bytes, without a sign: a bigint where there are more than six."""
-    high, low = _short(terms[:-BYTES_OF_OPERATOR]), _short(terms[-BYTES_OF_OPERATOR:])
-    if len(terms) <= BYTES_OF_DOUBLE:
-        return f"{high} * 4294967296 + {low}"
-    return f"(BigInt({high}) << 32n) | BigInt({low})"

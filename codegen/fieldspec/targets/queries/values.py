@@ -68,7 +68,7 @@ class ValueQuery:
     exponents: tuple[tuple[int, int], ...] = ()
 
     def number(self, data: str, offset: int) -> str:
-        """The expression of the raw number at an offset of the data."""
+        """The expression of the raw number at an offset of the data. Raises AssertionError for a text and for bytes."""
         encoding = self.value.encoding
         slot = Slot(offset, self.value.size, self.order, self.swapped, sign_of(encoding))
         match encoding:
@@ -102,7 +102,7 @@ class ValueQuery:
             case Whole() | Digits() | Truth():
                 yield from self._count_columns()
             case Real():
-                yield from self._plain_columns()
+                yield from self._number_columns()
             case _:
                 assert_never(encoding)
         if value.sentinels:
@@ -123,9 +123,9 @@ class ValueQuery:
             yield ValueColumn(unit_word(value.quantity_unit), self._quantity)
             yield ValueColumn("raw", self.number)
         else:
-            yield from self._plain_columns()
+            yield from self._number_columns()
 
-    def _plain_columns(self) -> Iterator[ValueColumn]:
+    def _number_columns(self) -> Iterator[ValueColumn]:
         """The column of a number without names and scale, and the raw number where some stand for a state."""
         if self.value.sentinels:
             yield ValueColumn("", lambda data, offset: self._absent(self.number(data, offset), data, offset))
@@ -198,8 +198,8 @@ class ValueQuery:
         assert value.ranges is not None
         numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
         intervals = [*value.ranges.intervals, *((number, number) for number in numbers)]
-        least, most = bounds_of(value.encoding)
-        if is_count(value.encoding) and any(low <= least and high >= most for low, high in intervals):
+        lowest, highest = bounds_of(value.encoding)
+        if is_count(value.encoding) and any(low <= lowest and high >= highest for low, high in intervals):
             return ""
         condition = dialect.negated(dialect.is_in(number, intervals, floating))
         enum = self.device.enums.get(value.enum)

@@ -294,10 +294,10 @@ class Decoder:
         return result
 
     def _character_text(self, data: bytes) -> tuple[int, int]:
-        is_shown_as_bytes = is_octets(self.encoding) or self.reserved
-        text = None if is_shown_as_bytes else decoded_text(self.value, self.order, data)
+        has_no_text = is_octets(self.encoding) or self.reserved
+        text = None if has_no_text else decoded_text(self.value, self.order, data)
         if text is None:
-            return self.texts.place(data.hex(" ").upper()), OK if is_shown_as_bytes else UNKNOWN_VALUE
+            return self.texts.place(data.hex(" ").upper()), OK if has_no_text else UNKNOWN_VALUE
         return self.texts.place(text), OK
 
 
