@@ -597,6 +597,17 @@ function wholeOfBits(bits, count, signed) {
   }
 }
 
+/** The least and the greatest whole number of `count` bits, as bigints; `signed` as in `bitsOfWhole`. */
+function wholeBounds(count, signed) {
+  const highest = 1n << BigInt(count - 1);
+  switch (signed) {
+    case undefined: case false: return [0n, 2n * highest - 1n];
+    case true: return [-highest, highest - 1n];
+    case "magnitude": return [1n - highest, highest - 1n];
+    default: throw new RangeError(`unknown sign: ${signed}`);
+  }
+}
+
 /** The bytes of a list in the image, as its count in some bytes says. */
 function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
   let number = 0;
@@ -1869,18 +1880,10 @@ function lengthNumber(part, length) {
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
 function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   if (digits) return [least, most];
-  if (kind === "boolean") return [0, 1];
-  const half = 1n << BigInt(8 * size - 1);
-  const [low, high] = boundsOf(half, signed);
-  return size > 6 ? [low, high] : [Number(low), Number(high)];
-}
-
-function boundsOf(half, signed) {
-  switch (signed) {
-    case undefined: case false: return [0n, 2n * half - 1n];
-    case true: return [-half, half - 1n];
-    case "magnitude": return [1n - half, half - 1n];
-    default: throw new RangeError(`unknown sign: ${signed}`);
+  switch (kind) {
+    case "boolean": return [0, 1];
+    case "integer": return wholeBounds(8 * size, signed).map((bound) => (size > 6 ? bound : Number(bound)));
+    default: throw new RangeError(`no whole number has the kind ${kind}`);
   }
 }
 

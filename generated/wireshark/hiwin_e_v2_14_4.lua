@@ -10313,15 +10313,27 @@ local function real(ordered)
     return (Struct.unpack(form, ordered))
 end
 
-local is_real_by_kind = { float = true, integer = false, boolean = false }
+local NUMBERS = { float = "real", integer = "whole", boolean = "whole", text = false, bytes = false }
 
--- Whether a value is a floating-point number.
-local function is_real(value)
-    local answer = is_real_by_kind[value.kind]
-    if answer == nil then
-        error("no number has the kind " .. tostring(value.kind))
+local function number_kind(value)
+    local kind = NUMBERS[value.kind]
+    if kind == nil then
+        error("unknown kind: " .. tostring(value.kind))
     end
-    return answer
+    return kind
+end
+
+-- Whether a value is a number, and no text and no bytes.
+function numbers.is_number(value)
+    return number_kind(value) ~= false
+end
+
+local function is_real(value)
+    local kind = number_kind(value)
+    if not kind then
+        error("a text or bytes are no number")
+    end
+    return kind == "real"
 end
 
 -- The number of a value: a Lua number, or an Int64 or UInt64 of Wireshark for more than six bytes.
@@ -11050,7 +11062,7 @@ function parameters.entry(context, field, index, bytes)
         return nil
     end
     inner, at = element(row, at)
-    if field.value.kind ~= "bytes" and field.value.kind ~= "text" then
+    if numbers.is_number(field.value) then
         local own = numbers.of(bytes, field.value)
         if values.reason(field.value, own, field.value.ranges) then
             return nil
@@ -11139,7 +11151,7 @@ local function show_value(context, tree, field, at, index, top)
     local item, number, reason = values.show(tree, entry, range, bytes, options)
     if described and described.entry ~= field then
         local sent = context.bytes:sub(at + 1, at + field.size)
-        local own = field.value.kind ~= "bytes" and numbers.of(sent, field.value)
+        local own = numbers.is_number(field.value) and numbers.of(sent, field.value)
         number = own
         local inner = item:add(fields[field.filter], range, own and numbers.of_item(sent, field.value))
         inner:set_text("On the wire, " .. field.title .. ": " .. numbers.text(own))

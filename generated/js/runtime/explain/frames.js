@@ -1,5 +1,6 @@
 import { checksumBytes, crcOf, fletcherOf, followedBy, totalOf } from "../checksums.js";
 import { adding, canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
+import { wholeBounds } from "../number_bits.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
@@ -78,18 +79,10 @@ export function lengthNumber(part, length) {
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
 export function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   if (digits) return [least, most];
-  if (kind === "boolean") return [0, 1];
-  const half = 1n << BigInt(8 * size - 1);
-  const [low, high] = boundsOf(half, signed);
-  return size > 6 ? [low, high] : [Number(low), Number(high)];
-}
-
-function boundsOf(half, signed) {
-  switch (signed) {
-    case undefined: case false: return [0n, 2n * half - 1n];
-    case true: return [-half, half - 1n];
-    case "magnitude": return [1n - half, half - 1n];
-    default: throw new RangeError(`unknown sign: ${signed}`);
+  switch (kind) {
+    case "boolean": return [0, 1];
+    case "integer": return wholeBounds(8 * size, signed).map((bound) => (size > 6 ? bound : Number(bound)));
+    default: throw new RangeError(`no whole number has the kind ${kind}`);
   }
 }
 

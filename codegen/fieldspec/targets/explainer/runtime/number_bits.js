@@ -103,3 +103,14 @@ export function wholeOfBits(bits, count, signed) {
     default: throw new RangeError(`unknown sign: ${signed}`);
   }
 }
+
+/** The least and the greatest whole number of `count` bits, as bigints; `signed` as in `bitsOfWhole`. */
+export function wholeBounds(count, signed) {
+  const highest = 1n << BigInt(count - 1);
+  switch (signed) {
+    case undefined: case false: return [0n, 2n * highest - 1n];
+    case true: return [-highest, highest - 1n];
+    case "magnitude": return [1n - highest, highest - 1n];
+    default: throw new RangeError(`unknown sign: ${signed}`);
+  }
+}

@@ -83,15 +83,27 @@ local function real(ordered)
     return (Struct.unpack(form, ordered))
 end
 
-local is_real_by_kind = { float = true, integer = false, boolean = false }
+local NUMBERS = { float = "real", integer = "whole", boolean = "whole", text = false, bytes = false }
 
--- Whether a value is a floating-point number.
-local function is_real(value)
-    local answer = is_real_by_kind[value.kind]
-    if answer == nil then
-        error("no number has the kind " .. tostring(value.kind))
+local function number_kind(value)
+    local kind = NUMBERS[value.kind]
+    if kind == nil then
+        error("unknown kind: " .. tostring(value.kind))
     end
-    return answer
+    return kind
+end
+
+-- Whether a value is a number, and no text and no bytes.
+function numbers.is_number(value)
+    return number_kind(value) ~= false
+end
+
+local function is_real(value)
+    local kind = number_kind(value)
+    if not kind then
+        error("a text or bytes are no number")
+    end
+    return kind == "real"
 end
 
 -- The number of a value: a Lua number, or an Int64 or UInt64 of Wireshark for more than six bytes.

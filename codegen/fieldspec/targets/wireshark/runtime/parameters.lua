@@ -104,7 +104,7 @@ function parameters.entry(context, field, index, bytes)
         return nil
     end
     inner, at = element(row, at)
-    if field.value.kind ~= "bytes" and field.value.kind ~= "text" then
+    if numbers.is_number(field.value) then
         local own = numbers.of(bytes, field.value)
         if values.reason(field.value, own, field.value.ranges) then
             return nil
