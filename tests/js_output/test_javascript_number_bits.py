@@ -25,8 +25,8 @@ const all = Array.from({ length: 65536 }, (_, at) => bits.halfOf(at));
 console.log(JSON.stringify({
   halves: all.map((number) => floatText(number)),
   texts: all.map((number) => floatText(number, 2)),
-  bits: numbers.map((number) => bits.halfBits(number)),
-  nan: bits.halfBits(NaN),
+  bits: numbers.map((number) => bits.realBits(number, 2)),
+  nan: bits.realBits(NaN, 2),
   refused: [65519.9, -65519.9, Infinity, NaN, 65520, -65520, 1e300].map(refused),
   magnitudes: Array.from({ length: 256 }, (_, at) => bits.magnitudeOf(at, 8)),
   wide: Array.from({ length: 256 }, (_, at) => String(bits.magnitudeOf(BigInt(at) << 56n, 64) >> 56n)),
