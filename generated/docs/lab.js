@@ -491,7 +491,56 @@ function textBytes(form, size, text, little) {
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 
+const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/ };
+
+const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
+
+/** The number of digits, the most significant digit first; undefined for anything but such digits. */
+function digitsNumber(value, bytes) {
+  let text = String.fromCharCode(...bytes);
+  if (value.digits === "bcd") text = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  if (value.hasBlanks) return numberBehindBlanks(value, text);
+  const sign = value.hasSign ? text[0] : "";
+  if (value.hasSign && sign !== "+" && sign !== "-") return undefined;
+  if (value.hasSign) text = text.slice(1);
+  if (value.places) {
+    const point = text.length - value.places - 1;
+    if (text[point] !== ".") return undefined;
+    text = text.slice(0, point) + text.slice(point + 1);
+  }
+  if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
+  const whole = BigInt(isHexadecimal(value) ? `0x${text}` : text);
+  return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
+}
+
+/** A number that a double has exactly as a number, any other as it is. */
+const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
+
+/** The number of ` -1.25`, whose first digit is a zero only before the point; undefined for anything else. */
+function numberBehindBlanks({ places = 0, signed }, text) {
+  const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
+  if (whole === undefined || fraction.length !== places || (sign && !signed)) return undefined;
+  const number = BigInt(whole + fraction);
+  return sized(sign ? -number : number);
+}
+
+/** The bytes of the digits of a number, the most significant digit first. */
+function digitsBytes(value, number) {
+  const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
+  const count = value.digits === "bcd" ? 2 * value.size : value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
+  const least = value.hasBlanks ? (value.places ?? 0) + 1 : count;
+  let text = (whole < 0n ? -whole : whole).toString(isHexadecimal(value) ? 16 : 10).padStart(least, "0");
+  if (value.digits === "bcd") return Uint8Array.from({ length: value.size }, (_, at) => parseInt(text.slice(2 * at, 2 * at + 2), 16));
+  if (value.digits === "upper_hex") text = text.toUpperCase();
+  if (value.places) text = `${text.slice(0, -value.places)}.${text.slice(-value.places)}`;
+  if (value.hasSign) text = (whole < 0n ? "-" : "+") + text;
+  if (value.hasBlanks) text = (whole < 0n ? `-${text}` : text).padStart(value.size, " ");
+  return Uint8Array.from(text, (character) => character.charCodeAt(0));
+}
+
 const VIEW = new DataView(new ArrayBuffer(8));
+/** The bits of a NaN by the bytes of a number. Engines choose others at will, also while a program runs. */
+const QUIET_NANS = { __proto__: null, 2: 0x7e00, 4: 0x7fc00000, 8: 0x7ff8000000000000n };
 
 /** The number of half precision of 16 bits, given as a whole number. */
 function halfOf(bits) {
@@ -504,11 +553,10 @@ function halfOf(bits) {
 }
 
 /**
- * The 16 bits of the nearest number of half precision, of two equally near ones of the even one: those of infinity where
- * a number is too great, and of a NaN without a sign where it is none.
+ * The 16 bits of the nearest number of half precision, of two equally near ones of the even one; those of infinity where
+ * a number is too great.
  */
 function halfBits(number) {
-  if (Number.isNaN(number)) return 0x7e00;
   VIEW.setFloat64(0, number);
   const sign = (VIEW.getUint8(0) >> 7) << 15;
   const exponent = Math.max(((VIEW.getUint16(0) >> 4) & 0x7ff) - 1023, -14);
@@ -520,7 +568,7 @@ function halfBits(number) {
 /** The nearest floating-point number of `size` bytes; infinite where a number is too great. */
 function roundedReal(number, size) {
   switch (size) {
-    case 2: return halfOf(halfBits(number));
+    case 2: return halfOf(realBits(number, size));
     case 4: return Math.fround(number);
     case 8: return number;
     default: throw new RangeError(`no floating-point number has ${size} bytes`);
@@ -543,6 +591,7 @@ function realOfBits(bits, size) {
 
 /** The bits of the nearest floating-point number of `size` bytes. */
 function realBits(number, size) {
+  if (Number.isNaN(number) && size in QUIET_NANS) return QUIET_NANS[size];
   switch (size) {
     case 2: return halfBits(number);
     case 4:
@@ -1315,53 +1364,6 @@ function unsignedOf(bytes, order) {
     number = (number << 8n) | BigInt(bytes[order === "big" ? at : bytes.length - 1 - at]);
   }
   return number;
-}
-
-const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/ };
-
-const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
-
-/** The number of digits, the most significant digit first; undefined for anything but such digits. */
-function digitsNumber(value, bytes) {
-  let text = String.fromCharCode(...bytes);
-  if (value.digits === "bcd") text = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  if (value.hasBlanks) return numberBehindBlanks(value, text);
-  const sign = value.hasSign ? text[0] : "";
-  if (value.hasSign && sign !== "+" && sign !== "-") return undefined;
-  if (value.hasSign) text = text.slice(1);
-  if (value.places) {
-    const point = text.length - value.places - 1;
-    if (text[point] !== ".") return undefined;
-    text = text.slice(0, point) + text.slice(point + 1);
-  }
-  if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
-  const whole = BigInt(isHexadecimal(value) ? `0x${text}` : text);
-  return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
-}
-
-/** A number that a double has exactly as a number, any other as it is. */
-const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
-
-/** The number of ` -1.25`, whose first digit is a zero only before the point; undefined for anything else. */
-function numberBehindBlanks({ places = 0, signed }, text) {
-  const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
-  if (whole === undefined || fraction.length !== places || (sign && !signed)) return undefined;
-  const number = BigInt(whole + fraction);
-  return sized(sign ? -number : number);
-}
-
-/** The bytes of the digits of a number, the most significant digit first. */
-function digitsBytes(value, number) {
-  const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
-  const count = value.digits === "bcd" ? 2 * value.size : value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
-  const least = value.hasBlanks ? (value.places ?? 0) + 1 : count;
-  let text = (whole < 0n ? -whole : whole).toString(isHexadecimal(value) ? 16 : 10).padStart(least, "0");
-  if (value.digits === "bcd") return Uint8Array.from({ length: value.size }, (_, at) => parseInt(text.slice(2 * at, 2 * at + 2), 16));
-  if (value.digits === "upper_hex") text = text.toUpperCase();
-  if (value.places) text = `${text.slice(0, -value.places)}.${text.slice(-value.places)}`;
-  if (value.hasSign) text = (whole < 0n ? "-" : "+") + text;
-  if (value.hasBlanks) text = (whole < 0n ? `-${text}` : text).padStart(value.size, " ");
-  return Uint8Array.from(text, (character) => character.charCodeAt(0));
 }
 
 const WIDE = 6;

@@ -1,4 +1,6 @@
 const VIEW = new DataView(new ArrayBuffer(8));
+/** The bits of a NaN by the bytes of a number. Engines choose others at will, also while a program runs. */
+const QUIET_NANS = { __proto__: null, 2: 0x7e00, 4: 0x7fc00000, 8: 0x7ff8000000000000n };
 
 /** The number of half precision of 16 bits, given as a whole number. */
 export function halfOf(bits) {
@@ -11,11 +13,10 @@ export function halfOf(bits) {
 }
 
 /**
- * The 16 bits of the nearest number of half precision, of two equally near ones of the even one: those of infinity where
- * a number is too great, and of a NaN without a sign where it is none.
+ * The 16 bits of the nearest number of half precision, of two equally near ones of the even one; those of infinity where
+ * a number is too great.
  */
-export function halfBits(number) {
-  if (Number.isNaN(number)) return 0x7e00;
+function halfBits(number) {
   VIEW.setFloat64(0, number);
   const sign = (VIEW.getUint8(0) >> 7) << 15;
   const exponent = Math.max(((VIEW.getUint16(0) >> 4) & 0x7ff) - 1023, -14);
@@ -27,7 +28,7 @@ export function halfBits(number) {
 /** The nearest floating-point number of `size` bytes; infinite where a number is too great. */
 export function roundedReal(number, size) {
   switch (size) {
-    case 2: return halfOf(halfBits(number));
+    case 2: return halfOf(realBits(number, size));
     case 4: return Math.fround(number);
     case 8: return number;
     default: throw new RangeError(`no floating-point number has ${size} bytes`);
@@ -50,6 +51,7 @@ export function realOfBits(bits, size) {
 
 /** The bits of the nearest floating-point number of `size` bytes. */
 export function realBits(number, size) {
+  if (Number.isNaN(number) && size in QUIET_NANS) return QUIET_NANS[size];
   switch (size) {
     case 2: return halfBits(number);
     case 4:

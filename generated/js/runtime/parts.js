@@ -1,6 +1,5 @@
+import { digitsBytes, digitsNumber } from "./digit_texts.js";
 import { bitsOfWhole, wholeOfBits } from "./number_bits.js";
-
-const known = { decimal: "0123456789", upper_hex: "0123456789ABCDEF", lower_hex: "0123456789abcdef" };
 
 /** The number of a part: a bigint where it has more than six bytes and users see it; NaN for what are not its digits. */
 export function readPart(bytes, offset, { size, order, signed, wide, digits }) {
@@ -14,10 +13,8 @@ export function readPart(bytes, offset, { size, order, signed, wide, digits }) {
 }
 
 function readDigits(bytes, offset, size, form, wide) {
-  const text = String.fromCharCode(...bytes.subarray(offset, offset + size));
-  if (![...text].every((digit) => known[form].includes(digit))) return NaN;
-  const number = BigInt(form === "decimal" ? text : `0x${text}`);
-  return wide ? number : Number(number);
+  const number = digitsNumber({ digits: form }, bytes.subarray(offset, offset + size)) ?? NaN;
+  return wide && !Number.isNaN(number) ? BigInt(number) : Number(number);
 }
 
 function readWide(bytes, offset, { size, order, signed }) {
@@ -29,9 +26,7 @@ function readWide(bytes, offset, { size, order, signed }) {
 /** Writes the number of a part. */
 export function writePart(bytes, offset, { size, order, signed, digits }, number) {
   if (digits) {
-    const text = number.toString(known[digits].length).padStart(size, "0");
-    const cased = digits === "upper_hex" ? text.toUpperCase() : text;
-    for (let at = 0; at < size; at++) bytes[offset + at] = cased.charCodeAt(at);
+    bytes.set(digitsBytes({ digits, size }, number), offset);
     return;
   }
   const bits = bitsOfWhole(number, 8 * size, signed);

@@ -6,7 +6,7 @@ import { narrowedImage } from "../widths.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
 import { codeIn, memberOf } from "./device.js";
-import { digitsBytes } from "./digits.js";
+import { digitsBytes } from "../digit_texts.js";
 import { bytesOfNumber, isArray, refusedBitOf, sentinelOf, turnedWords } from "./values.js";
 import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
 

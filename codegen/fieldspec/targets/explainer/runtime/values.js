@@ -5,7 +5,7 @@ import { decodedText } from "../encodings.js";
 import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
 import { intervalsText, isWithin, sameValue, valueText } from "./texts.js";
 import { memberOf, unsignedOf } from "./device.js";
-import { digitsNumber } from "./digits.js";
+import { digitsNumber } from "../digit_texts.js";
 
 const WIDE = 6;
 const EXACT_DIGITS = 120;
