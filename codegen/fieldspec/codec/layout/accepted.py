@@ -180,9 +180,11 @@ def _writing(device: Device, value: Value, encoding: Encoding) -> list[Condition
             return [*numbers, *(Condition(test, "out_of_range") for test in _parts(device, value))]
         case Real():
             return _needed([*_real_range(value), Condition(Fits(encoding.precision), "out_of_range")])
+        case Truth():
+            return [Condition(IsBit(), "out_of_range")]
         case Text():
             return [Condition(HasCharacters(encoding), "unknown_value")]
-        case Truth() | Octets():
+        case Octets():
             return []
         case _:
             assert_never(encoding)

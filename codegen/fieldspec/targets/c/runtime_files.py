@@ -13,22 +13,9 @@ from functools import cache
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout, RegisterLayout
-from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.digits import BCD
-from fieldspec.language.model.encoding import (
-    Digits,
-    Encoding,
-    Octets,
-    Precision,
-    Real,
-    Sign,
-    Text,
-    Truth,
-    Whole,
-    is_odd,
-    is_text,
-)
+from fieldspec.language.model.encoding import Sign, Whole, is_odd, is_text
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import Source
 from fieldspec.targets.c.digits import digits_parts
@@ -85,26 +72,27 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     encodings = {wire.encoding for wire in _wire_values(layout)} | {value.encoding for value in _part_values(layout)}
     # The functions for absent values take those of signals that no record places, too.
     encodings |= {signal.value.encoding for signal in layout.device.signals.values() if signal.value.sentinels}
-    conversions = {part for encoding in encodings for part in _conversion_parts(encoding)}
+    functions = {machine(encoding).from_bits for encoding in encodings}
     usual_texts = any(is_text(wire.encoding) and wire.value.text_form is None for wire in _wire_values(layout))
     characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
     parts = [
         *_accesses(layout),
         *(["bits"] if has_bits(layout) else []),
         "signed",
-        *(part for part in ("float", "double") if part in conversions),
+        *(["float"] if functions & {"float_of", "float_of_half"} else []),
+        *(["double"] if "double_of" in functions else []),
         *(["text"] if usual_texts else []),
         *(["hexadecimal"] if characters else []),
     ]
-    odd_parts = _odd_accesses(layout) | conversions
+    odd_parts = _odd_accesses(layout) | functions
     odd = [
         [copy_runtime(naming, "odd_numbers.h", part)] for part in runtime_parts("odd_numbers.h") if part in odd_parts
     ]
-    odd += [[copy_runtime(naming, "number_forms.h", "half")]] * ("half" in conversions)
+    odd += [[copy_runtime(naming, "number_forms.h", "half")]] * ("float_of_half" in functions)
     odd += [
         [copy_runtime(naming, "number_forms.h", "magnitude", _magnitude_words(bits))]
         for bits in range(8, 65, 8)
-        if f"magnitude_{bits}" in conversions
+        if f"of_magnitude_{bits}" in functions
     ]
     numbers = [wire.value for wire in _wire_values(layout)] + list(_part_values(layout))
     digits = digits_parts([value for value in numbers if value.digits])
@@ -132,45 +120,6 @@ def _odd_accesses(layout: DeviceLayout) -> set[str]:
     wires = (wire for wire in _wire_values(layout) if is_odd(wire.encoding) or wire.value.digits == BCD)
     parts = (part for part in _parts_of_frames(layout) if part.value is not None and is_odd(part.value.encoding))
     return {wire.access for wire in wires} | {access_name(part.size, part.order, False) for part in parts}
-
-
-def _conversion_parts(encoding: Encoding) -> tuple[str, ...]:
-    """The parts with the functions between the bits of a value and its number."""
-    match encoding:
-        case Whole():
-            return _sign_parts(encoding)
-        case Digits():
-            return _sign_parts(encoding.number)
-        case Real():
-            return _real_parts(encoding.precision)
-        case Truth() | Text() | Octets():
-            return ()
-        case _:
-            assert_never(encoding)
-
-
-def _sign_parts(whole: Whole) -> tuple[str, ...]:
-    match whole.sign:
-        case Sign.NONE:
-            return ()
-        case Sign.COMPLEMENT:
-            return (f"signed_{whole.bits}",)
-        case Sign.MAGNITUDE:
-            return (f"magnitude_{whole.bits}",)
-        case _:
-            assert_never(whole.sign)
-
-
-def _real_parts(precision: Precision) -> tuple[str, ...]:
-    match precision:
-        case Precision.HALF:
-            return "float", "half"
-        case Precision.SINGLE:
-            return ("float",)
-        case Precision.DOUBLE:
-            return ("double",)
-        case _:
-            assert_never(precision)
 
 
 def _magnitude_words(bits: int) -> dict[str, str]:
