@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
-from fieldspec.language.model.encoding import bounds_of
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
 from fieldspec.targets.c.digits import digits_test
 from fieldspec.targets.c.expressions import (
     IN,
@@ -105,9 +106,13 @@ def write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: Fr
 
 def _store_part(naming: Naming, wire: WireValue, target: Expression, number: Expression) -> Statement:
     """Writes the number of a part, which its bytes or its digits hold."""
-    if wire.value.digits:
-        return store_number(naming, wire, number, target)
-    return store_whole(naming, wire, number, target)
+    match wire.encoding:
+        case Digits():
+            return store_number(naming, wire, number, target)
+        case Whole() | Real() | Truth() | Text() | Octets():
+            return store_whole(naming, wire, number, target)
+        case _:
+            assert_never(wire.encoding)
 
 
 def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:

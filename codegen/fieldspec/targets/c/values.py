@@ -144,10 +144,14 @@ def load_bits(naming: Naming, wire: WireValue, source: Expression) -> Expression
 
 def load(naming: Naming, wire: WireValue, source: Expression) -> Expression:
     """`signed_16(load_u16_be(in + 4))`: the number at `source`, a pointer to its first byte."""
-    bits = load_bits(naming, wire, source)
-    if wire.value.digits:
-        return load_digits(naming, wire.value, source, bits)
-    return of_bits(naming, wire.encoding, bits)
+    encoding, bits = wire.encoding, load_bits(naming, wire, source)
+    match encoding:
+        case Digits():
+            return load_digits(naming, wire.value, source, bits)
+        case Whole() | Real() | Truth() | Text() | Octets():
+            return of_bits(naming, encoding, bits)
+        case _:
+            assert_never(encoding)
 
 
 def store(naming: Naming, access: str, target: Expression, number: Expression) -> Evaluation:
