@@ -94,7 +94,8 @@ def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayo
             if value is None:
                 continue
             if isinstance(value, float):
-                value = struct.unpack(">I", struct.pack(">f", value))[0]
+                bits, letter = {"f16": ("H", "e"), "f32": ("I", "f")}[row["type"]]
+                value = struct.unpack(f">{bits}", struct.pack(f">{letter}", value))[0]
             assert signed(row, words, element) == value, row
             compared += 1
     assert compared >= sum(not isinstance(value, str | list) for value in values.values())
@@ -271,3 +272,17 @@ def test_versions_that_share_areas_have_the_files_that_each_has_alone(device: st
     versions = layouts(ROOTS[device])[device]
     alone = {path: text for layout in versions for path, text in files([layout]).items()}
     assert files(versions) == alone
+
+
+@pytest.mark.parametrize(
+    ("name", "in_memory"),
+    [
+        ("field", "convert"),
+        ("turn", "convert"),
+        ("sample.odd", "join bytes, convert"),
+        ("sample.wide", "join bytes, convert"),
+    ],
+)
+def test_the_map_says_which_numbers_no_instruction_reads(name: str, in_memory: str) -> None:
+    rows = {row["name"]: row for row in rows_of(newest(TEST_SPECS, "compass"))}
+    assert (rows[name]["in_memory"], rows[name]["suffix"]) == (in_memory, "")
