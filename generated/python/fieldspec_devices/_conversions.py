@@ -112,11 +112,17 @@ def magnitude_bytes(number: int, size: int, order: Literal["big", "little"]) -> 
     return (half - number if number < 0 else number).to_bytes(size, order)
 
 
-def carried_bits(carrier: str, raw: Any) -> Any:
-    """The bits of a number below zero whose sign is the highest bit of the carrier; any other raw value as it is."""
-    if carrier[1:3] != "sm" or not isinstance(raw, int) or raw >= 0:
+def carried_bits(carrier: str, own: object, size: int, raw: Any) -> Any:
+    """The bits of a number below zero in a carrier of the same size, where either has a bit for the sign alone.
+
+    `own` is the Struct of the value. Any other raw value is returned as it is.
+    """
+    if not carrier or not isinstance(raw, int) or raw >= 0:
         return raw
-    return (1 << (int(carrier[3:]) - 1)) - raw
+    half = 1 << (8 * size - 1)
+    if carrier[1:3] == "sm":
+        return half - raw
+    return 2 * half + raw if isinstance(own, Integer) and own.has_magnitude else raw
 
 
 def turned(data: bytes) -> bytes:
