@@ -278,5 +278,5 @@ def _word_letters(whole: Whole, order: str) -> str:
             return ""
         case _:
             assert_never(whole.sign)
-    others = "H" * (whole.bits // 16 - 1)
-    return others + last if order == "big" else last + others
+    lower = "H" * (whole.bits // 16 - 1)
+    return lower + last if order == "big" else last + lower

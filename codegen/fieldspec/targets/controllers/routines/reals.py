@@ -162,8 +162,8 @@ def _from_bits(world: World, precision: Precision) -> Routine:
 def _to_bits(world: World, precision: Precision) -> Routine:
     form = _form(precision)
     words, bits_name = real_words(precision)
-    outside = outside_precision(precision, Variable("rValue", REAL))
-    rounded = "" if outside is None else "rounded to the nearest, of two to the even one. "
+    exceeding = outside_precision(precision, Variable("rValue", REAL))
+    rounded = "" if exceeding is None else "rounded to the nearest, of two to the even one. "
     draft = Draft(
         world.routine(*words, "from_real"),
         "numbers",
@@ -193,8 +193,8 @@ def _to_bits(world: World, precision: Precision) -> Routine:
 
     draft.refuse(Negation(ordered), "no_number")
     draft.refuse(every([compared(rest, ">", unit), compared(half, "=", value)]), "no_number")
-    if outside is not None:
-        draft.refuse(outside, "out_of_range")
+    if exceeding is not None:
+        draft.refuse(exceeding, "out_of_range")
     draft.add([when(compared(rest, "=", zero), [*draft.status.give(draft.result, "ok")])])
     shrink = when(
         compared(rest, ">=", two),
@@ -211,9 +211,9 @@ def _to_bits(world: World, precision: Precision) -> Routine:
             Assignment(exponent, number(form.bias)),
             Loop(index, number(1), number(form.bias), (shrink,)),
             Loop(index, number(1), number(form.bias), (grow,)),
-            *([] if outside is None else [Assignment(rest, scaled)]),
-            Assignment(fraction, Conversion(scaled if outside is None else rest, DINT)),
-            *([] if outside is None else _to_nearest(draft, rest, fraction, exponent, hidden)),
+            *([] if exceeding is None else [Assignment(rest, scaled)]),
+            Assignment(fraction, Conversion(scaled if exceeding is None else rest, DINT)),
+            *([] if exceeding is None else _to_nearest(draft, rest, fraction, exponent, hidden)),
             when(
                 compared(fraction, ">=", hidden),
                 [Assignment(fraction, Operation("-", (fraction, hidden), DINT))],

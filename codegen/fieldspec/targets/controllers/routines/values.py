@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RegisterLayout
@@ -12,6 +12,7 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.encoding import (
     Digits,
     Octets,
+    Precision,
     Real,
     Sign,
     Text,
@@ -135,32 +136,56 @@ def read(
     draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None
 ) -> list[Statement]:
     """The statements that read a value into a variable; without one, they refuse anything but the constant."""
-    value, encoding = wire.value, wire.value.encoding
-    if is_array(encoding):
-        return [] if target is None else _characters_read(draft, wire, holder, offset, target)
+    encoding = wire.value.encoding
+    match encoding:
+        case Text() | Octets():
+            return [] if target is None else _characters_read(draft, wire, holder, offset, target)
+        case Real():
+            return _number_read(draft, world, wire, holder, offset, target, _reading_real(encoding.precision))
+        case TruthValue():
+            return _number_read(draft, world, wire, holder, offset, target, _read_truth)
+        case WholeNumber() | Digits():
+            return _number_read(draft, world, wire, holder, offset, target, _read_count)
+        case _:
+            assert_never(encoding)
+
+
+_Reading = Callable[[Draft, World, Wire, Expression, Expression], list[Statement]]
+
+
+def _number_read(
+    draft: Draft,
+    world: World,
+    wire: Wire,
+    holder: Holder,
+    offset: int,
+    target: Expression | None,
+    reading: _Reading,
+) -> list[Statement]:
+    """The statements that refuse anything but a constant, or read what is none from its bits."""
+    value = wire.value
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
         return [draft.refusal(wire.differs(world, bits, value.const), "wrong_constant")]
-    if target is None:
-        return []
-    match encoding:
-        case Real():
-            received = _received(draft, target, "rValue")
-            call = world.real_from_bits(encoding.precision, bits, received)
-            refusal = draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")
-            return [refusal, *_moved(target, received)]
-        case TruthValue():
-            raw = converted(bits, wire.whole)
-            return [
-                draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
-                Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
-            ]
-        case WholeNumber() | Digits():
-            return _read_count(draft, world, wire, bits, target)
-        case Text() | Octets():
-            raise AssertionError("bytes are copied")
-        case _:
-            assert_never(encoding)
+    return [] if target is None else reading(draft, world, wire, bits, target)
+
+
+def _reading_real(precision: Precision) -> _Reading:
+    def reading(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
+        received = _received(draft, target, "rValue")
+        call = world.real_from_bits(precision, bits, received)
+        refusal = draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")
+        return [refusal, *_moved(target, received)]
+
+    return reading
+
+
+def _read_truth(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
+    raw = converted(bits, wire.whole)
+    return [
+        draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
+        Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
+    ]
 
 
 def _read_count(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:

@@ -224,7 +224,10 @@ class World:
 
 
 def real_words(precision: Precision) -> tuple[tuple[str, ...], str]:
-    """The words for the bits of a floating-point number in the names of functions, and the parameter for them."""
+    """The words for the bits of a floating-point number in the names of functions, and the parameter for them.
+
+    Raises AssertionError for 64 bits, for which there are no functions.
+    """
     match precision:
         case Precision.HALF:
             return ("half", "bits"), "wBits"
