@@ -7,7 +7,18 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.encoding import Digits, Octets, Precision, Real, Text, Truth, Whole, has_magnitude, is_odd
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    has_magnitude,
+    is_odd,
+    is_real,
+)
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
@@ -100,6 +111,14 @@ def _real_type(precision: Precision) -> Elementary:
             return LREAL
         case _:
             assert_never(precision)
+
+
+def bits_remark(value: Value | None) -> str:
+    """What a comment says of a member of an image that has the bits of a number and not the number; else nothing."""
+    if value is None or is_odd(value.encoding) or value.flags:
+        return ""
+    is_bits = is_real(value.encoding) or has_magnitude(value.encoding)
+    return f"The bits of a number: {value.type.name}." if is_bits and wire_type(value) in BITS.values() else ""
 
 
 def elements(field: FieldLayout) -> int:

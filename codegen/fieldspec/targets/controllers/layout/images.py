@@ -12,7 +12,15 @@ from fieldspec.language.model.encoding import is_odd
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.statements.expressions import BOOL, BYTE, StructType, Type, sequence
-from fieldspec.targets.controllers.structs import Struct, StructMember, bit_names, bit_places, elements, wire_type
+from fieldspec.targets.controllers.structs import (
+    Struct,
+    StructMember,
+    bit_names,
+    bit_places,
+    bits_remark,
+    elements,
+    wire_type,
+)
 
 
 class Naming(Protocol):
@@ -71,7 +79,7 @@ class Images:
                 StructMember(
                     name,
                     kind_of,
-                    self.naming.remark(field.field, field.value),
+                    f"{self.naming.remark(field.field, field.value)} {bits_remark(field.value)}".strip(),
                     field.field,
                     field.value,
                     field.offset,
