@@ -139,7 +139,7 @@ def _write_length(
     wire = Wire.of_field(field)
     measured = measure(record, field, fields.count, element)
     highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
-    raw = draft.local("wMeasure" if wire.value.size == 2 else f"{PREFIXES[wire.bits.name]}Measure", wire.bits)
+    raw = draft.local(f"{PREFIXES[wire.bits.name]}Measure", wire.bits)
     tests = [draft.refusal(compared(measured, ">", number(highest)), "out_of_range")] if highest < 1 << 15 else []
     if isinstance(measured, Whole):
         tests = []

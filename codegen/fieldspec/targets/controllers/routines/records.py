@@ -270,7 +270,7 @@ def write_choice(
             body.append(
                 draft.refusal(compared(converted(source_element, whole), ">", Whole(highest, whole)), "out_of_range")
             )
-        raw = draft.local("dwRaw" if wide.size == 4 else f"{PREFIXES[wide.name]}Raw", wide)
+        raw = draft.local(f"{PREFIXES[wide.name]}Raw", wide)
         body.append(Assignment(raw, source_element))
         body += Bytes(holder.array, position).stored(0, case.value.size, case.order, case.swapped, raw)
         branches.append((tuple(runs(numbers)), tuple(body)))

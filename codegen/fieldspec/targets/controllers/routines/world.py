@@ -112,7 +112,7 @@ class World:
 
     def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
         """The check of the bytes of a frame from an index on up to a length."""
-        kind = WORD if checksum_named(algorithm).size == 2 else BYTE
+        kind = BITS[checksum_named(algorithm).size]
         begin = (("iFirst", first),) if self.begins_later(algorithm) else ()
         return Call(self.routine(algorithm), (*begin, ("iLength", length), ("aFrame", frame)), (), kind)
 
