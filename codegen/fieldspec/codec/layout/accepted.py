@@ -18,6 +18,7 @@ from fieldspec.language.model.encoding import (
     Truth,
     Whole,
     bounds_of,
+    real_bits,
 )
 from fieldspec.language.model.ranges import merged
 
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
     from fieldspec.language.model.value import Sentinel, Value
 
     Reason = Literal["wrong_const", "unknown_value", "out_of_range"]
+
+REASONS: tuple[Reason, ...] = ("wrong_const", "unknown_value", "out_of_range")
+"""Why a value is refused."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,13 +175,16 @@ def _writing(device: Device, value: Value, encoding: Encoding) -> list[Condition
     """What a writer refuses."""
     match encoding:
         case Whole() | Digits():
-            numbers = _needed([*_constant(value), *_enum(device, value), _range(value, encoding)])
+            writable = Condition(writable_numbers(value), "out_of_range")
+            numbers = _needed([*_constant(value), *_enum(device, value), writable])
             return [*numbers, *(Condition(test, "out_of_range") for test in _parts(device, value))]
         case Real():
-            return [Condition(Fits(encoding.precision), "out_of_range"), *_real_range(value)]
+            return _needed([*_real_range(value), Condition(Fits(encoding.precision), "out_of_range")])
+        case Truth():
+            return [Condition(IsBit(), "out_of_range")]
         case Text():
             return [Condition(HasCharacters(encoding), "unknown_value")]
-        case Truth() | Octets():
+        case Octets():
             return []
         case _:
             assert_never(encoding)
@@ -199,13 +206,13 @@ def _enum(device: Device, value: Value) -> list[Condition]:
     return [Condition(Known(enum.name, tuple(members), _sentinels(value)), "unknown_value")]
 
 
-def _range(value: Value, encoding: Whole | Digits) -> Condition:
-    """The range of writing; without one, all numbers of the encoding."""
+def writable_numbers(value: Value) -> Within:
+    """The whole numbers that may be written: those of the range of writing; without one, all of the encoding."""
     ranges = value.writable_ranges
     if ranges is None:
-        return Condition(Within((bounds_of(encoding),)), "out_of_range")
+        return Within((bounds_of(value.encoding),))
     further = tuple(number for number in _sentinels(value) if number not in ranges)
-    return Condition(Within(tuple(sorted(ranges.intervals)), further), "out_of_range")
+    return Within(tuple(sorted(ranges.intervals)), further)
 
 
 def _real_range(value: Value) -> list[Condition]:
@@ -232,11 +239,23 @@ def _needed(conditions: list[Condition]) -> list[Condition]:
 
 
 def _implies(first: Test, second: Test) -> bool:
-    """Whether every whole number that passes one test passes another one."""
+    """Whether every number that passes one test passes another one."""
+    match first, second:
+        case RealWithin(), Fits():
+            return all(_fits(bound, second.precision) for interval in first.intervals for bound in interval)
     outer, inner = _intervals(second), _intervals(first)
     if outer is None or inner is None:
         return False
     return all(any(low <= first and last <= high for low, high in outer) for first, last in inner)
+
+
+def _fits(number: float, precision: Precision) -> bool:
+    """Whether a finite number does not become infinite in a precision."""
+    try:
+        real_bits(precision, number)
+    except OverflowError:
+        return False
+    return True
 
 
 def _intervals(test: Test) -> list[tuple[int, int]] | None:

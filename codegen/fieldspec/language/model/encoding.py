@@ -239,6 +239,29 @@ def is_odd(encoding: Encoding) -> bool:
     return whole is not None and whole.bits not in MACHINE_BITS
 
 
+def has_single_bytes(encoding: Encoding) -> bool:
+    """Whether each value has bytes of its own: no other bytes behind the end of a text, and no second zero."""
+    match encoding:
+        case Whole():
+            return _has_single_zero(encoding.sign)
+        case Real() | Truth() | Digits() | Octets():
+            return True
+        case Text():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def _has_single_zero(sign: Sign) -> bool:
+    match sign:
+        case Sign.NONE | Sign.COMPLEMENT:
+            return True
+        case Sign.MAGNITUDE:
+            return False
+        case _:
+            assert_never(sign)
+
+
 def number_of(encoding: Encoding) -> Whole | None:
     """The type of the whole number that its raw value is; None where it is none, or a truth value."""
     match encoding:
