@@ -153,6 +153,17 @@ def is_real(encoding: Encoding) -> bool:
             assert_never(encoding)
 
 
+def is_truth(encoding: Encoding) -> bool:
+    """Whether it is true or false."""
+    match encoding:
+        case Truth():
+            return True
+        case Whole() | Real() | Digits() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
 def is_text(encoding: Encoding) -> bool:
     """Whether it is a text."""
     match encoding:
@@ -199,6 +210,27 @@ def is_signed(encoding: Encoding) -> bool:
             return False
         case _:
             assert_never(encoding)
+
+
+def has_magnitude(encoding: Encoding) -> bool:
+    """Whether the highest bit alone says that a number is below zero."""
+    match encoding:
+        case Whole():
+            return _is_magnitude(encoding.sign)
+        case Real() | Truth() | Digits() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def _is_magnitude(sign: Sign) -> bool:
+    match sign:
+        case Sign.NONE | Sign.COMPLEMENT:
+            return False
+        case Sign.MAGNITUDE:
+            return True
+        case _:
+            assert_never(sign)
 
 
 def is_odd(encoding: Encoding) -> bool:
