@@ -18,7 +18,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference import CodecError
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_exact
 from fieldspec.targets.python.backend import PACKAGE, files, shared
 from fieldspec.targets.python.naming import module_name, package_name
 from layouts import SPECS, TEST_SPECS, layouts
@@ -106,7 +106,7 @@ def link_of(module: ModuleType, name: str) -> Any:
 def stored(record: RecordLayout) -> Iterator[FieldLayout]:
     """The fields that are attributes: all but constants, measures and reserved ones."""
     for field in record.sent_fields:
-        number = field.value is not None and field.value.type.kind in (Kind.INTEGER, Kind.BOOLEAN)
+        number = field.value is not None and is_exact(field.value.encoding)
         if not (
             field.field.reserved or field.field.measures or (number and field.value and field.value.const is not None)
         ):

@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 _VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
 

@@ -27,9 +27,10 @@ from fieldspec.language.changes import changes
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation, Claim, Place, Report, Standard
 from fieldspec.language.model.link import Part
+from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import TextForm
-from fieldspec.language.model.value import PRIMITIVES, ParameterPart, Primitive, Sentinel, Value
+from fieldspec.language.model.value import ParameterPart, Sentinel, Value
 from fieldspec.language.reading.project import read
 from spec_files import gadget
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from example_counts import examples
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Kind
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 from python_package import codec_error, module_of, package
 
@@ -52,7 +52,7 @@ def facts_of(row: Parameter, parameter_set: ParameterSet, place: int) -> dict[st
     value, number = row.value, row.number + place
     ranges = value.writable_ranges
     full = ranges is None or ranges.intervals == ((value.type.low, value.type.high),)
-    narrow = value.type.kind is Kind.INTEGER and value.const is None and not full
+    narrow = is_count(value.encoding) and value.const is None and not full
     is_number = not (value.enum or value.flags or value.const is not None)
     return {
         "name": row.name if row.count == 1 else f"{row.name}[{place}]",

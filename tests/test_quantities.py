@@ -10,8 +10,9 @@ from fieldspec.codec.explain.parameters import nearest
 from fieldspec.codec.layout.values import MeaningError, raw_value
 from fieldspec.foundation.classes import replace
 from fieldspec.language.checks.numbers import in_counts
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.quantity import count_of, quantity_of
-from fieldspec.language.model.value import PRIMITIVES, Sentinel, Value
+from fieldspec.language.model.value import Sentinel, Value
 from layouts import TEST_SPECS, newest
 
 DEVICE = newest(TEST_SPECS, "widget").device

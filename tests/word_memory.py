@@ -53,6 +53,9 @@ def number(row: Row, words: Sequence[int], element: int = 0) -> int:
 def signed(row: Row, words: Sequence[int], element: int = 0) -> int:
     """The bits of a row as a number, signed if the type of the row is."""
     value = number(row, words, element)
+    if row["type"].startswith("sm"):
+        sign = 1 << (int(row["type"].removeprefix("sm")) - 1)
+        return -(value ^ sign) if value & sign else value
     size = int(row["type"].lstrip("iu") or 0) if row["type"][:1] == "i" else 0
     return value - (1 << size) if size and value >> (size - 1) else value
 

@@ -20,13 +20,15 @@ from fieldspec.foundation.spreadsheet import Cell, Workbook, Worksheet, csv_text
 from fieldspec.language.checks.finding import Check, finding, label
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic, Label, Severity
 from fieldspec.language.model.device import Device, Manual
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, Precision, Real, Sign, Text, Truth, Whole
 from fieldspec.language.model.enums import Bit, Enum, Flags, Member
 from fieldspec.language.model.fact import Citation, Fact, Place
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import Field, Message, Record
 from fieldspec.language.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Table
-from fieldspec.language.model.value import Kind, Primitive, Sentinel, Value
+from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets import Files
 
 __all__ = [
@@ -39,6 +41,8 @@ __all__ = [
     "Device",
     "DeviceLayout",
     "Diagnostic",
+    "Digits",
+    "Encoding",
     "Enum",
     "Fact",
     "Field",
@@ -46,7 +50,6 @@ __all__ = [
     "Files",
     "Flags",
     "FrameLayout",
-    "Kind",
     "Label",
     "Link",
     "LinkLayout",
@@ -55,12 +58,15 @@ __all__ = [
     "Message",
     "MessageLayout",
     "Name",
+    "Octets",
     "Parameter",
     "ParameterSet",
     "PartLayout",
     "Place",
+    "Precision",
     "Primitive",
     "Ranges",
+    "Real",
     "Record",
     "RecordLayout",
     "Register",
@@ -68,10 +74,14 @@ __all__ = [
     "RegisterLayout",
     "Sentinel",
     "Severity",
+    "Sign",
     "Span",
     "Table",
     "TableLayout",
+    "Text",
+    "Truth",
     "Value",
+    "Whole",
     "Workbook",
     "Worksheet",
     "csv_text",

@@ -491,6 +491,172 @@ function textBytes(form, size, text, little) {
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }
 
+const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/ };
+
+const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
+
+/** The number of digits, the most significant digit first; undefined for anything but such digits. */
+function digitsNumber(value, bytes) {
+  let text = String.fromCharCode(...bytes);
+  if (value.digits === "bcd") text = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  if (value.hasBlanks) return numberBehindBlanks(value, text);
+  const sign = value.hasSign ? text[0] : "";
+  if (value.hasSign && sign !== "+" && sign !== "-") return undefined;
+  if (value.hasSign) text = text.slice(1);
+  if (value.places) {
+    const point = text.length - value.places - 1;
+    if (text[point] !== ".") return undefined;
+    text = text.slice(0, point) + text.slice(point + 1);
+  }
+  if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
+  const whole = BigInt(isHexadecimal(value) ? `0x${text}` : text);
+  return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
+}
+
+/** A number that a double has exactly as a number, any other as it is. */
+const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
+
+/** The number of ` -1.25`, whose first digit is a zero only before the point; undefined for anything else. */
+function numberBehindBlanks({ places = 0, signed }, text) {
+  const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
+  if (whole === undefined || fraction.length !== places || (sign && !signed)) return undefined;
+  const number = BigInt(whole + fraction);
+  return sized(sign ? -number : number);
+}
+
+/** The bytes of the digits of a number, the most significant digit first. */
+function digitsBytes(value, number) {
+  const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
+  const count = value.digits === "bcd" ? 2 * value.size : value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
+  const least = value.hasBlanks ? (value.places ?? 0) + 1 : count;
+  let text = (whole < 0n ? -whole : whole).toString(isHexadecimal(value) ? 16 : 10).padStart(least, "0");
+  if (value.digits === "bcd") return Uint8Array.from({ length: value.size }, (_, at) => parseInt(text.slice(2 * at, 2 * at + 2), 16));
+  if (value.digits === "upper_hex") text = text.toUpperCase();
+  if (value.places) text = `${text.slice(0, -value.places)}.${text.slice(-value.places)}`;
+  if (value.hasSign) text = (whole < 0n ? "-" : "+") + text;
+  if (value.hasBlanks) text = (whole < 0n ? `-${text}` : text).padStart(value.size, " ");
+  return Uint8Array.from(text, (character) => character.charCodeAt(0));
+}
+
+const VIEW = new DataView(new ArrayBuffer(8));
+/** The bits of a NaN by the bytes of a number. Engines choose others at will, also while a program runs. */
+const QUIET_NANS = { __proto__: null, 2: 0x7e00, 4: 0x7fc00000, 8: 0x7ff8000000000000n };
+
+/** The number of half precision of 16 bits, given as a whole number. */
+function halfOf(bits) {
+  const exponent = (bits >> 10) & 31;
+  const fraction = bits & 0x3ff;
+  // Numbers without an exponent have no implied bit, and the step of the least exponent.
+  const finite = (exponent ? fraction + 1024 : fraction) * 2 ** (Math.max(exponent, 1) - 25);
+  const size = exponent < 31 ? finite : fraction ? NaN : Infinity;
+  return bits >> 15 ? -size : size;
+}
+
+/**
+ * The 16 bits of the nearest number of half precision, of two equally near ones of the even one; those of infinity where
+ * a number is too great.
+ */
+function halfBits(number) {
+  VIEW.setFloat64(0, number);
+  const sign = (VIEW.getUint8(0) >> 7) << 15;
+  const exponent = Math.max(((VIEW.getUint16(0) >> 4) & 0x7ff) - 1023, -14);
+  // No number has places behind the point once 2 ** 52 is added to it.
+  const steps = Math.abs(number) / 2 ** (exponent - 10) + 2 ** 52 - 2 ** 52;
+  return sign | Math.min((exponent + 14) * 1024 + steps, 0x7c00);
+}
+
+/** The nearest floating-point number of `size` bytes; infinite where a number is too great. */
+function roundedReal(number, size) {
+  switch (size) {
+    case 2: return halfOf(realBits(number, size));
+    case 4: return Math.fround(number);
+    case 8: return number;
+    default: throw new RangeError(`no floating-point number has ${size} bytes`);
+  }
+}
+
+/** The floating-point number of `size` bytes whose bits are a whole number, a bigint where there are eight. */
+function realOfBits(bits, size) {
+  switch (size) {
+    case 2: return halfOf(bits);
+    case 4:
+      VIEW.setUint32(0, bits);
+      return VIEW.getFloat32(0);
+    case 8:
+      VIEW.setBigUint64(0, bits);
+      return VIEW.getFloat64(0);
+    default: throw new RangeError(`no floating-point number has ${size} bytes`);
+  }
+}
+
+/** The bits of the nearest floating-point number of `size` bytes. */
+function realBits(number, size) {
+  if (Number.isNaN(number) && size in QUIET_NANS) return QUIET_NANS[size];
+  switch (size) {
+    case 2: return halfBits(number);
+    case 4:
+      VIEW.setFloat32(0, number);
+      return VIEW.getUint32(0);
+    case 8:
+      VIEW.setFloat64(0, number);
+      return VIEW.getBigUint64(0);
+    default: throw new RangeError(`no floating-point number has ${size} bytes`);
+  }
+}
+
+/** Whether a number is finite and becomes infinite in a floating-point number of `size` bytes. */
+function exceedsReal(number, size) {
+  return Number.isFinite(number) && !Number.isFinite(roundedReal(number, size));
+}
+
+/** A power of two, as a bigint where another number is one. */
+const powerBeside = (number, exponent) => (typeof number === "bigint" ? 1n << BigInt(exponent) : 2 ** exponent);
+
+/** The number of `count` bits, given as a whole number, of which the highest one says that it is below zero. */
+function magnitudeOf(bits, count) {
+  const highest = powerBeside(bits, count - 1);
+  return bits < highest ? bits : highest - bits;
+}
+
+/** The `count` bits of a number, of which the highest one says that it is below zero, as a whole number. */
+function magnitudeBits(number, count) {
+  return number < 0 ? powerBeside(number, count - 1) - number : number;
+}
+
+/**
+ * The `count` bits of a whole number, as one. `signed` is how it shows that it is below zero: true for two's complement,
+ * `magnitude` for the highest bit alone.
+ */
+function bitsOfWhole(number, count, signed) {
+  switch (signed) {
+    case undefined: case false: return number;
+    case true: return number < 0 ? number + powerBeside(number, count) : number;
+    case "magnitude": return magnitudeBits(number, count);
+    default: throw new RangeError(`unknown sign: ${signed}`);
+  }
+}
+
+/** The number of `count` bits, given as a whole number; `signed` as in `bitsOfWhole`. */
+function wholeOfBits(bits, count, signed) {
+  switch (signed) {
+    case undefined: case false: return bits;
+    case true: return bits < powerBeside(bits, count - 1) ? bits : bits - powerBeside(bits, count);
+    case "magnitude": return magnitudeOf(bits, count);
+    default: throw new RangeError(`unknown sign: ${signed}`);
+  }
+}
+
+/** The least and the greatest whole number of `count` bits, as bigints; `signed` as in `bitsOfWhole`. */
+function wholeBounds(count, signed) {
+  const highest = 1n << BigInt(count - 1);
+  switch (signed) {
+    case undefined: case false: return [0n, 2n * highest - 1n];
+    case true: return [-highest, highest - 1n];
+    case "magnitude": return [1n - highest, highest - 1n];
+    default: throw new RangeError(`unknown sign: ${signed}`);
+  }
+}
+
 /** The bytes of a list in the image, as its count in some bytes says. */
 function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
   let number = 0;
@@ -888,24 +1054,22 @@ function decimalText(number, count = "1") {
   return inFull(short);
 }
 
-const SINGLE_DIGITS = 10;  // nine digits tell all numbers of four bytes apart
+const MOST_REAL_DIGITS = 17;  // they tell all numbers of eight bytes apart
 
-function shortestSingle(number) {
-  for (let digits = 1; digits < SINGLE_DIGITS; digits++) {
+/** The number with the fewest digits that is nearest to the same floating-point number of `size` bytes. */
+function shortestReal(number, size) {
+  for (let digits = 1; digits < MOST_REAL_DIGITS; digits++) {
     const rounded = Number(number.toPrecision(digits));
-    if (Math.fround(rounded) === number) return rounded;
+    if (roundedReal(rounded, size) === number) return rounded;
   }
   return number;
 }
 
-/**
- * The fewest digits that lead to a floating-point number of 4 or 8 bytes, with a point or an exponent: `0.1`, `25.0`,
- * `1e-07`.
- */
+/** The fewest digits that lead to a floating-point number of `size` bytes, with a point or an exponent: `25.0`, `1e-07`. */
 function floatText(number, size = 8) {
   if (Number.isNaN(number)) return "nan";
   if (!Number.isFinite(number)) return number < 0 ? "-inf" : "inf";
-  const shown = size === 4 ? shortestSingle(number) : number;
+  const shown = size === 8 ? number : shortestReal(number, size);
   const [, sign, lead, rest = "", power] = /^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/.exec(shown.toExponential());
   const exponent = Number(power);
   const minus = sign || (Object.is(number, -0) ? "-" : "");
@@ -1200,69 +1364,31 @@ function unsignedOf(bytes, order) {
   return number;
 }
 
-const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/ };
-
-const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
-
-/** The number of digits, the most significant digit first; undefined for anything but such digits. */
-function digitsNumber(value, bytes) {
-  let text = String.fromCharCode(...bytes);
-  if (value.digits === "bcd") text = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  if (value.hasBlanks) return numberBehindBlanks(value, text);
-  const sign = value.hasSign ? text[0] : "";
-  if (value.hasSign && sign !== "+" && sign !== "-") return undefined;
-  if (value.hasSign) text = text.slice(1);
-  if (value.places) {
-    const point = text.length - value.places - 1;
-    if (text[point] !== ".") return undefined;
-    text = text.slice(0, point) + text.slice(point + 1);
-  }
-  if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
-  const whole = BigInt(isHexadecimal(value) ? `0x${text}` : text);
-  return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
-}
-
-/** A number that a double has exactly as a number, any other as it is. */
-const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
-
-/** The number of ` -1.25`, whose first digit is a zero only before the point; undefined for anything else. */
-function numberBehindBlanks({ places = 0, signed }, text) {
-  const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
-  if (whole === undefined || fraction.length !== places || (sign && !signed)) return undefined;
-  const number = BigInt(whole + fraction);
-  return sized(sign ? -number : number);
-}
-
-/** The bytes of the digits of a number, the most significant digit first. */
-function digitsBytes(value, number) {
-  const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
-  const count = value.digits === "bcd" ? 2 * value.size : value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
-  const least = value.hasBlanks ? (value.places ?? 0) + 1 : count;
-  let text = (whole < 0n ? -whole : whole).toString(isHexadecimal(value) ? 16 : 10).padStart(least, "0");
-  if (value.digits === "bcd") return Uint8Array.from({ length: value.size }, (_, at) => parseInt(text.slice(2 * at, 2 * at + 2), 16));
-  if (value.digits === "upper_hex") text = text.toUpperCase();
-  if (value.places) text = `${text.slice(0, -value.places)}.${text.slice(-value.places)}`;
-  if (value.hasSign) text = (whole < 0n ? "-" : "+") + text;
-  if (value.hasBlanks) text = (whole < 0n ? `-${text}` : text).padStart(value.size, " ");
-  return Uint8Array.from(text, (character) => character.charCodeAt(0));
-}
-
-const VIEW = new DataView(new ArrayBuffer(8));
 const WIDE = 6;
 const EXACT_DIGITS = 120;
 
-/** Bytes as a whole number; a bigint if there are more than six of them. */
+/** Bytes as a whole number; a bigint if there are more than six of them. `signed` is as in `wholeOfBits`. */
 function wholeOf(bytes, order, signed) {
-  if (bytes.length > WIDE) {
-    const number = unsignedOf(bytes, order);
-    return signed ? BigInt.asIntN(8 * bytes.length, number) : number;
+  if (bytes.length > WIDE) return wholeOfBits(unsignedOf(bytes, order), 8 * bytes.length, signed);
+  let bits = 0;
+  for (let at = 0; at < bytes.length; at++) bits = bits * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
+  return wholeOfBits(bits, 8 * bytes.length, signed);
+}
+
+/** The bytes of a whole number; `signed` is as in `bitsOfWhole`. */
+function bytesOfNumber(number, size, order, signed) {
+  const bits = BigInt.asUintN(8 * size, bitsOfWhole(BigInt(number), 8 * size, signed));
+  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
+  return order === "big" ? big : big.reverse();
+}
+
+/** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
+function isArray({ kind }) {
+  switch (kind) {
+    case "text": case "bytes": return true;
+    case "integer": case "float": case "boolean": return false;
+    default: throw new RangeError(`unknown kind: ${kind}`);
   }
-  let number = 0;
-  for (let at = 0; at < bytes.length; at++) {
-    number = number * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
-  }
-  const high = 2 ** (8 * bytes.length);
-  return signed && number >= high / 2 ? number - high : number;
 }
 
 /** Bytes with those of each word of 16 bits turned. */
@@ -1272,13 +1398,12 @@ function turnedWords(bytes) {
 
 /** The raw value of all bytes of a value; texts and bytes are returned as bytes. */
 function numberOfBytes(value, bytes, order, swapped) {
-  if (value.kind === "text" || value.kind === "bytes") return bytes;
+  if (isArray(value)) return bytes;
   const turned = swapped ? turnedWords(bytes) : bytes;
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
   if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
-  if (value.kind !== "float") return wholeOf(turned, actual, value.signed);
-  turned.forEach((byte, at) => VIEW.setUint8(at, byte));
-  return bytes.length === 4 ? VIEW.getFloat32(0, actual === "little") : VIEW.getFloat64(0, actual === "little");
+  if (value.kind === "float") return realOfBits(wholeOf(turned, actual, false), bytes.length);
+  return wholeOf(turned, actual, value.signed);
 }
 
 /** The sentinel with a raw value. */
@@ -1355,15 +1480,22 @@ function decodeAnswer(device, value, ...rest) {
 function decodeValue(device, value, bytes, order, swapped, reserved) {
   const number = numberOfBytes(value, bytes, order, swapped);
   if (reserved) return decoded(number);
-  if (value.kind === "boolean") return decodedBoolean(device, value, number);
-  if (value.kind === "text") {
-    const text = decodedText(value.textForm, bytes, order !== "big");
-    if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
-    return decoded(text);
+  switch (value.kind) {
+    case "boolean": return decodedBoolean(device, value, number);
+    case "text": return decodedCharacters(value, bytes, order);
+    case "bytes": return decoded(number);
+    case "float": return decodedFloat(value, number);
+    case "integer":
+      if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
+      return decodedWhole(device, value, number);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
   }
-  if (value.kind === "float") return decodedFloat(value, number);
-  if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
-  return value.kind === "bytes" ? decoded(number) : decodedWhole(device, value, number);
+}
+
+function decodedCharacters(value, bytes, order) {
+  const text = decodedText(value.textForm, bytes, order !== "big");
+  if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
+  return decoded(text);
 }
 
 function decodedFloat(value, number) {
@@ -1748,10 +1880,11 @@ function lengthNumber(part, length) {
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
 function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   if (digits) return [least, most];
-  if (kind === "boolean") return [0, 1];
-  const bits = BigInt(8 * size);
-  const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];
-  return size > 6 ? [low, high] : [Number(low), Number(high)];
+  switch (kind) {
+    case "boolean": return [0, 1];
+    case "integer": return wholeBounds(8 * size, signed).map((bound) => (size > 6 ? bound : Number(bound)));
+    default: throw new RangeError(`no whole number has the kind ${kind}`);
+  }
 }
 
 /** Bytes that are the escape of nothing; `offset` is the place of the first one. */
@@ -2008,8 +2141,8 @@ function parameterBytes({ value, byteOrder }, field, row, size) {
 }
 
 /** Whether a value consists of several words of 16 bits. */
-function hasWords({ kind, size }) {
-  return kind !== "text" && kind !== "bytes" && size > 2 && size % 2 === 0;
+function hasWords(value) {
+  return !isArray(value) && value.size > 2 && value.size % 2 === 0;
 }
 
 const COUNTS = ["integer", "boolean"];
@@ -2017,15 +2150,14 @@ const COUNTS = ["integer", "boolean"];
 /** The bytes of a row as bytes of another value, with their order; undefined if they cannot be read as it. */
 function bytesAgain(value, field, row) {
   const own = field.value;
-  const alike = own.kind === value.kind || (COUNTS.includes(own.kind) && COUNTS.includes(value.kind));
+  const areCounts = COUNTS.includes(own.kind) && COUNTS.includes(value.kind);
+  const alike = own.kind === value.kind || areCounts;
   if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
     return [row.raw, own.order ?? "big", Boolean(own.swapped)];
   }
-  const [low, high] = alike && isWhole(row.number) ? typeBounds(value) : [1, 0];
+  const [low, high] = areCounts && isWhole(row.number) ? typeBounds(value) : [1, 0];
   if (low > row.number || row.number > high) return undefined;
-  const number = BigInt.asUintN(8 * value.size, BigInt(row.number));
-  const bytes = Uint8Array.from({ length: value.size }, (_, at) => Number((number >> BigInt(8 * (value.size - 1 - at))) & 255n));
-  return [bytes, "big", false];
+  return [bytesOfNumber(row.number, value.size, "big", value.signed), "big", false];
 }
 
 function partialText(unit, isAtomic) {
@@ -3728,8 +3860,15 @@ function entryOf(device, value, raw, inDigits = false) {
   if (typeof raw === "string") return raw;
   const sentinel = sentinelOf(value, raw);
   if (sentinel) return sentinel.name;
-  if (value.kind === "boolean") return String(raw == 1);
-  if (value.kind === "float") return floatText(raw, value.size);
+  switch (value.kind) {
+    case "boolean": return String(raw == 1);
+    case "float": return floatText(raw, value.size);
+    case "integer": return countText(device, value, raw, inDigits);
+    default: throw new RangeError(`no number has the kind ${value.kind}`);
+  }
+}
+
+function countText(device, value, raw, inDigits) {
   const member = value.enum && memberOf(device.enums.get(value.enum), raw);
   if (member) return member.name;
   if (value.flags || inDigits) {
@@ -3753,11 +3892,15 @@ function quantityText(value, raw) {
 function rawOf(device, name, value, text) {
   const entered = text.trim();
   if (value.flags && COUNT.test(entered) === false) return wordOf(device, name, value, entered);
-  if (value.kind === "boolean" && /^(?:true|false|1|0)$/i.test(entered)) return /^(?:true|1)$/i.test(entered);
-  if (value.kind === "text") return text;
-  if (value.kind === "bytes") return bytesEntry(name, entered);
-  if (value.kind === "float") return floatEntry(name, value, entered);
-  return countEntry(device, name, value, entered);
+  switch (value.kind) {
+    case "boolean":
+      return /^(?:true|false|1|0)$/i.test(entered) ? /^(?:true|1)$/i.test(entered) : countEntry(device, name, value, entered);
+    case "text": return text;
+    case "bytes": return bytesEntry(name, entered);
+    case "float": return floatEntry(name, value, entered);
+    case "integer": return countEntry(device, name, value, entered);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
+  }
 }
 
 function bytesEntry(name, text) {
@@ -3773,7 +3916,7 @@ function floatEntry(name, value, text) {
   if (sentinel) return sentinel.nan ? NaN : Number(sentinel.value);
   const [, quantity, unit] = QUANTITY.exec(text) ?? [];
   if (unit !== undefined && unit === value.unit) {
-    const sent = value.size === 4 ? Math.fround(Number(quantity)) : Number(quantity);
+    const sent = roundedReal(Number(quantity), value.size);
     const absent = sentinelOf(value, sent);
     if (absent) throw new CodecError("out_of_range", `${name}: \`${text}\` would be sent as ${floatText(sent, value.size)}, ${meantBy(absent)}`);
     return Number(quantity);
@@ -3850,14 +3993,6 @@ function wordOf(device, name, value, text) {
   return narrowed(result);
 }
 
-const FLOATS = new DataView(new ArrayBuffer(8));
-
-function bytesOfNumber(number, size, order) {
-  const bits = BigInt.asUintN(8 * size, BigInt(number));
-  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
-  return order === "big" ? big : big.reverse();
-}
-
 function joinedBytes(series) {
   return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
 }
@@ -3874,7 +4009,7 @@ function bytesOfValue(device, name, value, raw) {
     if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
     return textBytes(value.textForm, size, raw, order !== "big");
   }
-  if (kind === "text" || kind === "bytes") {
+  if (isArray(value)) {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
     if (typeof raw === "string" && /[^\x00-\x7f]/.test(raw)) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
     if (bytes.length > size || (kind === "bytes" && bytes.length !== size)) {
@@ -3883,28 +4018,25 @@ function bytesOfValue(device, name, value, raw) {
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
+  const bytes = kind === "float" ? bytesOfReal(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
   return swapped ? turnedWords(bytes) : bytes;
 }
 
 function bytesOfWhole(value, number, order) {
-  if (!value.digits) return bytesOfNumber(number, value.size, order);
+  if (!value.digits) return bytesOfNumber(number, value.size, order, value.signed);
   const bytes = digitsBytes(value, number);
   return order === "big" ? bytes : bytes.reverse();
 }
 
-function bytesOfFloat(name, value, number, order) {
-  if (value.size === 4 && Math.abs(number) !== Infinity && Math.abs(Math.fround(number)) === Infinity) {
-    throw new CodecError("out_of_range", `${name} is ${number}, which 32 bits do not hold`);
+function bytesOfReal(name, value, number, order) {
+  if (exceedsReal(number, value.size)) {
+    throw new CodecError("out_of_range", `${name} is ${number}, which ${8 * value.size} bits do not hold`);
   }
   if (value.ranges && !isWithin(value.ranges, number) && !sentinelOf(value, number)) {
     throw new CodecError("out_of_range", `${name} is ${number}, not in ${intervalsText(value.ranges)}`);
   }
-  if (value.size === 4) FLOATS.setFloat32(0, number);
-  else FLOATS.setFloat64(0, number);
   const nan = Number.isNaN(number) && value.sentinels?.find((sentinel) => sentinel.nan);
-  const big = nan ? bytesOfNumber(nan.value, value.size, "big") : new Uint8Array(FLOATS.buffer.slice(0, value.size));
-  return order === "big" ? big : big.reverse();
+  return bytesOfNumber(nan ? nan.value : realBits(number, value.size), value.size, order, false);
 }
 
 function checkedNumber(device, name, value, raw) {
@@ -3987,7 +4119,7 @@ function elementsOf(field, values) {
 
 function impliedValue({ value }) {
   if (typeof value.default === "number") return value.default;
-  return value.kind === "text" || value.kind === "bytes" ? new Uint8Array(value.size) : 0;
+  return isArray(value) ? new Uint8Array(value.size) : 0;
 }
 
 function bytesOfElement(device, field, item) {
@@ -4054,7 +4186,7 @@ function sentBytes(shape, data) {
 
 function partBytes(part, number) {
   if (number instanceof Uint8Array) return number;
-  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big");
+  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big", part.value.signed);
 }
 
 function partNumber(link, direction, part, values, message, error) {
@@ -4891,7 +5023,7 @@ class MessageForm {
       const { path, value } = occupant;
       if (isWord) {
         // A word is written as it is, but not if the register cannot have it.
-        const number = value.signed && count > 0x7FFF ? count - 0x10000 : count;
+        const number = numberOfBytes(value, Uint8Array.of(count >> 8, count & 0xFF), "big", false);
         encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, number]]));
         words.push(count);
         continue;

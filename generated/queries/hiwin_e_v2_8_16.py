@@ -19,6 +19,7 @@ _WHOLE = {
     4: (_pl.UInt32, _pl.Int32),
     8: (_pl.UInt64, _pl.Int64),
 }
+_REALS = {4: _pl.Float32, 8: _pl.Float64}
 
 
 def _whole(data: _pl.Expr, offset: int, size: int, order: _Order, swapped: bool, signed: bool) -> _pl.Expr:
@@ -47,7 +48,7 @@ def _narrowed(number: _pl.Expr, width: int, signed: bool) -> _pl.Expr:
 
 
 def _real(data: _pl.Expr, offset: int, size: int, order: _Order, swapped: bool) -> _pl.Expr:
-    kind = _pl.Float32 if size == 4 else _pl.Float64
+    kind = _REALS[size]
     if not swapped:
         return _piece(data, offset, size).bin.reinterpret(dtype=kind, endianness=order)
     # The words are turned around: put in order, they are a number with one order of bytes.

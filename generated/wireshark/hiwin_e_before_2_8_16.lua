@@ -9667,32 +9667,107 @@ function numbers.unsigned(bytes)
     return number
 end
 
+-- How a value shows that it is below zero: not at all, in two's complement, or by its highest bit alone.
+local function sign_of(value)
+    local sign = value.signed or "none"
+    if sign ~= "none" and sign ~= true and sign ~= "magnitude" then
+        error("unknown sign: " .. tostring(sign))
+    end
+    return sign
+end
+
 -- A whole number as an Int64 or UInt64 of Wireshark, from its bytes, the most significant one first.
 local function long(ordered, value)
-    local filled = (value.signed and ordered:byte(1) > 127 and "\255" or "\0"):rep(8 - #ordered) .. ordered
-    local class = value.signed and Int64 or UInt64
-    return class.new(numbers.unsigned(filled:sub(5)), numbers.unsigned(filled:sub(1, 4)))
+    local sign, is_high, fill = sign_of(value), ordered:byte(1) > 127, "\0"
+    if sign == true and is_high then
+        fill = "\255"
+    elseif sign == "magnitude" and is_high then
+        ordered = string.char(ordered:byte(1) - 128) .. ordered:sub(2)
+    end
+    local filled = fill:rep(8 - #ordered) .. ordered
+    local class = sign == "none" and UInt64 or Int64
+    local number = class.new(numbers.unsigned(filled:sub(5)), numbers.unsigned(filled:sub(1, 4)))
+    return sign == "magnitude" and is_high and -number or number
+end
+
+-- The number of half precision of two bytes, the most significant one first.
+local function half(ordered)
+    local bits = numbers.unsigned(ordered)
+    local exponent, fraction = math.floor(bits / 1024) % 32, bits % 1024
+    local size = (exponent == 0 and fraction or fraction + 1024) * 2 ^ (math.max(exponent, 1) - 25)
+    if exponent == 31 then
+        size = fraction == 0 and math.huge or 0 / 0
+    end
+    return bits >= 32768 and -size or size
+end
+
+-- The floating-point number of bytes, the most significant one first.
+local function real(ordered)
+    if #ordered == 2 then
+        return half(ordered)
+    end
+    local form = ({ [4] = ">f", [8] = ">d" })[#ordered]
+    if not form then
+        error("no floating-point number has " .. #ordered .. " bytes")
+    end
+    return (Struct.unpack(form, ordered))
+end
+
+local NUMBERS = { float = "real", integer = "whole", boolean = "whole", text = false, bytes = false }
+
+local function number_kind(value)
+    local kind = NUMBERS[value.kind]
+    if kind == nil then
+        error("unknown kind: " .. tostring(value.kind))
+    end
+    return kind
+end
+
+-- Whether a value is a number, and no text and no bytes.
+function numbers.is_number(value)
+    return number_kind(value) ~= false
+end
+
+local function is_real(value)
+    local kind = number_kind(value)
+    if not kind then
+        error("a text or bytes are no number")
+    end
+    return kind == "real"
 end
 
 -- The number of a value: a Lua number, or an Int64 or UInt64 of Wireshark for more than six bytes.
 function numbers.of(bytes, value)
     local ordered = numbers.significant(bytes, value)
-    if value.kind == "float" then
-        return (Struct.unpack(#ordered == 8 and ">d" or ">f", ordered))
+    if is_real(value) then
+        return real(ordered)
     end
     if #ordered > 6 then
         return long(ordered, value)
     end
-    local number = numbers.unsigned(ordered)
-    if value.signed and ordered:byte(1) > 127 then
-        number = number - 256 ^ #ordered
+    local number, sign = numbers.unsigned(ordered), sign_of(value)
+    if sign ~= "none" and ordered:byte(1) > 127 then
+        return sign == true and number - 256 ^ #ordered or 256 ^ #ordered / 2 - number
     end
     return number
 end
 
+-- The bytes of a number of at most six bytes, which its value can have, the most significant one first.
+function numbers.bytes(number, value)
+    if number < 0 then
+        number = sign_of(value) == "magnitude" and 256 ^ value.size / 2 - number or number + 256 ^ value.size
+    end
+    local bytes = {}
+    for place = value.size, 1, -1 do
+        bytes[place] = string.char(math.floor(number % 256))
+        number = math.floor(number / 256)
+    end
+    return table.concat(bytes)
+end
+
 -- The number of a value as its item takes it: fields of more than 32 bits take no Lua number.
 function numbers.of_item(bytes, value)
-    if value.kind ~= "float" and #bytes > 4 then
+    if not is_real(value) and #bytes > 4 then
         return long(numbers.significant(bytes, value), value)
     end
     return numbers.of(bytes, value)
@@ -9998,9 +10073,6 @@ end
 -- The quantity of a count with its unit, and as a number; nil where the value has neither scale nor unit.
 function values.quantity(number, value)
     local unit = value.unit and " " .. value.unit or ""
-    if value.kind == "float" then
-        return value.unit and numbers.text(number) .. unit or nil, nil
-    end
     if not value.scale then
         return value.unit and numbers.text(number) .. unit or nil, nil
     end
@@ -10361,12 +10433,7 @@ local function read_as(field, value, bytes)
     if alike and counts[own.kind] and field.size <= 6 and value.size <= 6 then
         local number = numbers.of(bytes, own)
         if number >= value.low and number <= value.high then
-            local digits, rest = {}, number % 256 ^ value.size
-            for place = value.size, 1, -1 do
-                digits[place] = string.char(math.floor(rest % 256))
-                rest = math.floor(rest / 256)
-            end
-            return table.concat(digits), with_order("big", nil)
+            return numbers.bytes(number, value), with_order("big", nil)
         end
     end
     return nil, nil
@@ -10395,7 +10462,7 @@ function parameters.entry(context, field, index, bytes)
         return nil
     end
     inner, at = element(row, at)
-    if field.value.kind ~= "bytes" and field.value.kind ~= "text" then
+    if numbers.is_number(field.value) then
         local own = numbers.of(bytes, field.value)
         if values.reason(field.value, own, field.value.ranges) then
             return nil
@@ -10484,7 +10551,7 @@ local function show_value(context, tree, field, at, index, top)
     local item, number, reason = values.show(tree, entry, range, bytes, options)
     if described and described.entry ~= field then
         local sent = context.bytes:sub(at + 1, at + field.size)
-        local own = field.value.kind ~= "bytes" and numbers.of(sent, field.value)
+        local own = numbers.is_number(field.value) and numbers.of(sent, field.value)
         number = own
         local inner = item:add(fields[field.filter], range, own and numbers.of_item(sent, field.value))
         inner:set_text("On the wire, " .. field.title .. ": " .. numbers.text(own))

@@ -86,10 +86,12 @@ def run_again(machine: Machine, folder: Path, source: Path, *more: str) -> subpr
 
 # Made-up devices have features that real ones lack: floats, swapped words, choices. One machine is enough for them; it
 # runs all of them in the nights.
-TEST_DEVICES = list(layouts(TEST_SPECS)) if FACTOR > 1 else ["caller", "gadget", "glider-x", "meter", "widget"]
+TEST_DEVICES = (
+    list(layouts(TEST_SPECS)) if FACTOR > 1 else ["caller", "compass", "gadget", "glider-x", "meter", "widget"]
+)
 CASES = [(device, machine) for device in layouts(SPECS) for machine in MACHINES]
 CASES += [(device, "big-endian, 32 bits") for device in TEST_DEVICES]
-CASES += [(device, "int of 16 bits") for device in ("widget", "glider-x")]
+CASES += [(device, "int of 16 bits") for device in ("widget", "glider-x", "compass")]
 
 
 @pytest.mark.parametrize(("device", "machine"), CASES)

@@ -20,7 +20,7 @@ from fieldspec.targets.c.backend import files
 from layouts import SPECS, TEST_SPECS, newest
 
 DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]
-DEVICES += [(TEST_SPECS, name) for name in ("gadget", "glider-x", "widget")]
+DEVICES += [(TEST_SPECS, name) for name in ("compass", "gadget", "glider-x", "widget")]
 SECONDS = 1
 
 

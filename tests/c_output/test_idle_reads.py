@@ -16,9 +16,10 @@ from driver import settled
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import stem
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_array, is_signed
 from fieldspec.targets.c.backend import files
 from fieldspec.targets.c.delimiters import is_wrapped
+from fieldspec.targets.c.values import type_name
 from fieldspec.targets.vectors.backend import idle_vectors
 from layouts import SPECS, TEST_SPECS, newest
 
@@ -52,11 +53,11 @@ def checks(layout: DeviceLayout, read: dict[str, Any]) -> list[str]:
             register = registers[name]
             number = int(index) - register.register.index_from if index else 0
             at = 2 * (register.address + number * register.stride - read["address"])
-            if register.register.value.type.kind in (Kind.TEXT, Kind.BYTES):
+            if is_array(register.register.value.encoding):
                 continue
-            out = c_type(register.register.answer.type)
+            out = type_name(register.register.answer)
             function = naming.function("register", name, "decode")
-            literal = f"{int(wanted)}" if register.register.value.type.signed else f"{int(wanted)}ull"
+            literal = f"{int(wanted)}" if is_signed(register.register.value.encoding) else f"{int(wanted)}ull"
             statements.append(f"{{ {out} value; CHECK({function}(words + {at}, &value) == 0 && value == {literal}); }}")
             continue
         table = layout.tables[name]
@@ -65,15 +66,6 @@ def checks(layout: DeviceLayout, read: dict[str, Any]) -> list[str]:
         decode = naming.function("record", table.record.name, "decode")
         statements.append(f"{{ {record} value; CHECK({decode}(words + {at}, {2 * table.words}, &value) == 0); }}")
     return [*statements, "}"]
-
-
-def c_type(primitive: Any) -> str:
-    """The type in C of a number."""
-    if primitive.kind is Kind.BOOLEAN:
-        return "bool"
-    if primitive.kind is Kind.FLOAT:
-        return "float"
-    return f"{'' if primitive.signed else 'u'}int{8 * primitive.size}_t"
 
 
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=[device for _, device in DEVICES])

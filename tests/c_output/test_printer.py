@@ -8,6 +8,7 @@ from fieldspec.targets.c.declarations import Function
 from fieldspec.targets.c.expressions import (
     IN,
     INDEX,
+    INT64,
     OUT,
     Call,
     Cast,
@@ -60,7 +61,7 @@ EXPRESSIONS: list[tuple[Expression, str]] = [
     (Call("f", (A, Call("g", ()))), "f(a, g())"),
     (integer(-1), "(-1)"),
     (integer(-(1 << 31)), "(-2147483647 - 1)"),
-    (integer(-(1 << 63), 8), "(-INT64_C(9223372036854775807) - 1)"),
+    (integer(-(1 << 63), INT64), "(-INT64_C(9223372036854775807) - 1)"),
     (string('"*/\\\n?é1'), '"\\"*/\\\\\\n\\?\\303\\2511"'),
 ]
 

@@ -15,7 +15,7 @@ from captures.conversations import USER_0, Segment, block, ethernet, pcap, rtu
 from captures.test_decode_in_bulk import run
 from captures.test_evidence import DEVICE, NOTE, dump, read, report, unit, words
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.redacted_files import redacted_dump, redacted_rows
 from fieldspec.tools.evidence.redaction import Redaction

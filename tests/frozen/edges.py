@@ -10,7 +10,8 @@ from typing import Any
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_bounds, digits_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 Place = tuple[int, Value, str, bool]
 """Where a value is in the data of a record, the value, its byte order, and whether its words are swapped."""

@@ -17,7 +17,7 @@ from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import CodecError, DeviceCodec
 from fieldspec.codec.reference.frames import Decoded
 from fieldspec.foundation.names import Name, version_word
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.primitives import Kind
 from fieldspec.targets.js.backend import files, shared
 from fieldspec.targets.js.members import members_of
 from layouts import SPECS, TEST_SPECS, layouts

@@ -13,8 +13,8 @@ from fieldspec.codec.layout.frame import original_parts
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import codec
 from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.encoding import is_odd, is_text
 from fieldspec.language.model.texts import Example
-from fieldspec.language.model.value import Kind
 from fieldspec.targets.controllers.declarations import declarations
 from fieldspec.targets.controllers.dialects import DIALECTS
 from fieldspec.targets.controllers.layout.fitting import misfit_findings, misfits
@@ -86,12 +86,12 @@ def compared(placed_member: Placed, data: bytes, values: Any) -> int:
             meant = at_path(values, path, element)
             for number, single in enumerate(meant if isinstance(meant, list) else [] if meant is None else [meant]):
                 # A number of a width that no type has is an array of its bytes.
-                stride = value.size if value.type.is_odd else layout_row.stride
+                stride = value.size if is_odd(value.encoding) else layout_row.stride
                 first = at + (element * outer.stride if outer else 0) + number * stride
                 raw = value_construct(value, layout_row.member.order, layout_row.member.swapped).parse(
                     data[first : first + value.size]
                 )
-                if value.type.kind is Kind.TEXT:
+                if is_text(value.encoding):
                     raw = raw.rstrip(b"\0").decode("ascii")
                 if single == single:
                     assert raw == single, (path, element, number)

@@ -26,6 +26,7 @@ from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import codec
 from fieldspec.codec.reference.records import encoded
 from fieldspec.foundation.names import Name, stem
+from fieldspec.language.model.encoding import struct_letter
 from fieldspec.targets.scl.backend import files
 from layouts import SPECS, layouts
 
@@ -224,7 +225,7 @@ def test_snap7_reads_every_telegram_from_a_server_by_the_offsets_of_the_table() 
                 row = rows[Name.of(field.name).camel()]
                 read = client.db_read(number, int(row["byte"]), int(row["size"]))
                 assert field.value is not None
-                letter = field.value.type.letter
+                letter = struct_letter(field.value.encoding)
                 assert struct.unpack(f">{letter}", bytes(read))[0] == values.get(field.name, 0), field.name
         client.disconnect()
     finally:

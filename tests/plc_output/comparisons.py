@@ -15,7 +15,7 @@ from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import CodecError, codec
 from fieldspec.codec.reference.records import decoded, encoded
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count
 from fieldspec.targets.controllers.routines.absent import absent_values
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.wrapping import framed
@@ -43,7 +43,7 @@ def compare_absent(prover: Proof) -> None:
             if role == "VAR_INPUT"
         )
         for number in {sentinel.value + step for sentinel in value.sentinels for step in (-1, 0, 1)} | {0, 1}:
-            if value.type.kind is Kind.INTEGER and not value.type.low <= number <= value.type.high:
+            if is_count(value.encoding) and not value.type.low <= number <= value.type.high:
                 continue
             result = prover.machine.call(function, **{parameter: number})
             actual = result[0] if isinstance(result, tuple) else result

@@ -7,7 +7,9 @@ from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Precision, Real, Text, Truth, Whole, bounds_of
+from fieldspec.language.model.value import Value
 
 
 def drawn_bytes(record: RecordLayout, dice: random.Random) -> bytes:
@@ -52,21 +54,34 @@ def draw_value(layout: DeviceLayout, field: FieldLayout, dice: random.Random) ->
 
 def drawn_value(layout: DeviceLayout, value: Value, dice: random.Random) -> Any:
     """One value."""
-    kind = value.type.kind
-    if kind is Kind.TEXT:
-        return "".join(dice.choice("aZ09 ~") for _ in range(dice.randint(0, value.size)))
-    if kind is Kind.BYTES:
-        return dice.randbytes(value.size)
-    if kind is Kind.FLOAT:
-        return dice.choice(
-            [0.0, 1.0, -2.5, 1.0e-40, -3.0e38, 1.1754943508222875e-38, dice.randint(-(1 << 24), 1 << 24) / 64]
-        )
-    if kind is Kind.BOOLEAN:
-        return dice.random() < 0.5
+    encoding = value.encoding
+    match encoding:
+        case Text():
+            return "".join(dice.choice("aZ09 ~") for _ in range(dice.randint(0, value.size)))
+        case Octets():
+            return dice.randbytes(value.size)
+        case Real():
+            return dice.choice([*_REALS[encoding.precision], dice.randint(-(1 << 24), 1 << 24) / 64])
+        case Truth():
+            return dice.random() < 0.5
+        case Whole() | Digits():
+            return _drawn_count(layout, value, dice)
+        case _:
+            assert_never(encoding)
+
+
+# All are numbers of 32 bits. Of the halves, some lie in the middle of two, and the last ones are at their end.
+_REALS = {
+    Precision.HALF: [0.0, 1.0, -2.5, 2**-24, -(2**-25), 3 * 2**-25, 2049.0, 2051.0, 65519.0, -65504.0, 65520.0],
+    Precision.SINGLE: [0.0, 1.0, -2.5, 1.0e-40, -3.0e38, 1.1754943508222875e-38],
+}
+
+
+def _drawn_count(layout: DeviceLayout, value: Value, dice: random.Random) -> int:
     members = [member.value for member in layout.device.enums[value.enum].members] if value.enum else []
     if members and dice.random() < 0.95:
         return dice.choice(members)
-    low, high = value.type.low, value.type.high
+    low, high = bounds_of(value.encoding)
     if value.ranges is not None and dice.random() < 0.9:
         first, last = dice.choice(value.ranges.intervals)
         return dice.choice([first, last, dice.randint(first, last)])

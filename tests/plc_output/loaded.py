@@ -24,7 +24,7 @@ from fieldspec.targets.st.backend import text
 from layouts import SPECS, TEST_SPECS, newest
 
 REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
-TEST_DEVICES = ["gadget", "gizmo", "glider-x", "grinder", "meter", "station", "widget"]
+TEST_DEVICES = ["compass", "gadget", "gizmo", "glider-x", "grinder", "meter", "station", "widget"]
 DEVICES = [*((SPECS, device) for device in REAL), *((TEST_SPECS, device) for device in TEST_DEVICES)]
 NAMES = [device for _, device in DEVICES]
 WAYS = [(root, device, way) for root, device in DEVICES for way in ("interpreted", "compiled")]

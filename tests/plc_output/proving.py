@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from dataclasses import dataclass
 from dataclasses import field as fresh_each_time
 from typing import Any
@@ -12,7 +11,24 @@ from st_machine import Machine
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    is_array,
+    is_octets,
+    is_text,
+    number_of,
+    real_bits,
+    real_number,
+    whole_bits,
+    whole_number,
+)
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.frames import head_members
 from fieldspec.targets.controllers.routines.records import is_user_field
 from fieldspec.targets.controllers.routines.world import World
@@ -48,23 +64,23 @@ class Proof:
 
     def into(self, value: Value, kind: Type, raw: Any) -> Any:
         """A raw value of the reference as a variable holds it."""
-        if value.type.kind is Kind.TEXT:
+        if is_text(value.encoding):
             return list(raw.encode("ascii", "replace").ljust(value.size, b"\0"))
-        if value.type.kind is Kind.BYTES:
+        if is_octets(value.encoding):
             return list(raw)
-        if value.type.kind in (Kind.BOOLEAN, Kind.FLOAT):
+        whole = number_of(value.encoding)
+        if whole is None or isinstance(kind, EnumType) or not _bits(kind):
             return raw
-        return raw if isinstance(kind, EnumType) or not _bits(kind) else raw & ((1 << (8 * value.size)) - 1)
+        return whole_bits(whole, raw) & ((1 << whole.bits) - 1)
 
     def out(self, value: Value, kind: Type, plc_value: Any) -> Any:
         """What a variable holds, as a raw value of the reference."""
-        if value.type.kind is Kind.TEXT:
+        if is_text(value.encoding):
             return bytes(plc_value).rstrip(b"\0").decode("ascii", "replace")  # where it is refused
-        if value.type.kind is Kind.BYTES:
+        if is_octets(value.encoding):
             return bytes(plc_value)
-        if value.type.signed and value.type.kind is Kind.INTEGER and _bits(kind) and plc_value > value.type.high:
-            return plc_value - (1 << (8 * value.size))
-        return plc_value
+        whole = number_of(value.encoding)
+        return whole_number(whole, plc_value) if whole is not None and _bits(kind) else plc_value
 
     def struct_in(self, record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
         """A variable of a record's struct."""
@@ -164,10 +180,18 @@ class Proof:
         """The elements of a field with cases as bits."""
         assert record.selector is not None
         case = next(case for case in field.cases if values[record.selector.name] in case.numbers)
-        size = case.value.size
-        if case.value.type.kind is Kind.FLOAT:
-            return [int.from_bytes(struct.pack(">f", item), "big") for item in raw]
-        return [int(item) & ((1 << (8 * size)) - 1) for item in raw]
+        encoding = case.value.encoding
+        match encoding:
+            case Real():
+                return [real_bits(encoding.precision, item) for item in raw]
+            case Whole():
+                return [whole_bits(encoding, item) & ((1 << encoding.bits) - 1) for item in raw]
+            case Truth():
+                return [int(item) for item in raw]
+            case Digits() | Text() | Octets():
+                raise AssertionError("no function converts it")
+            case _:
+                assert_never(encoding)
 
     def parse(self, link: LinkLayout, message: MessageLayout, frame: bytes) -> tuple[str, dict[str, Any]]:
         """The status of a response that a generated function parses, and its values by the names of parts and fields.
@@ -208,7 +232,7 @@ class Proof:
                 value, count = queue.next("VAR_IN_OUT"), queue.next("VAR_OUTPUT")
                 values[field.name] = self.field_out(field, value[:count])
             else:
-                lent = field.is_list or field.record is not None or (field.value and field.value.type.letter == "s")
+                lent = field.is_list or field.record is not None or (field.value and is_array(field.value.encoding))
                 values[field.name] = self.field_out(field, queue.next("VAR_IN_OUT" if lent else "VAR_OUTPUT"))
 
     def _chosen_out(
@@ -216,12 +240,18 @@ class Proof:
     ) -> list[Any]:
         assert record.selector is not None
         case = next((case for case in field.cases if values[record.selector.name] in case.numbers), field.cases[0])
-        kind, size = case.value.type, case.value.size
-        if kind.kind is Kind.FLOAT:
-            return [struct.unpack(">f", item.to_bytes(4, "big"))[0] for item in value]
-        if kind.kind is Kind.BOOLEAN:
-            return [bool(item) for item in value]
-        return [item - (1 << (8 * size)) if kind.signed and item > kind.high else item for item in value]
+        encoding = case.value.encoding
+        match encoding:
+            case Real():
+                return [real_number(encoding.precision, item) for item in value]
+            case Whole():
+                return [whole_number(encoding, item) for item in value]
+            case Truth():
+                return [bool(item) for item in value]
+            case Digits() | Text() | Octets():
+                raise AssertionError("no function converts it")
+            case _:
+                assert_never(encoding)
 
 
 def without(record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:

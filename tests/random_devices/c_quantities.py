@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.value import Conversion, Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.c.absent import AbsentValue
 from fieldspec.targets.c.conversions import count_type
 from fieldspec.targets.c.naming import Naming

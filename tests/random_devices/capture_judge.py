@@ -18,8 +18,8 @@ from fieldspec.codec.reference.frames import Decoded
 from fieldspec.codec.reference.records import decoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.record import RegisterAccess
-from fieldspec.language.model.value import Kind
 from fieldspec.tools.captures.decoding import Choices
 from fieldspec.tools.captures.tables import record_batches
 from fieldspec.tools.captures.writers import CsvTable, JsonTable, ParquetTable

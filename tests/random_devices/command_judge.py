@@ -15,8 +15,8 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.codec.reference.parameters import carries
 from fieldspec.command.sources import layout_cache
+from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Kind
 from random_devices.inputs import header_values, number_or_text
 from random_devices.queries import Answer, Query
 

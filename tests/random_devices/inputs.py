@@ -13,7 +13,8 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference import CodecError
 from fieldspec.codec.reference.escapes import escaped
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 _LONGEST = 12
 """Elements of a list that are made beyond the least number, so that frames stay short."""

@@ -14,7 +14,8 @@ from external_tools import require_tool
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from fieldspec.targets.js.backend import shared
 from fieldspec.targets.js.links import WIDE
 from fieldspec.targets.js.members import Member, members_of

@@ -29,7 +29,8 @@ from fieldspec.codec.reference.quantities import (
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.enums import Flags
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from python_package import class_of
 from random_devices.inputs import number_or_text
 from random_devices.meanings import Leaf, Meaning, leaves, meaning_of

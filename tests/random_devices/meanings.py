@@ -13,7 +13,8 @@ from fieldspec.codec.reference.bits import number_of_bits, unlisted_bits
 from fieldspec.codec.reference.quantities import quantity, special_name
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Enum, Flags
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True)

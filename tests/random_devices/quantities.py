@@ -18,7 +18,8 @@ from typing import Any
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.exponents import ExponentLayout, exponent_of
 from fieldspec.codec.reference.quantities import quantity, scale_of, special_name, special_number
-from fieldspec.language.model.value import Conversion, Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Conversion, Value
 from random_devices.inputs import is_computed, number_or_text
 from random_devices.queries import Answer, Query, has_quantity, quantity_text, shapes
 

@@ -13,7 +13,8 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.reference import CodecError, DeviceCodec, codec
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.value import Value
 from random_devices.inputs import (
     delimited,
     header_values,

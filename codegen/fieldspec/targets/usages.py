@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_exact, is_real, is_truth
 from fieldspec.language.model.enums import Enum, Member
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 class Usage(NamedTuple):
@@ -33,7 +34,7 @@ class VersionUsages:
 
 def sample_count(value: Value, device: Device) -> int | None:
     """A raw value that may be written; None for texts, bytes and floating-point numbers."""
-    if value.type.kind in (Kind.TEXT, Kind.BYTES, Kind.FLOAT):
+    if not is_exact(value.encoding):
         return None
     if value.const is not None:
         return value.const
@@ -55,12 +56,11 @@ def sample_text(
 
     `member_text` gives the constant of a member of an enum, `number_text` the literal of a whole number.
     """
-    kind = value.type.kind
-    if kind is Kind.FLOAT:
+    if is_real(value.encoding):
         return "0" if value.ranges is None or 0 in value.ranges else str(value.ranges.low)
     if value.const is not None:
         return ""
-    if kind is Kind.BOOLEAN:
+    if is_truth(value.encoding):
         return "true" if value.ranges is None or 1 in value.ranges else "false"
     count = sample_count(value, device)
     if count is None:

@@ -1,4 +1,5 @@
 import { CodecError, printed } from "./error.js";
+import { roundedReal } from "./number_bits.js";
 import { rangesText, within } from "./values.js";
 
 const DOUBLE = new DataView(new ArrayBuffer(8));
@@ -54,7 +55,7 @@ export function realUnit({ unit: symbol, absent, ranges, size }) {
     /** The nearest number that can be sent. Throws CodecError out of range, and for one that stands for no quantity. */
     fromUnit(quantity) {
       fraction(quantity);
-      const number = size === 4 ? Math.fround(Number(quantity)) : Number(quantity);
+      const number = roundedReal(Number(quantity), size);
       if (!Number.isFinite(number)) throw new CodecError("out_of_range", `${quantity} is more than ${8 * size} bits hold`);
       if (isAbsent(number)) throw new CodecError("out_of_range", `${quantity} is sent as ${number}, which stands for no quantity`);
       if (ranges !== null && !within(ranges, number)) {

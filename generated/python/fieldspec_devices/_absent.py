@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 else:
     N = None
 
-_REALS = {4: Struct(">f"), 8: Struct(">d")}
+_REALS = {2: Struct(">e"), 4: Struct(">f"), 8: Struct(">d")}
 
 
 class LeftOut:

@@ -51,22 +51,33 @@ class Repeated(dict[int, Struct]):
 
 
 class Integer:
-    """A Struct of a whole number that has no letter: `letters` are the order and the type, as in `>u24`."""
+    """A Struct of a whole number that has no letter: `letters` are the order and the type, as in `>u24`.
 
-    __slots__ = ("high", "low", "order", "signed", "size")
+    The highest bit of `sm16` alone says that a number is below zero.
+    """
+
+    __slots__ = ("has_magnitude", "high", "low", "order", "signed", "size")
 
     def __init__(self, letters: str) -> None:
-        bits = int(letters[2:])
+        self.has_magnitude, self.signed = letters[1:3] == "sm", letters[1] == "i"
+        bits = int(letters[3 if self.has_magnitude else 2 :])
+        half = 1 << (bits - 1)
         self.order: Literal["big", "little"] = "big" if letters[0] == ">" else "little"
-        self.signed, self.size = letters[1] == "i", bits // 8
-        self.low, self.high = (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) if self.signed else (0, (1 << bits) - 1)
+        self.size = bits // 8
+        self.low, self.high = (-half, half - 1) if self.signed else (0, 2 * half - 1)
+        if self.has_magnitude:
+            self.low, self.high = 1 - half, half - 1
 
     def unpack(self, data: Data) -> tuple[int]:
         """The number in exactly its bytes."""
+        if self.has_magnitude:
+            return (magnitude_of(data, self.order),)
         return (int.from_bytes(data, self.order, signed=self.signed),)
 
     def pack(self, number: int) -> bytes:
         """The bytes of a number."""
+        if self.has_magnitude:
+            return magnitude_bytes(number, self.size, self.order)
         return number.to_bytes(self.size, self.order, signed=self.signed)
 
 
@@ -85,6 +96,33 @@ def float_bytes(number: float, letters: str, words_turned: bool) -> bytes:
     """The bytes of a floating-point number in such a byte order."""
     data = pack(letters, number)
     return turned(data) if words_turned else data
+
+
+def magnitude_of(data: Data, order: Literal["big", "little"]) -> int:
+    """The whole number of some bytes, whose highest bit alone says that it is below zero."""
+    bits, half = int.from_bytes(data, order), 1 << (8 * len(data) - 1)
+    return bits if bits < half else half - bits
+
+
+def magnitude_bytes(number: int, size: int, order: Literal["big", "little"]) -> bytes:
+    """The bytes of such a number. Raises OverflowError for one that has more of them."""
+    half = 1 << (8 * size - 1)
+    if not -half < number < half:
+        raise OverflowError
+    return (half - number if number < 0 else number).to_bytes(size, order)
+
+
+def carried_bits(carrier: str, own: object, size: int, raw: Any) -> Any:
+    """The bits of a number below zero in a carrier of the same size, where either has a bit for the sign alone.
+
+    `own` is the Struct of the value. Any other raw value is returned as it is.
+    """
+    if not carrier or not isinstance(raw, int) or raw >= 0:
+        return raw
+    half = 1 << (8 * size - 1)
+    if carrier[1:3] == "sm":
+        return half - raw
+    return 2 * half + raw if isinstance(own, Integer) and own.has_magnitude else raw
 
 
 def turned(data: bytes) -> bytes:

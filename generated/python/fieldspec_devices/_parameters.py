@@ -6,7 +6,7 @@ from struct import error as StructError
 
 from ._absent import state_of
 from ._carried import Unknown
-from ._conversions import number_struct
+from ._conversions import carried_bits, number_struct
 from ._error import CodecError
 from ._typing import TYPE_CHECKING, Generic, T
 from ._values import Text, Value
@@ -183,7 +183,8 @@ class Parameter(Generic[T]):
     def from_raw(self, raw: float | str | bytes, subindex: int = 0) -> T:
         """The value of a raw value in a message, for its element with an index. Raises CodecError."""
         own, title = self._element(subindex)
-        value: T = own.of_carried(title, raw)
+        carrier = self.carrier if own is self.value else ""
+        value: T = own.of_carried(title, carried_bits(carrier, own.struct, own.size, raw))
         return value
 
     def to_raw(self, value: T, subindex: int = 0) -> Any:

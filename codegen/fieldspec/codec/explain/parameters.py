@@ -12,12 +12,12 @@ from fieldspec.codec.layout.record import FieldLayout, Orders
 from fieldspec.codec.layout.values import Raw
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_exact, is_octets, is_real, is_text
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.raw_numbers import bytes_of_number
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.registers import Parameter, ParameterSet, Subindex
-from fieldspec.language.model.value import Kind, ParameterPart, Value
-
-_COUNTS = (Kind.INTEGER, Kind.BOOLEAN)
+from fieldspec.language.model.value import ParameterPart, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +151,7 @@ def _read_as(
         if row.reason or not field.carries_bytes or element.parameter.reserved or fact.reserved:
             return row
         stated = fact.value.size
-        if fact.value.type.kind is Kind.TEXT and size < stated:
+        if is_text(fact.value.encoding) and size < stated:
             return row  # without the zeros that fill it up
         text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
         return replace(row, verdict=text, reason="out_of_range")
@@ -182,12 +182,13 @@ def _decode_arguments(
     own = field.primitive
     if field.carries_bytes:
         return (row.raw[:size], *Orders(field.order, device.word_order).of(value)) if size == value.size else None
-    alike = own.kind is value.type.kind or (own.kind in _COUNTS and value.type.kind in _COUNTS)
+    encodings = own.encoding, value.encoding
+    alike = any(all(map(question, encodings)) for question in (is_exact, is_real, is_text, is_octets))
     is_binary = field.value is not None and not field.value.digits
-    if is_binary and value.size == field.size and (alike or Kind.FLOAT not in (own.kind, value.type.kind)):
+    if is_binary and value.size == field.size and (alike or not any(map(is_real, encodings))):
         return row.raw, field.order, field.swapped
     if alike and isinstance(row.number, int) and value.type.low <= row.number <= value.type.high:
-        return int(row.number).to_bytes(value.size, "big", signed=value.type.signed), "big", False
+        return bytes_of_number(value, int(row.number)), "big", False
     return None
 
 

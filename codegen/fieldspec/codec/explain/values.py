@@ -7,13 +7,15 @@ from decimal import Context, Decimal
 
 from fieldspec.codec.layout.values import Raw
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_array
 from fieldspec.language.model.enums import Bit, Enum, Flags, State
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.raw_numbers import SinglePrecision, number_in
+from fieldspec.language.model.raw_numbers import number_in
 from fieldspec.language.model.text_form import decoded_text, encoding_title, text_form_title
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -72,12 +74,9 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
 
     With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
     """
-    kind = value.type.kind
-    if kind in (Kind.TEXT, Kind.BYTES):
+    if is_array(value.encoding):
         return data
     number = number_in(value, data, order, swapped)
-    if isinstance(number, float) and value.type.size == 4:
-        return SinglePrecision(number)
     return data if number is None else number
 
 
@@ -140,21 +139,28 @@ def decode_value(
     number = number_of(value, data, order, swapped)
     if reserved:
         return DecodedValue(number)
-    kind = value.type.kind
-    if kind is Kind.BOOLEAN:
-        return _boolean(device, value, number)
-    if kind is Kind.TEXT:
-        characters = decoded_text(value, order, data)
-        if characters is None:
-            return DecodedValue(data).judged(False, text_form_title(value) or encoding_title(value), "unknown_value")
-        return DecodedValue(characters)
-    if isinstance(number, float):
-        return _float(value, number)
-    if value.digits and isinstance(number, bytes):
-        return DecodedValue(number).judged(False, digits_text(value), "unknown_value")
-    if not isinstance(number, int):
-        return DecodedValue(number)
-    return _whole(device, value, number)
+    encoding = value.encoding
+    match encoding:
+        case Truth():
+            return _boolean(device, value, number)
+        case Text():
+            characters = decoded_text(value, order, data)
+            if characters is None:
+                return DecodedValue(data).judged(
+                    False, text_form_title(value) or encoding_title(value), "unknown_value"
+                )
+            return DecodedValue(characters)
+        case Real():
+            assert isinstance(number, float)
+            return _float(value, number)
+        case Whole() | Digits():
+            if isinstance(number, int):
+                return _whole(device, value, number)
+            return DecodedValue(number).judged(False, digits_text(value), "unknown_value")
+        case Octets():
+            return DecodedValue(number)
+        case _:
+            assert_never(encoding)
 
 
 def decode_answer(

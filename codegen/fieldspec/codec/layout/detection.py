@@ -7,8 +7,9 @@ from collections.abc import Container
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.attributes import descendants
 from fieldspec.language.model.device import Detection, Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,7 @@ def version_detection(device: Device) -> VersionDetection | None:
     if detection is None:
         return None
     value = detecting_value(device, detection)
-    number = value is not None and value.type.kind is Kind.INTEGER
+    number = value is not None and is_count(value.encoding)
     versions = [version for line in device.lines if line.builds or line.like for version in line.versions]
     detected_values = tuple((item, version.id) for version in versions for item in version.detected_as)
     return VersionDetection(

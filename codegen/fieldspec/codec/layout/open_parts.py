@@ -5,8 +5,9 @@ from __future__ import annotations
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _SEQUENCE_WORDS = frozenset({"counter", "reference", "sequence", "transaction"})
 """The words of names that say that a part numbers the requests, if the response has a part with the same name."""
@@ -57,7 +58,7 @@ def _numbers(value: Value | None) -> tuple[int, int] | None:
     """The first and the last of the numbers that a part can count; None for a value that has a meaning."""
     if value is None or value.enum or value.flags or value.unit or value.scale != 1 or value.offset:
         return None
-    if value.type.kind is not Kind.INTEGER:
+    if not is_count(value.encoding):
         return None
     if value.ranges is None:
         return (0, value.high)

@@ -7,6 +7,7 @@ from typing import Literal
 from fieldspec.codec.layout.checksums import checksum_bytes
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.digits import digits_bytes, digits_number
+from fieldspec.language.model.encoding import number_of, whole_bits, whole_number
 from fieldspec.language.model.link import Part
 from fieldspec.language.model.value import Value
 
@@ -64,7 +65,8 @@ class PartLayout:
         if self.value.digits:
             return digits_bytes(self.value, number)
         order: Literal["big", "little"] = "little" if self.order == "little" else "big"
-        return number.to_bytes(self.size, order, signed=self.value.type.signed)
+        whole = number_of(self.value.encoding)
+        return (number if whole is None else whole_bits(whole, number)).to_bytes(self.size, order)
 
     def number(self, length: int) -> int | None:
         """The value of a length part if all parts together have `length` bytes; None if it cannot express that."""
@@ -81,4 +83,6 @@ class PartLayout:
         assert self.value is not None
         if self.value.digits:
             return digits_number(self.value, data) if len(data) == self.size else None
-        return int.from_bytes(data, "little" if self.order == "little" else "big", signed=self.value.type.signed)
+        bits = int.from_bytes(data, "little" if self.order == "little" else "big")
+        whole = number_of(self.value.encoding)
+        return bits if whole is None else whole_number(whole, bits)

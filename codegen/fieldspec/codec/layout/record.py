@@ -9,11 +9,13 @@ from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation import classes
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.enums import Enum
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Case, Choice, Field, Record, list_count, text_count
 from fieldspec.language.model.registers import Register
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -60,7 +62,7 @@ class FieldLayout:
     def carries_bytes(self) -> bool:
         """Whether it has the bytes of the value of a parameter."""
         part = self.value.parameter if self.value is not None else None
-        return part is not None and part.part == "value" and self.primitive.kind is Kind.BYTES and not self.is_list
+        return part is not None and part.part == "value" and is_octets(self.primitive.encoding) and not self.is_list
 
     @property
     def primitive(self) -> Primitive:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.language.model.encoding import is_count, is_octets
 from fieldspec.language.model.segments import NumberPlace, initial_number, number_places
-from fieldspec.language.model.value import Kind
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
@@ -84,7 +84,7 @@ class SegmentsLayout:
         """The field that says the number of bytes of the value. Raises OverflowError where it cannot."""
         if self.size is None:
             return {}
-        is_bytes = self.size.primitive.kind is Kind.BYTES
+        is_bytes = is_octets(self.size.primitive.encoding)
         return {self.size.name: size.to_bytes(self.size.size, _order(self.size)) if is_bytes else size}
 
     def request(self, count: int, piece: bytes = b"", is_last: bool = False) -> dict[str, Any]:
@@ -142,7 +142,7 @@ def _initial(record: RecordLayout, flags: Mapping[str, Flags]) -> dict[str, Any]
     return {
         field.name: initial_number(field.field, flags)
         for field in record.fields
-        if field.value is not None and field.value.type.kind is Kind.INTEGER and not field.is_list
+        if field.value is not None and is_count(field.value.encoding) and not field.is_list
     }
 
 

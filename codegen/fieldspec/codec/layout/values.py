@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import struct
 from collections.abc import Iterable, Mapping
 from decimal import Context, Decimal
 from math import ceil, floor
@@ -13,10 +12,22 @@ from fieldspec.codec.layout.needed_bits import needed_bits
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    real_bits,
+    real_number,
+)
 from fieldspec.language.model.quantity import count_of, number_of, point_text
 from fieldspec.language.model.texts import Example
-from fieldspec.language.model.value import Kind, Sentinel, Value
+from fieldspec.language.model.value import Sentinel, Value
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -141,26 +152,43 @@ def _raw_number(device: Device, path: str, value: Value | None, entered: Any) ->
         raise MeaningError(path, "one value is expected, and neither members nor a list")
     if value.flags and isinstance(entered, list | str) and not _is_count(entered):
         return _word(device, path, value, entered)
-    if value.type.kind is Kind.BOOLEAN and str(entered).lower() in ("true", "false", "1", "0"):
-        return str(entered).lower() in ("true", "1")
-    if value.type.kind is Kind.TEXT:
-        return str(entered)
-    if value.type.kind is Kind.BYTES:
-        try:
-            return bytes.fromhex(str(entered))
-        except ValueError:
-            raise MeaningError(path, "bytes are written as pairs of hexadecimal digits") from None
-    if value.type.kind is Kind.FLOAT:
-        special = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
-        if special is not None:
-            return number_of_sentinel(value, special)
-        quantity = device.entered_quantity(value, entered)
-        if quantity is not None:
-            return _present(path, value, str(entered), float(quantity))
-        number = entered if isinstance(entered, float) else number_of(str(entered))
-        if number is None:
-            raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
-        return number
+    encoding = value.encoding
+    match encoding:
+        case Truth():
+            if str(entered).lower() in ("true", "false", "1", "0"):
+                return str(entered).lower() in ("true", "1")
+            return _raw_count(device, path, value, entered)
+        case Text():
+            return str(entered)
+        case Octets():
+            try:
+                return bytes.fromhex(str(entered))
+            except ValueError:
+                raise MeaningError(path, "bytes are written as pairs of hexadecimal digits") from None
+        case Real():
+            return _raw_real(device, path, value, encoding.precision, entered)
+        case Whole() | Digits():
+            return _raw_count(device, path, value, entered)
+        case _:
+            assert_never(encoding)
+
+
+def _raw_real(device: Device, path: str, value: Value, precision: Precision, entered: Any) -> float:
+    """The floating-point number for a number, a special value, or a quantity."""
+    special = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
+    if special is not None:
+        return number_of_sentinel(value, special)
+    quantity = device.entered_quantity(value, entered)
+    if quantity is not None:
+        return _present(path, value, precision, str(entered), float(quantity))
+    number = entered if isinstance(entered, float) else number_of(str(entered))
+    if number is None:
+        raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
+    return number
+
+
+def _raw_count(device: Device, path: str, value: Value, entered: Any) -> int:
+    """The count for a count, a member, a special value, or a quantity."""
     if isinstance(entered, int) and not isinstance(entered, bool):
         return entered
     if isinstance(entered, float | Decimal) and value.scaled and not value.unit:
@@ -173,18 +201,20 @@ def _raw_number(device: Device, path: str, value: Value | None, entered: Any) ->
 
 def number_of_sentinel(value: Value, sentinel: Sentinel) -> int | float:
     """The raw value of a sentinel: a count, or a floating-point number; that of a NaN has its bits."""
-    if value.type.kind is not Kind.FLOAT:
-        return sentinel.value
-    if not sentinel.is_nan:
-        return float(sentinel.value)
-    nan: float = struct.unpack(f">{value.type.letter}", sentinel.value.to_bytes(value.size, "big"))[0]
-    return nan
+    encoding = value.encoding
+    match encoding:
+        case Real():
+            return real_number(encoding.precision, sentinel.value) if sentinel.is_nan else float(sentinel.value)
+        case Whole() | Digits() | Truth() | Text() | Octets():
+            return sentinel.value
+        case _:
+            assert_never(encoding)
 
 
-def _present(path: str, value: Value, entered: str, number: float) -> float:
-    """A quantity as a number of the type of a value. Raises MeaningError for one that would be sent as a sentinel."""
+def _present(path: str, value: Value, precision: Precision, entered: str, number: float) -> float:
+    """A quantity as a number of a precision. Raises MeaningError for one that would be sent as a sentinel."""
     try:
-        (sent_number,) = struct.unpack(f">{value.type.letter}", struct.pack(f">{value.type.letter}", number))
+        sent_number = real_number(precision, real_bits(precision, number))
     except OverflowError:
         return number
     absent = value.sentinel(sent_number)

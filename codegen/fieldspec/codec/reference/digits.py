@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.value import Value
 
 _DIGIT = {"upper_hex": "[0-9A-F]", "lower_hex": "[0-9a-f]"}
@@ -19,7 +20,7 @@ def number_of_digits(value: Value, data: bytes) -> int | None:
         return None
     if value.digits != "decimal":
         number, turn = int(text, 16), 16**value.size
-        return number - turn if value.type.signed and number >= turn // 2 else number
+        return number - turn if is_signed(value.encoding) and number >= turn // 2 else number
     return int(text.replace(".", ""))
 
 
@@ -40,7 +41,7 @@ def digits_of_number(value: Value, number: int) -> bytes:
 
 
 def _has_sign(value: Value) -> bool:
-    return value.type.signed and not value.has_blanks
+    return is_signed(value.encoding) and not value.has_blanks
 
 
 def _pattern(value: Value) -> str:
@@ -48,5 +49,5 @@ def _pattern(value: Value) -> str:
         return f"{_DIGIT[value.digits]}*"
     fraction_digits = rf"\.[0-9]{{{value.places}}}" if value.places else ""
     if value.has_blanks:
-        return f" *{'-?' if value.type.signed else ''}(0|[1-9][0-9]*){fraction_digits}"
-    return f"{'[+-]' if value.type.signed else ''}[0-9]+{fraction_digits}"
+        return f" *{'-?' if is_signed(value.encoding) else ''}(0|[1-9][0-9]*){fraction_digits}"
+    return f"{'[+-]' if is_signed(value.encoding) else ''}[0-9]+{fraction_digits}"

@@ -9,8 +9,9 @@ from fieldspec.codec.reference.records import CodecError
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.raw_numbers import SinglePrecision
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import Real, Whole, is_text
+from fieldspec.language.model.raw_numbers import printable
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Any
@@ -30,15 +31,16 @@ def value_of_bytes(device: Device, field: FieldLayout, value: Value, values: Map
 
 def value_of_data(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
     """The raw value that some bytes are; of a text, the zeros that fill it up may be missing. Raises CodecError."""
-    if value.type.kind is Kind.TEXT:
+    if is_text(value.encoding):
         data = data.ljust(value.size, b"\0")
     if len(data) != value.size:
         raise CodecError("wrong_length", f"the value has {value.size} bytes, not {len(data)}")
     if not value.type.is_number:
         return data
     raw = value_construct(value, order, swapped).parse(data)
-    if value.type.kind is Kind.FLOAT and value.size == 4:
-        return SinglePrecision(raw)
+    encoding = value.encoding
+    if isinstance(encoding, Real):
+        return printable(encoding.precision, raw)
     return data if raw is None else raw
 
 
@@ -80,11 +82,12 @@ def number_in_field(own: Value | None, value: Value, raw: Any) -> Any:
     """
     if own is None or isinstance(raw, bool) or not isinstance(raw, int):
         return raw
-    kinds = {own.type.kind, value.type.kind}
-    if kinds != {Kind.INTEGER} or own.size != value.size or own.digits or value.digits:
+    if own.size != value.size or not (isinstance(own.encoding, Whole) and isinstance(value.encoding, Whole)):
         return raw
-    bits = raw & ((1 << 8 * own.size) - 1)
-    return bits - (1 << 8 * own.size) if own.type.signed and bits >> (8 * own.size - 1) else bits
+    if not value.low <= raw <= value.high:
+        return raw
+    carrier = value_construct(own, "big", False)
+    return carrier.parse(value_construct(value, "big", False).build(raw))
 
 
 def orders_of(device: Device, field: FieldLayout, value: Value) -> tuple[str, bool]:

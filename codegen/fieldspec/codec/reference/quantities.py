@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-import struct
 from fractions import Fraction
 
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.encoding import is_real
+from fieldspec.language.model.value import Value
 
 
 class NoQuantityError(ValueError):
@@ -40,12 +41,9 @@ def special_name(value: Value, raw: float) -> str:
 def special_number(value: Value, name: str) -> int | float:
     """The number that is sent for a state."""
     sentinel = next(sentinel for sentinel in value.sentinels if sentinel.name == name)
-    if value.type.kind is not Kind.FLOAT:
-        return sentinel.value
     if not sentinel.is_nan:
-        return float(sentinel.value)
-    (number,) = struct.unpack("<f" if value.size == 4 else "<d", sentinel.value.to_bytes(value.size, "little"))
-    return float(number)
+        return float(sentinel.value) if is_real(value.encoding) else sentinel.value
+    return float(value_construct(value, "big", False).parse(sentinel.value.to_bytes(value.size, "big")))
 
 
 def quantity(value: Value, raw: float, power: int | None = None) -> Fraction | None:

@@ -15,11 +15,13 @@ from fieldspec.codec.reference.bits import number_of_bits
 from fieldspec.codec.reference.quantities import special_name
 from fieldspec.codec.reference.structs import UNFIT, record_struct, value_construct
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes, text_refusal
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.encoding import Digits, Octets, Precision, Real, Text, Truth, Whole, is_array
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.text_form import encoding_title, text_form_title
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 class CodecError(ValueError):
@@ -146,15 +148,26 @@ def _decode_element(field: FieldLayout, raw: Any, device: Device, offset: int) -
 def decoded_value(name: str, value: Value | None, raw: Any, device: Device, offset: int | None) -> Any:
     """One raw value: booleans as such, text as a str; closed enums and constants are enforced. Raises CodecError."""
     assert value is not None
-    kind = value.type.kind
-    if kind is Kind.BOOLEAN:
-        if raw not in (0, 1):
-            raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", offset)
-        return bool(raw)
-    if kind is Kind.TEXT:
-        return _decoded_text(name, value, raw, offset)
-    if kind is Kind.BYTES:
-        return bytes(raw)
+    encoding = value.encoding
+    match encoding:
+        case Truth():
+            if raw not in (0, 1):
+                raise CodecError("unknown_value", f"{name} is {raw}, neither 0 nor 1", offset)
+            return bool(raw)
+        case Text():
+            return _decoded_text(name, value, raw, offset)
+        case Octets():
+            return bytes(raw)
+        case Real():
+            return raw
+        case Whole() | Digits():
+            return _decoded_count(name, value, raw, device, offset)
+        case _:
+            assert_never(encoding)
+
+
+def _decoded_count(name: str, value: Value, raw: int | None, device: Device, offset: int | None) -> int:
+    """A whole number; None for bytes that are not its digits."""
     if raw is None:
         raise CodecError("unknown_value", f"{name} is not {digits_text(value)}", offset)
     if value.const is not None and raw != value.const:
@@ -273,7 +286,7 @@ def _implied(field: FieldLayout) -> Any:
     if value is not None and value.const is not None:
         implied = value.const
     elif field.field.reserved and value is not None:
-        zero: Any = bytes(value.size) if value.type.letter == "s" else 0
+        zero: Any = bytes(value.size) if is_array(value.encoding) else 0
         implied = value.default if isinstance(value.default, int) else zero
     if implied is None:
         raise CodecError("missing_value", f"{field.name} is not given")
@@ -303,28 +316,40 @@ def _with_bytes_of_text(record: RecordLayout, raw: Values) -> Values:
 def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device) -> Any:
     """One value as raw number or bytes, refused where it is out of range. Raises CodecError."""
     assert value is not None
-    kind = value.type.kind
-    if kind is Kind.TEXT and isinstance(raw_value, str):
-        fault = text_refusal(value, "big", raw_value)
+    encoding = value.encoding
+    match encoding:
+        case Text():
+            return _encoded_text(name, value, raw_value)
+        case Octets():
+            return _bytes(name, raw_value, range(value.size, value.size + 1))
+        case Real():
+            if not isinstance(raw_value, int | float):
+                raise CodecError("wrong_type", f"{name} is a number, not {spec_text(raw_value)}")
+            return _float(name, value, encoding.precision, raw_value)
+        case Whole() | Digits() | Truth():
+            if not isinstance(raw_value, int):
+                raise CodecError("wrong_type", f"{name} is a whole number, not {spec_text(raw_value)}")
+            return _encoded_count(name, value, int(raw_value), device)
+        case _:
+            assert_never(encoding)
+
+
+def _encoded_text(name: str, value: Value, text: Any) -> Any:
+    """A text as its construct takes it: as characters, or filled up, where ASCII has zeros behind it."""
+    if isinstance(text, str):
+        fault = text_refusal(value, "big", text)
         if fault is not None:
             raise CodecError(fault[0], f"{name} {fault[1]}")
-        return raw_value if value.text_form is not None else bytes_of_text(value, "big", raw_value)
-    if kind in (Kind.TEXT, Kind.BYTES):
-        data = _bytes(name, raw_value)
-        if len(data) > value.size or (kind is Kind.BYTES and len(data) != value.size):
-            raise CodecError("wrong_length", f"{name} has {value.size} bytes, not {len(data)}")
-        return data.ljust(value.size, b"\0")
-    if kind is Kind.FLOAT and isinstance(raw_value, int | float):
-        return _float(name, value, raw_value)
-    if kind is Kind.FLOAT:
-        raise CodecError("wrong_type", f"{name} is a number, not {spec_text(raw_value)}")
-    if not isinstance(raw_value, int):
-        raise CodecError("wrong_type", f"{name} is a whole number, not {spec_text(raw_value)}")
-    if value.const is not None and raw_value != value.const:
-        raise CodecError("wrong_const", f"{name} is {raw_value}, not {value.const}")
-    if value.enum and not _is_known(device, value, int(raw_value)):
-        raise CodecError("unknown_value", f"{name} is {raw_value}, which {value.enum} does not list")
-    number = _in_range(name, value, int(raw_value))
+        return text if value.text_form is not None else bytes_of_text(value, "big", text)
+    return _bytes(name, text, range(value.size + 1)).ljust(value.size, b"\0")
+
+
+def _encoded_count(name: str, value: Value, number: int, device: Device) -> int:
+    if value.const is not None and number != value.const:
+        raise CodecError("wrong_const", f"{name} is {number}, not {value.const}")
+    if value.enum and not _is_known(device, value, number):
+        raise CodecError("unknown_value", f"{name} is {number}, which {value.enum} does not list")
+    number = _in_range(name, value, number)
     if value.flags:
         _check_bits(name, device.flags[value.flags], value, number)
     return number
@@ -338,18 +363,23 @@ def _check_bits(name: str, word: Flags, value: Value, number: int) -> None:
             raise CodecError("out_of_range", f"{bit.name} of {name} is {own}, not in {bit.ranges.text()}")
 
 
-def _bytes(name: str, data: Any) -> bytes:
+def _bytes(name: str, data: Any, sizes: range) -> bytes:
     if not isinstance(data, bytes | bytearray):
         raise CodecError("wrong_type", f"{name} is a text or bytes, not {spec_text(data)}")
+    if len(data) not in sizes:
+        raise CodecError("wrong_length", f"{name} has {sizes[-1]} bytes, not {len(data)}")
     return bytes(data)
 
 
-def _float(name: str, value: Value, number: float) -> float:
+_PACKED = {Precision.HALF: ">e", Precision.SINGLE: ">f", Precision.DOUBLE: ">d"}
+
+
+def _float(name: str, value: Value, precision: Precision, number: float) -> float:
     """A number that its bits hold and its ranges allow; without ranges infinities and NaN are allowed too."""
     try:
-        struct.pack(f">{value.type.letter}", number)
+        struct.pack(_PACKED[precision], float(number))
     except OverflowError:
-        raise CodecError("out_of_range", f"{name} is {number}, which {8 * value.size} bits do not hold") from None
+        raise CodecError("out_of_range", f"{name} is {number}, which {precision.value} bits do not hold") from None
     if value.ranges is not None and number not in value.ranges and not special_name(value, number):
         raise CodecError("out_of_range", f"{name} is {number}, not in {value.ranges.text()}")
     return number

@@ -10,7 +10,9 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import narrowed, widened
 from fieldspec.codec.reference.digits import digits_of_number, number_of_digits
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Sign, Text, Truth, Whole
+from fieldspec.language.model.value import Value
 
 
 def record_struct(record: RecordLayout) -> construct.Struct:
@@ -68,24 +70,52 @@ def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
 def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:
     """The construct that parses and builds one value."""
     assert value is not None
-    kind, size = value.type.kind, value.size
     if value.text_form is not None:
         return _Text(value, order)
-    if kind in (Kind.TEXT, Kind.BYTES):
-        return construct.Bytes(size)
-    if value.digits:
-        return _Digits(value, order, swapped)
     suffix = "b" if (order == "big") != swapped else "l"
-    if kind is Kind.FLOAT:
-        number = getattr(construct, f"Float{8 * size}{suffix}")
-    elif value.type.is_odd:
-        number = construct.BytesInteger(size, signed=value.type.signed, swapped=suffix == "l")
-    else:
-        number = getattr(construct, f"Int{8 * size}{'s' if value.type.signed else 'u'}{suffix}")
+    size, encoding = value.size, value.encoding
+    match encoding:
+        case Text() | Octets():
+            return construct.Bytes(size)
+        case Digits():
+            return _Digits(value, order, swapped)
+        case Real():
+            number = getattr(construct, f"Float{encoding.bits}{suffix}")
+        case Truth():
+            number = construct.BytesInteger(size, swapped=suffix == "l")
+        case Whole():
+            number = _whole(encoding, suffix == "l")
+        case _:
+            assert_never(encoding)
     if swapped:
         # Words in the other order than bytes: turn the bytes of each word, then read in the words' order.
         return construct.Transformed(number, _words_turned, size, _words_turned, size)
     return number
+
+
+def _whole(whole: Whole, is_little: bool) -> construct.Construct:
+    """The construct of a whole number, in two's complement or with a bit for its sign."""
+    size = whole.bits // 8
+    match whole.sign:
+        case Sign.NONE | Sign.COMPLEMENT:
+            return construct.BytesInteger(size, signed=whole.sign is Sign.COMPLEMENT, swapped=is_little)
+        case Sign.MAGNITUDE:
+            bits = construct.Sequence(construct.Flag, construct.BitsInteger(whole.bits - 1))
+            pair = construct.Bitwise(_SignAndMagnitude(bits))
+            return construct.ByteSwapped(pair) if is_little else pair
+        case _:
+            assert_never(whole.sign)
+
+
+class _SignAndMagnitude(construct.Adapter):  # type: ignore[misc]
+    """A number of a flag that is set below zero, and of the number without its sign."""
+
+    def _decode(self, parts: Any, context: Any, path: str) -> int:
+        is_negative, magnitude = parts
+        return -int(magnitude) if is_negative else int(magnitude)
+
+    def _encode(self, number: int, context: Any, path: str) -> list[Any]:
+        return [number < 0, abs(number)]
 
 
 class _Digits(construct.Adapter):  # type: ignore[misc]

@@ -8,9 +8,10 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.values import MeaningError, pieces, raw_value
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.frames.frame_options import number_of
+from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.quantity import count_of
 from fieldspec.language.model.registers import Parameter
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.memory import element_value
 from fieldspec.tools.simulator.parameters import part_of
 
@@ -87,8 +88,7 @@ def _element_number(
     if own is None or index >= (parameter.elements or 1) or (count is not None and 0 <= count <= own.high):
         return item
     value = element_value(parameter, index)
-    integers = (Kind.INTEGER, Kind.BOOLEAN)
-    if value.type.kind not in integers or own.type.kind not in integers:
+    if not (is_exact(value.encoding) and is_exact(own.encoding)):
         return item
     value = value.for_writing() if direction == "request" else value
     try:

@@ -10,9 +10,10 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.command.rendering.blocks import Block, Line, Table, narrowed
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.registers import ParameterSet, Register
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 def value_details(value: Value) -> Iterator[tuple[str, str]]:
@@ -31,7 +32,7 @@ def constant_text(value: Value) -> str:
     """A constant with all its bytes, `0x00010000`; as a number if it is negative or has one digit; empty for others."""
     if value.const is None:
         return ""
-    is_short = value.const < 10 or value.type.kind is not Kind.INTEGER
+    is_short = value.const < 10 or not is_count(value.encoding)
     return str(value.const) if is_short else f"0x{value.const:0{2 * value.size}X}"
 
 

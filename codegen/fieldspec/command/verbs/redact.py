@@ -19,7 +19,7 @@ from fieldspec.command.files.regular_file import SizeError
 from fieldspec.command.rendering.blocks import Line, Table
 from fieldspec.command.sources import specs
 from fieldspec.foundation.classes import dataclass, field
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_array
 from fieldspec.language.reading.nodes import Mapping, Scalar
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 from fieldspec.tools.evidence.notes import FILE, REDACTED
@@ -108,7 +108,7 @@ def _spared(layout: DeviceLayout, names: Sequence[str]) -> frozenset[str]:
     facts = {
         item.path: item.fact.place.path
         for item in Observables(layout).all
-        if item.value.type.kind in (Kind.TEXT, Kind.BYTES) and IDENTITY not in item.fact.roles
+        if is_array(item.value.encoding) and IDENTITY not in item.fact.roles
     }
     for name in names:
         if name not in facts:

@@ -19,7 +19,7 @@ from fieldspec.language.behaviour.reading import SECTION, behaviour_of, kinds_of
 from fieldspec.language.checks.finding import is_imported
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.reading.findings import near, quoted
 from fieldspec.language.reading.nodes import Mapping, Scalar, mappings
 from fieldspec.language.reading.yaml_reader import key_span
@@ -246,7 +246,7 @@ class _Resolution:
             return
         for operand in self.names.of_signal(part.subject):
             value = operand.value
-            is_whole = value is not None and value.type.kind is Kind.INTEGER
+            is_whole = value is not None and is_count(value.encoding)
             own = operand.bit or (value if is_whole else None)
             if own is not None and not own.low <= number <= own.high:
                 text = f"{operand.path} carries {own.low}..{own.high}, and not {number}"

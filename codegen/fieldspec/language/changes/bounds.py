@@ -8,12 +8,14 @@ from typing import Any
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
 from fieldspec.language.changes.descriptions import named
+from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,14 +78,11 @@ def _of_values(value_pair: ValuePair) -> tuple[Ranges | None, Ranges | None]:
     old, new = value_pair.old, value_pair.new
     if old.ranges is None and new.ranges is None:
         return None, None
-    if old.type.kind not in _COUNT_TYPES or new.type.kind not in _COUNT_TYPES:
+    if not (is_exact(old.encoding) and is_exact(new.encoding)):
         return old.ranges, new.ranges
     if old.type != new.type and (old.ranges is None or new.ranges is None):
         return None, None
     return old.ranges or _whole(old.type), new.ranges or _whole(new.type)
-
-
-_COUNT_TYPES = (Kind.INTEGER, Kind.BOOLEAN)
 
 
 def _whole(primitive: Primitive) -> Ranges:

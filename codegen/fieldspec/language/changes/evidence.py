@@ -12,11 +12,12 @@ from fieldspec.language.model.device import Manual
 from fieldspec.language.model.enums import Bit, Cause, Enum, Flags, Member, State
 from fieldspec.language.model.fact import Citation, Claim
 from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import Case, Field, Message, Record
 from fieldspec.language.model.registers import Parameter, ParameterSet, Register, RegisterGroup, Subindex, Table
 from fieldspec.language.model.texts import Erratum, Example, Limit, Lookup, LookupColumn, Note
-from fieldspec.language.model.value import Conversion, ParameterPart, ParameterSizes, Primitive, Signal, Value
+from fieldspec.language.model.value import Conversion, ParameterPart, ParameterSizes, Signal, Value
 
 NOTHING = "nothing"
 

@@ -20,8 +20,8 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT, AddressSpace
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.record import Field, Message, RegisterAccess
-from fieldspec.language.model.value import Kind
 
 _CODE = "access_steps_fit_space"
 
@@ -85,10 +85,10 @@ def _number_findings(
 ) -> Iterator[Diagnostic]:
     """The finding of a field that is no number, or no register where it `is_carried`."""
     value = field.value
-    if value is None or value.type.kind is not Kind.INTEGER or value.flags or (field.is_list and not may_be_list):
+    if value is None or not is_count(value.encoding) or value.flags or (field.is_list and not may_be_list):
         text = f"{field.name} is no single number, but a step of {message.name} needs one"
         yield finding(_CODE, field.place, "name", text, "state it as an integer without flags")
-    elif is_carried and (value.size != space.unit_size or value.type.signed):
+    elif is_carried and (value.size != space.unit_size or is_signed(value.encoding)):
         text = f"{field.name} is {value.type.name}, but {message.name} accesses {space.unit}s"
         help = f"use `u{8 * space.unit_size}`, and give the registers their types"
         yield finding(_CODE, field.place, "type", text, help)

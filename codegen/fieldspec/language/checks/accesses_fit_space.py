@@ -22,9 +22,10 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT, BYTE, WORD, AddressSpace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.record import Field, Message, RegisterAccess
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "accesses_fit_space"
 
@@ -109,14 +110,14 @@ def _words(message: Message, access: RegisterAccess, field: Field, space: Addres
     if access.set is not None:
         text = f"`set` and `clear` have no effect in {message.name}, which accesses {space.unit}s"
         yield _of(message, text, "remove them", space)
-    if field.value is not None and (field.value.type.kind is not Kind.INTEGER or field.value.size != space.unit_size):
+    if field.value is not None and (not is_count(field.value.encoding) or field.value.size != space.unit_size):
         form = digits_text(field.value) if field.value.digits else field.value.type.name
         text = f"{field.name} is {form}, but {message.name} accesses {space.unit}s"
         help = f"use `u{8 * space.unit_size}`, and give the registers their types"
         if field.value.digits:
             help = "registers are not sent as digits: state them as `parameters`, which messages may carry as digits"
         yield finding(_CODE, field.place, "type", text, help)
-    elif field.value is not None and field.value.type.signed and space.unit == BYTE:
+    elif field.value is not None and is_signed(field.value.encoding) and space.unit == BYTE:
         text = f"{field.name} is {field.value.type.name}, but the bytes of a register have no sign"
         yield finding(_CODE, field.place, "type", text, "use `u8`, and give the registers their types")
 
@@ -149,7 +150,7 @@ def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagno
     """The findings of the field with the number of bits that a request writes, which codecs compare with the bytes."""
     value = count.value
     related_label = label(packed.place, "repeat", f"the bytes of {packed.name}")
-    is_number = value is not None and value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+    is_number = value is not None and is_count(value.encoding) and not is_signed(value.encoding) and not value.digits
     if value is None or not is_number or value.size > 2 or value.flags or value.enum or count.is_list or count.reserved:
         text = f"{count.name} is the number of bits in {message.name}, and no single `u8` or `u16`"
         yield finding(
@@ -181,7 +182,7 @@ def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Iterator[Diagno
 
 def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
     value = field.value
-    if value is None or value.type.kind is not Kind.INTEGER or field.count is not None:
+    if value is None or not is_count(value.encoding) or field.count is not None:
         text = f"{field.name} is neither bits packed into a repeated `u8` nor a number for a single bit"
         yield finding(_CODE, field.place, "type", text, "correct the field, or `values` of the message")
         return

@@ -16,10 +16,11 @@ from fieldspec.language.checks.addresses import table_words
 from fieldspec.language.checks.finding import finding, hexadecimal, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.sizes import RecordSizes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "addresses_fit_messages"
 _REFUSED = {"read": "wo", "write": "ro"}
@@ -30,7 +31,7 @@ def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         access = message.accesses
         field = message.request.named(access.start) if access is not None else None
-        if access is None or field is None or field.value is None or field.value.type.kind is not Kind.INTEGER:
+        if access is None or field is None or field.value is None or not is_count(field.value.encoding):
             continue
         space = device.space_name(access.space)
         for fact, key, first, last in _addressed(device, space, _REFUSED[access.operation]):

@@ -19,7 +19,7 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count
 
 
 def bits_within_width(device: Device) -> Iterator[Diagnostic]:
@@ -41,7 +41,7 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
         if used is None:
             continue
         widest[used.name] = max(widest.get(used.name, 0), value.type.size)
-        if value.type.kind is Kind.INTEGER and value.type.size > used.type.size:
+        if is_count(value.encoding) and value.type.size > used.type.size:
             text = f"{fact.name} is {value.type.name}, wider than {used.name}, which is {used.type.name}"
             help = (
                 f"correct the type, or state `type: {value.type.name}` for {used.name}: narrower values may use it too"
@@ -51,7 +51,7 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
         if not used.bits:
             continue
         highest = max(used.bits, key=lambda bit: bit.last)
-        if value.type.kind is not Kind.INTEGER or highest.last >= 8 * value.type.size:
+        if not is_count(value.encoding) or highest.last >= 8 * value.type.size:
             widest[used.name] = used.type.size  # one of the two is wrong, which one finding says
             yield finding(
                 "bits_within_width",

@@ -18,6 +18,7 @@ from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import default_key, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
@@ -47,7 +48,11 @@ def _of_list(rows: _Rows) -> Iterator[Diagnostic]:
 
 def _comparable(value: Value, other: Value) -> bool:
     """Whether two values lie on one axis: bounds of which each counts in its own direction do not."""
-    return value.type.signed and (value.scale, value.unit, value.ranges) == (other.scale, other.unit, other.ranges)
+    return is_signed(value.encoding) and (value.scale, value.unit, value.ranges) == (
+        other.scale,
+        other.unit,
+        other.ranges,
+    )
 
 
 def _compare_defaults(fact: Fact, value: Value, other: Fact, above: Value) -> Iterator[Diagnostic]:

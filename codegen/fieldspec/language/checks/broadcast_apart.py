@@ -16,7 +16,7 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count
 
 _CODE = "broadcast_apart"
 
@@ -32,7 +32,7 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, stations.place, "broadcast", text, "correct one of them", related_label)
         part = next((part for part in link.request if part.role == "unit_address" and part.value), None)
         value = part.value if part is not None else None
-        if value is None or value.type.kind is not Kind.INTEGER:
+        if value is None or not is_count(value.encoding):
             continue
         if not value.low <= stations.broadcast <= value.high:
             kind = digits_text(value) if value.digits else value.type.name

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from fieldspec.language.checks.finding import finding, label, plural
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.escape import CAN_DATA
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import RecordSizes, messages_on, messages_sent, part_size
@@ -84,7 +85,7 @@ def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
             text = f"{part.name} has {plural(last - first + 1, 'bit')}, but is {part.value.type.name}"
             related_label = label(part.place, "type", "its type")
             yield finding(_CODE, part.place, "bits", text, "use a wider type", related_label)
-        if part.value is not None and part.value.type.signed:
+        if part.value is not None and is_signed(part.value.encoding):
             text = f"{part.name} is {part.value.type.name}, but the bits of an identifier have no sign"
             yield finding(_CODE, part.place, "type", text, "use an unsigned type")
     if free:

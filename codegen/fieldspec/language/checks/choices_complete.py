@@ -20,9 +20,10 @@ from fieldspec.language.checks.facts import fields, layers
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.record import Case, Choice, Field, Record
 from fieldspec.language.model.registers import Table
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "choices_complete"
 
@@ -83,7 +84,7 @@ def _objection(device: Device, selector: Field) -> str:
     value = selector.value
     if value is None or selector.count is not None or selector.repeat is not None:
         return "it is not a single value"
-    if value.type.kind is not Kind.INTEGER or value.type.signed:
+    if not is_count(value.encoding) or is_signed(value.encoding):
         return f"it is {value.type.name}"
     if not value.enum:
         return "it has no enum"

@@ -18,10 +18,11 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import ExceptionResponse, Link
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.sizes import messages_on
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "codes_fit_link"
 
@@ -29,7 +30,7 @@ _CODE = "codes_fit_link"
 def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
         codes = [part for part in (*link.request, *link.response) if part.role == "code" and part.value is not None]
-        numbers = [part for part in codes if part.value is not None and part.value.type.kind is Kind.INTEGER]
+        numbers = [part for part in codes if part.value is not None and is_count(part.value.encoding)]
         # Both directions mostly have the same one; of two, the narrower one decides.
         part = min(numbers, key=lambda part: part.value.high if part.value else 0, default=None)
         if part is None or part.value is None:
@@ -62,7 +63,7 @@ def _wide(link: Link, message: Message) -> Iterator[Diagnostic]:
         in_request = link.request if key == "code" else ()
         for part in (*in_request, *(() if only_asks else link.response)):
             value = part.value
-            if part.role != "code" or value is None or value.type.kind is not Kind.INTEGER or code <= value.high:
+            if part.role != "code" or value is None or not is_count(value.encoding) or code <= value.high:
                 continue
             printed = str(code) if value.digits == "decimal" else f"{code:#x}"
             text = f"the code {printed} does not fit {part.name}, which is {_kind(value)}"

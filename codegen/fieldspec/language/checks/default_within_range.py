@@ -15,12 +15,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import default_key, finding, label, range_key
 from fieldspec.language.checks.numbers import Legal
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_real
+from fieldspec.language.model.value import Value
 
 _CODE = "default_within_range"
 _DECIMAL = re.compile(r"-?\d+\.\d+")
@@ -55,27 +57,36 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
 
 def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:
     """What a default is that the type cannot have, and what to do; None where it has the form of the value."""
-    kind = value.type.kind
-    if kind is Kind.BYTES:
-        return "that of bytes, which no output has", "remove it, and say it in `notes`"
-    if kind is Kind.TEXT:
-        return None if isinstance(default, str) else ("a number", f'write the text in quotes: "{default}"')
-    if isinstance(default, str) and kind is not Kind.FLOAT:
-        help = "state the raw value: the value in the unit, less the offset, divided by the scale"
-        if default.isdecimal():
-            help = f"numbers have no leading zeros: write it as `{default.lstrip('0') or '0'}`"
-        enum = device.enums.get(value.enum)
-        member = enum.named(default) if enum is not None else None
-        if member is not None:
-            help = f"write the number of {default}: `{member.value}`"
-        return f"`{default}`, but its raw values are whole numbers", help
-    if isinstance(default, str) and not _DECIMAL.fullmatch(default):
-        return f"`{default}`, but its values are numbers", "state it as a raw value"
-    return None
+    encoding = value.encoding
+    match encoding:
+        case Octets():
+            return "that of bytes, which no output has", "remove it, and say it in `notes`"
+        case Text():
+            return None if isinstance(default, str) else ("a number", f'write the text in quotes: "{default}"')
+        case Real():
+            if isinstance(default, str) and not _DECIMAL.fullmatch(default):
+                return f"`{default}`, but its values are numbers", "state it as a raw value"
+            return None
+        case Whole() | Digits() | Truth():
+            return _wrong_count(device, value, default) if isinstance(default, str) else None
+        case _:
+            assert_never(encoding)
+
+
+def _wrong_count(device: Device, value: Value, default: str) -> tuple[str, str]:
+    """What a text is that stands for a whole number, and what to do."""
+    help = "state the raw value: the value in the unit, less the offset, divided by the scale"
+    if default.isdecimal():
+        help = f"numbers have no leading zeros: write it as `{default.lstrip('0') or '0'}`"
+    enum = device.enums.get(value.enum)
+    member = enum.named(default) if enum is not None else None
+    if member is not None:
+        help = f"write the number of {default}: `{member.value}`"
+    return f"`{default}`, but its raw values are whole numbers", help
 
 
 def _outside(value: Value, default: str) -> str:
     """Why a floating-point value cannot be a number with a fraction, or an empty text."""
-    if value.type.kind is not Kind.FLOAT or value.ranges is None or float(default) in value.ranges:
+    if not is_real(value.encoding) or value.ranges is None or float(default) in value.ranges:
         return ""
     return f"is outside {value.ranges.text()}"

@@ -21,8 +21,9 @@ from fieldspec.language.checks.facts import facts
 from fieldspec.language.checks.finding import finding, label, plural
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Detection, Device, VersionLine
+from fieldspec.language.model.encoding import is_count, is_text
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "detections_apply"
 _EARLIER = "before-"
@@ -60,7 +61,7 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
         return
     value = getattr(fact, "value", None)
     is_request = getattr(fact, "access", "") == "wo" or "/request/" in detection.fact
-    if not isinstance(value, Value) or value.type.kind not in (Kind.INTEGER, Kind.TEXT):
+    if not isinstance(value, Value) or not (is_count(value.encoding) or is_text(value.encoding)):
         text = f"{detection.fact} is neither a whole number nor a text"
         yield finding(_CODE, detection.place, "fact", text, "name the value that tells the version")
         return
@@ -74,7 +75,7 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
         )
         related_label = label(fact.place, "access", "its access")
         yield finding(_CODE, detection.place, "fact", text, help, related_label, severity=Severity.WARNING)
-    number = value.type.kind is Kind.INTEGER
+    number = is_count(value.encoding)
     if detection.form and not number:
         text = f"{detection.fact} is a text, which is the version itself"
         yield finding(_CODE, detection.place, "form", text, "remove it")
@@ -114,7 +115,7 @@ def _fact(device: Device, detection: Detection) -> Fact | None:
 def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
     """The versions that no number of the value stands for, where a form says how numbers are read."""
     value = getattr(_fact(device, detection), "value", None)
-    if not isinstance(value, Value) or value.type.kind is not Kind.INTEGER or not detection.form:
+    if not isinstance(value, Value) or not is_count(value.encoding) or not detection.form:
         return
     for version in line.versions:
         if version.detected_as:

@@ -20,16 +20,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.checks.facts import layers, values
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import BCD, digit_bounds, digit_count, digits_text
+from fieldspec.language.model.encoding import MACHINE_BITS, Octets, Real, Sign, Text, Truth, Whole, is_count, is_signed
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.sizes import messages_on
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "digits_fit"
 _MOST_BYTES = 8
@@ -78,15 +81,15 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
 def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     """The findings of the form of the digits, the first one of each value."""
     kind = value.type
-    if isinstance(fact, Part) and (kind.kind is not Kind.INTEGER or kind.signed):
+    if isinstance(fact, Part) and (not is_count(kind.encoding) or is_signed(kind.encoding)):
         return  # the type is refused anyway, by `_of_part` or by other rules, and a wider one of its kind would be too
-    if kind.kind is not Kind.INTEGER or kind.is_odd:
+    if not _has_digits(kind):
         text = f"{fact.name} is {kind.name}, and digits are those of a whole number of 8, 16, 32 or 64 bits"
         yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
     elif value.places and value.digits != "decimal":
         text = f"{fact.name} has {value.places} places, which only decimal digits have"
         yield finding(_CODE, fact.place, "places", text, "remove it, or use `digits: decimal`")
-    elif value.digits == BCD and (kind.signed or value.size > _MOST_BYTES):
+    elif value.digits == BCD and (is_signed(kind.encoding) or value.size > _MOST_BYTES):
         text = f"{fact.name} is {kind.name} in {value.size} bytes; BCD is unsigned and has at most {_MOST_BYTES} bytes"
         yield finding(
             _CODE, fact.place, "digits", text, "use an unsigned type, or state the parts as values of their own"
@@ -94,12 +97,24 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     elif digit_count(value) <= value.places:
         text = f"{fact.name} has no room for a digit in {value.size} bytes"
         yield finding(_CODE, fact.place, "length", text, "count the sign, the point and all digits")
-    elif kind.signed and value.digits != "decimal" and digit_count(value) != 2 * kind.size:
+    elif is_signed(kind.encoding) and value.digits != "decimal" and digit_count(value) != 2 * kind.size:
         text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
         yield finding(_CODE, fact.place, "length", text, "use the type with as many digits")
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
         yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
+
+
+def _has_digits(primitive: Primitive) -> bool:
+    """Whether numbers of a type may be sent as digits: those of machines, in two's complement below zero."""
+    encoding = primitive.encoding
+    match encoding:
+        case Whole():
+            return encoding.bits in MACHINE_BITS and encoding.sign is not Sign.MAGNITUDE
+        case Real() | Truth() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
 
 
 def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
@@ -123,7 +138,7 @@ def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 def _wider(fact: Fact, value: Value) -> str:
     """The narrowest type that has all numbers of the digits of a value, if it may have that type."""
-    signed = value.type.signed
+    signed = is_signed(value.encoding)
     greatest = 32 if isinstance(fact, Part) and fact.role != "plain" else 64
     wide = (bits for bits in (16, 32, 64) if digit_bounds(value)[1] < 1 << bits - signed)
     bits = next(wide, 0)
@@ -134,7 +149,7 @@ def _wider(fact: Fact, value: Value) -> str:
 
 def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
     """The findings of a part of a frame, whose digits have no sign and are bytes of their own."""
-    if part.role == "plain" and value.type.kind is Kind.INTEGER and value.type.signed:
+    if part.role == "plain" and is_count(value.encoding) and is_signed(value.encoding):
         text = f"the part {part.name} is {value.type.name}, and the digits of a part have no sign"
         yield finding(_CODE, part.place, "type", text, "use an unsigned type")
     if part.bits is not None:

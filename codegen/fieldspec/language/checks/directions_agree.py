@@ -17,9 +17,9 @@ from collections.abc import Iterator
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import messages_on, part_size
-from fieldspec.language.model.value import Kind
 
 _CODE = "directions_agree"
 _COMPUTED = ("length", "checksum")
@@ -56,7 +56,7 @@ def _roles(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]:
 def _is_stated(part: Part) -> bool:
     """Whether a part is a number that users state, and nothing else says what it is."""
     value = part.value
-    if part.role != "plain" or part.reserved or part.same_as or value is None or value.type.kind is not Kind.INTEGER:
+    if part.role != "plain" or part.reserved or part.same_as or value is None or not is_count(value.encoding):
         return False
     return value.const is None and not value.enum and not value.flags and not value.scaled and not value.unit
 

@@ -16,15 +16,16 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import enumeration, finding, label, plural, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.enums import Member
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 def enum_within_range(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         enum = device.enums.get(value.enum)
-        if enum is not None and value.type.kind in (Kind.INTEGER, Kind.BOOLEAN):
+        if enum is not None and is_exact(value.encoding):
             excluded = [member for member in enum.members if _excluded(value, member)]
             if excluded:
                 key = "type" if value.ranges is None else range_key(fact.place)

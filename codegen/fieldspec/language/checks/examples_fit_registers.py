@@ -20,7 +20,7 @@ from fieldspec.language.checks.occupants import Addressed, Addresses
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
-from fieldspec.language.model.raw_numbers import SinglePrecision, orders_of
+from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Field, Message, RegisterAccess
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.texts import Example
@@ -91,8 +91,7 @@ def _valued(
         return
     reason = legal.objection(value, number, writes)
     if reason:
-        own = SinglePrecision(number) if isinstance(number, float) and value.size == 4 else number
-        text = f"{name} is {own} in {example.id}, which {reason}"
+        text = f"{name} is {number} in {example.id}, which {reason}"
         key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
         related_label = label(occupant.fact.place, key, "its permitted values")
         yield finding(_CODE, example.place, "values", text, "correct the frame or the range", related_label)

@@ -18,12 +18,13 @@ from fieldspec.language.checks.finding import finding, label, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.sizes import RecordSizes, messages_on
 from fieldspec.language.model.subcodes import Place, constant_at
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "exception_marks_distinct"
 
@@ -84,7 +85,7 @@ def _apart(
 def _is_another(device: Device, field: Field, start: int, offset: int, mark: bytes) -> bool:
     """Whether the bytes that a field, which begins at `start`, shares with those of the mark never are the mark's."""
     value = field.value
-    if value is None or value.type.kind is not Kind.INTEGER or value.width or value.has_characters:
+    if value is None or not is_count(value.encoding) or value.width or value.has_characters:
         return False
     if field.reserved or field.count is not None or field.repeat is not None:
         return False

@@ -22,10 +22,11 @@ from fieldspec.language.checks.inferred_keys_present import has_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.table_records import table_records
-from fieldspec.language.model.value import MOST_PLACES, Kind, Value
+from fieldspec.language.model.value import MOST_PLACES, Value
 
 _CODE = "exponents_apply"
 _OWN = ("scale", "offset", "enum", "flags", "const", "parameter", "measures", "reserved")
@@ -70,7 +71,7 @@ def _of_field(
 
 def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
     """The findings of a value that takes its scale from an exponent and cannot do so."""
-    if value.type.kind is not Kind.INTEGER:
+    if not is_count(value.encoding):
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
         yield finding(_CODE, fact.place, "scale_by", text, "remove it, or use an integer type")
     for key in _OWN:
@@ -124,7 +125,7 @@ _NO_NUMBER = "it is not a whole number without a scale and without names"
 
 def _is_number(value: Value) -> bool:
     """Whether a value is a whole number without a scale and without names."""
-    return value.type.kind is Kind.INTEGER and not (value.scaled or value.scale_by or value.enum or value.flags)
+    return is_count(value.encoding) and not (value.scaled or value.scale_by or value.enum or value.flags)
 
 
 def _wrong_ranges(value: Value) -> str:

@@ -17,41 +17,51 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, plural, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole, is_count, is_signed
 from fieldspec.language.model.fact import Fact, Place
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _NAMED = ("enum", "flags", "const")
 _SCALED = ("scale", "offset")
-_UNFIT = {
-    Kind.FLOAT: (*_NAMED, *_SCALED),
-    Kind.BOOLEAN: ("flags", "const", *_SCALED, "sentinels", "unit"),
-    Kind.TEXT: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
-    Kind.BYTES: (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit"),
-}
+_NONE_OF_ARRAYS = (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit")
 _OF_BITS = ("const", "byte_order", "range", "unit")
-_HELP = {
-    Kind.FLOAT: "remove it, or use an integer type",
-    Kind.BOOLEAN: "remove it, or use an integer type",
-    Kind.TEXT: "remove it; a text has no range or scale, and its bytes come in order but for `byte_order: little`",
-    Kind.BYTES: "remove it; text and bytes have no byte order, range or scale",
-}
+_INTEGER_HELP = "remove it, or use an integer type"
+
+
+def _unfit(encoding: Encoding) -> tuple[tuple[str, ...], str]:
+    """The keys that do not apply to an encoding, and what to do about them."""
+    match encoding:
+        case Whole() | Digits():
+            return (), _INTEGER_HELP
+        case Real():
+            return (*_NAMED, *_SCALED), _INTEGER_HELP
+        case Truth():
+            return ("flags", "const", *_SCALED, "sentinels", "unit"), _INTEGER_HELP
+        case Text():
+            help = "remove it; a text has no range or scale, and its bytes come in order but for `byte_order: little`"
+            return _NONE_OF_ARRAYS, help
+        case Octets():
+            return _NONE_OF_ARRAYS, "remove it; text and bytes have no byte order, range or scale"
+        case _:
+            assert_never(encoding)
 
 
 def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
-        kind = value.type.kind
+        unfit_keys, help = _unfit(value.encoding)
         bit_keys = _OF_BITS if value.type.name == BIT else ()
-        for key in dict.fromkeys((*_UNFIT.get(kind, ()), *bit_keys)):
+        for key in dict.fromkeys((*unfit_keys, *bit_keys)):
             if _has(value, key) and not (key == "byte_order" and value.has_order):
                 text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
-                yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, _HELP[kind])
-        if kind is Kind.INTEGER:
+                yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, help)
+        if is_count(value.encoding):
             yield from _of_names(fact, value)
         if value.type.is_number and not value.digits and "length" in fact.place:
             text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
@@ -65,8 +75,8 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
         if value.type.is_number and value.word_order and not value.has_words:
             text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
             yield finding("keys_fit_type", fact.place, "word_order", text, "remove it, or correct the type")
-        if kind is Kind.INTEGER and value.absent_nan:
-            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f32 or f64"
+        if is_count(value.encoding) and value.absent_nan:
+            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f16, f32 or f64"
             yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
     yield from _ordered_checksums(device)
 
@@ -84,7 +94,7 @@ def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         if _has(value, key):
             text = f"{fact.name} {names}, to which `{key}` does not apply"
             yield finding("keys_fit_type", fact.place, key, text, cure)
-    if value.flags and value.type.signed:
+    if value.flags and is_signed(value.encoding):
         text = f"{fact.name} is {value.type.name}, and a word of bits has no sign"
         help = f"use u{value.type.name[1:]}; several adjacent bits can be `signed`"
         yield finding("keys_fit_type", fact.place, "type", text, help)

@@ -18,11 +18,12 @@ from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import finding, interval, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Place
 from fieldspec.language.model.link import Part, PartSpan
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.sizes import RecordSizes, messages_sent, shapes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "lengths_hold"
 _HELP = "correct the number of elements or the type"
@@ -56,7 +57,7 @@ class _Frame:
 
 
 def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
-    if field.value is None or field.measures is None or field.value.type.kind is not Kind.INTEGER:
+    if field.value is None or field.measures is None or not is_count(field.value.encoding):
         return
     if field.measures.of == "bytes":
         bounds = sizes.field(measured)
@@ -93,7 +94,7 @@ def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Fra
             name = f"exception response on {shape.link.name}"
             data.append((name, shape.link.place, "exception_response", device.records[error.record]))
         for part in shape.link.parts(direction):
-            if part.role != "length" or part.value is None or part.value.type.kind is not Kind.INTEGER:
+            if part.role != "length" or part.value is None or not is_count(part.value.encoding):
                 continue
             for name, place, key, record in data:
                 bounds = sizes.bounds(record)

@@ -22,10 +22,11 @@ from collections.abc import Iterator
 from fieldspec.language.checks.finding import finding, label, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.escape import SLIP
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import coded, messages_on
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "links_complete"
 _NUMBERS = ("unit_address", "code", "length")
@@ -144,7 +145,7 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
         return
     kind, role = part.value.type, part.role.replace("_", " ")
     if part.role == "plain":
-        if kind.kind is not Kind.INTEGER:
+        if not is_count(kind.encoding):
             text = f"the part {part.name} is {kind.name}, which is not a number"
             yield finding(_CODE, part.place, "type", text, "use an integer type")
         enum = device.enums.get(part.value.enum)
@@ -152,10 +153,10 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
             text = f"the enum {enum.name} of the part {part.name} is closed, but frames can contain other values"
             related_label = label(enum.place, "name", "the enum")
             yield finding(_CODE, part.place, "enum", text, "set `open: true` on the enum", related_label)
-    elif kind.kind is not Kind.INTEGER:
+    elif not is_count(kind.encoding):
         text = f"the {role} {part.name} is {kind.name}, which is not a number"
         yield finding(_CODE, part.place, "type", text, "use an integer type")
-    elif kind.signed or kind.size > _GREATEST_SIZE:
+    elif is_signed(kind.encoding) or kind.size > _GREATEST_SIZE:
         text = f"the {role} {part.name} is {kind.name}; it must be unsigned, with at most {_GREATEST_SIZE} bytes"
         yield finding(_CODE, part.place, "type", text, "use an integer type from `u8` to `u32`")
 

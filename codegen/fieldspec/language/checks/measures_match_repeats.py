@@ -17,9 +17,10 @@ from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import finding, interval, label, range_key
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.sizes import RecordSizes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "measures_match_repeats"
 _KEYS = ("const", "default", "unit_default", "scale", "offset", "enum", "flags", "sentinels", "parameter")
@@ -43,7 +44,7 @@ def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
     """The findings of a field that measures another one and is not a number that encoders compute."""
     assert field.measures is not None
     statement = f"{field.name} counts {field.measures.of} of {field.measures.field}"
-    if value.type.kind is not Kind.INTEGER:
+    if not is_count(value.encoding):
         yield finding(_CODE, field.place, "type", f"{statement}, and is {value.type.name}", "use a whole number")
     for key in _KEYS:
         if key in field.place:

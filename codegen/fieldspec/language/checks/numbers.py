@@ -7,12 +7,13 @@ from collections.abc import Iterator, Mapping
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.encoding import is_count, is_exact, is_real
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.quantity import count_of
 from fieldspec.language.model.record import Case, Choice, Field
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.texts import Example
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 class Legal:
@@ -33,9 +34,9 @@ class Legal:
         """
         if writes:
             value = value.for_writing()
-        if value.type.kind is Kind.FLOAT and value.ranges is not None and value.sentinel(number) is None:
+        if is_real(value.encoding) and value.ranges is not None and value.sentinel(number) is None:
             return "" if number in value.ranges else f"is outside {value.ranges.text()}"
-        if value.type.kind not in (Kind.INTEGER, Kind.BOOLEAN) or isinstance(number, float):
+        if not is_exact(value.encoding) or isinstance(number, float):
             return ""
         if not value.low <= number <= value.high:
             return f"does not fit {digits_text(value) if value.digits else value.type.name}"
@@ -122,7 +123,7 @@ def in_counts(device: Device, value: Value, text: object) -> int | None:
 def number_objection(register: Register, meaning: str) -> str:
     """Why a register has no whole number that can be read, such as an address; empty where it has."""
     value = register.value
-    if value.type.kind is not Kind.INTEGER or value.scaled or value.scale_by or value.enum or value.flags:
+    if not is_count(value.encoding) or value.scaled or value.scale_by or value.enum or value.flags:
         return "it is not a whole number without a scale and without names"
     if register.count > 1:
         return f"it stands for {register.count} registers"

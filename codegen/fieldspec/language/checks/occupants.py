@@ -9,14 +9,13 @@ from fieldspec.language.checks.addresses import SPACE
 from fieldspec.language.model.access import narrowed
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_array
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.raw_numbers import number_in, orders_of
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
-from fieldspec.language.model.value import Kind, Value
-
-_NUMBERS = (Kind.INTEGER, Kind.BOOLEAN, Kind.FLOAT)
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +103,7 @@ class Addresses:
         for index in range(len(data) // unit):
             for occupant in self.at(space, start + index):
                 value = occupant.value
-                if value is None or value.type.kind not in _NUMBERS:
+                if value is None or is_array(value.encoding):
                     continue
                 first = index * unit + occupant.skip
                 own = data[first : first + value.size]

@@ -19,12 +19,13 @@ from fieldspec.language.checks.finding import finding, label, near, plural
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Kind, ParameterSizes, Value
+from fieldspec.language.model.value import ParameterSizes, Value
 
 _CODE = "parameter_bytes_complete"
 
@@ -49,7 +50,7 @@ def _part(value: Value | None) -> str:
 
 
 def _has_bytes(value: Value | None) -> bool:
-    return value is not None and value.type.kind is Kind.BYTES
+    return value is not None and is_octets(value.encoding)
 
 
 def _of_field(device: Device, record: Record, field: Field) -> Iterator[Diagnostic]:

@@ -19,11 +19,12 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import enumeration, finding, interval, label, plural, range_key
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "parameter_numbers_within_range"
 
@@ -79,7 +80,7 @@ def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagno
 
 def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
     """A field's range against the numbers on the wire, or, where it has none, its type."""
-    if value.type.kind is not Kind.INTEGER:
+    if not is_count(value.encoding):
         return
     numbers = wire_numbers(sets)
     permitted = merged(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]

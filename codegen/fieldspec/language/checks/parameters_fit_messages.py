@@ -21,8 +21,8 @@ from fieldspec.language.checks.facts import cases, fields
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.record import Field
-from fieldspec.language.model.value import Kind
 
 _CODE = "parameters_fit_messages"
 _VALUES = ("value", "values")
@@ -36,7 +36,7 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
     for field in fields(device):
         for value in (field.value, *(case.value for case in cases(field))):
             if value is not None and value.parameter is not None and value.parameter.part in _VALUES:
-                if value.type.kind is Kind.BYTES:
+                if is_octets(value.encoding):
                     continue  # parameter_bytes_complete judges them
                 for parameter_set in device.sets(value.parameter.set):
                     carriers.setdefault(parameter_set.name, []).append((value.number_size(value.size), field))

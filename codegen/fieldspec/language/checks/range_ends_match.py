@@ -17,12 +17,12 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count, is_signed
 
 
 def range_ends_match(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
-        if value.ranges is None or not value.type.signed or value.type.kind is not Kind.INTEGER:
+        if value.ranges is None or not is_signed(value.encoding) or not is_count(value.encoding):
             continue
         low, high = value.ranges.low, value.ranges.high
         extreme = low == value.type.low or high == value.type.high

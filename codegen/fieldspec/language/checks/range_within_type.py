@@ -10,35 +10,54 @@ Cure: Correct the type or the bound. Use a signed type if the manual prints nega
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Iterator
+from math import copysign
 
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, outside, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_count, digits_text
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    infinity,
+    is_exact,
+    quiet_nan,
+    real_bits,
+    real_number,
+    significant_bits,
+    whole_number,
+)
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges, bound_text
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 
 _HELP = "correct the type or the bound"
-_QUIET_NAN = {4: 0x7FC00000, 8: 0x7FF8000000000000}
-_INFINITY = {4: 0x7F800000, 8: 0x7FF0000000000000}
-_DIGITS = {4: 24, 8: 53}
-"""The bits of a NaN that machines produce, those of infinity, and the bits of the whole numbers that are exact."""
-_WHOLE = (Kind.INTEGER, Kind.BOOLEAN)
 
 
 def range_within_type(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
-        if value.type.kind in _WHOLE:
-            yield from _of_value(fact, value)
-        elif value.type.kind is Kind.FLOAT and not value.digits:
-            yield from _of_float(fact, value)
+        encoding = value.encoding
+        match encoding:
+            case Whole() | Digits() | Truth():
+                yield from _of_value(fact, value)
+            case Real():
+                yield from _of_float(fact, value, encoding.precision)
+            case Text() | Octets():
+                pass
+            case _:
+                assert_never(encoding)
     for flags in device.flags.values():
-        if flags.type.kind in _WHOLE and outside(flags.ranges, flags.type.low, flags.type.high):
+        if outside(flags.ranges, flags.type.low, flags.type.high):
             text = f"{flags.name} cannot be {_ranges_text(flags.ranges)} as {_type_range(flags.type)}"
             yield finding("range_within_type", flags.place, "range", text, _HELP)
         for bit in flags.bits:
@@ -63,41 +82,42 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 def _sentinel_help(value: Value, bits: int) -> str:
     """The help for a sentinel that is stated by its bits, which a signed type has for a negative number."""
-    width = 8 * value.type.size
-    if not value.type.signed or value.digits or not 1 << width - 1 <= bits < 1 << width:
+    encoding = value.encoding
+    if not isinstance(encoding, Whole) or not encoding.sign.is_signed or bits >> encoding.bits - 1 != 1:
         return _HELP
-    number = bits - (1 << width)
+    number = whole_number(encoding, bits)
     return f"0x{bits:X} are the bits of {number}: write it as `{number}` or `-0x{-number:X}`"
 
 
-def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_float(fact: Fact, value: Value, precision: Precision) -> Iterator[Diagnostic]:
     """Bounds and sentinels that the type has exactly, and bits that are those of a NaN."""
-    size, digits = value.size, _DIGITS[value.size]
+    width, digits = precision.value, significant_bits(precision)
+    infinite, quiet = infinity(precision), quiet_nan(precision)
     for bound in (bound for pair in (value.ranges.intervals if value.ranges else ()) for bound in pair):
         if isinstance(bound, float):
-            nearest = _nearest(bound, size)
+            nearest = _nearest(bound, precision)
             if nearest != bound:
                 text = f"{fact.name} cannot be exactly {bound_text(bound)} as {value.type.name}"
                 help = f"use the nearest number that it can be, {bound_text(nearest)}"
                 yield finding("range_within_type", fact.place, range_key(fact.place), text, help)
-        elif not _exact(bound, size):
+        elif not _exact(bound, precision):
             text = f"{fact.name} cannot be exactly {bound} as {value.type.name}"
             help = f"use a bound of at most {digits} bits"
             yield finding("range_within_type", fact.place, range_key(fact.place), text, help)
     for sentinel in value.sentinels:
-        high, bits = 1 << 8 * size, f"{sentinel.value:#0{2 * size + 2}x}"
-        nan = sentinel.value < high and sentinel.value & (high // 2 - 1) > _INFINITY[size]
+        high, bits = 1 << width, f"{sentinel.value:#0{width // 4 + 2}x}"
+        nan = sentinel.value < high and sentinel.value & (high // 2 - 1) > infinite
         if sentinel.is_nan and not nan:
             text = f"the bits {bits} ({sentinel.name}) of {fact.name} represent a number"
             yield finding("range_within_type", fact.place, "sentinels", text, "state the number under `value`")
-        elif sentinel.is_nan and sentinel.value != _QUIET_NAN[size] and getattr(fact, "access", "") != "ro":
-            text = f"{fact.name} can be written, and NaN is written as {_QUIET_NAN[size]:#0{2 * size + 2}x}"
-            help = f"set `access: ro` if it is only read, or state the value as a `u{8 * size}` of bits"
+        elif sentinel.is_nan and sentinel.value != quiet and getattr(fact, "access", "") != "ro":
+            text = f"{fact.name} can be written, and NaN is written as {quiet:#0{width // 4 + 2}x}"
+            help = f"set `access: ro` if it is only read, or state the value as a `u{width}` of bits"
             yield finding("range_within_type", fact.place, "sentinels", text, help)
-        elif not sentinel.is_nan and _INFINITY[size] < sentinel.value and nan:
+        elif not sentinel.is_nan and infinite < sentinel.value and nan:
             text = f"{bits} ({sentinel.name}) of {fact.name} looks like the bits of a NaN"
             yield finding("range_within_type", fact.place, "sentinels", text, "state them under `bits`")
-        elif not sentinel.is_nan and not _exact(sentinel.value, size):
+        elif not sentinel.is_nan and not _exact(sentinel.value, precision):
             text = f"{fact.name} cannot be exactly {sentinel.value} ({sentinel.name}) as {value.type.name}"
             yield finding("range_within_type", fact.place, "sentinels", text, f"use a number of at most {digits} bits")
     if sum(sentinel.is_nan for sentinel in value.sentinels) > 1:
@@ -105,23 +125,25 @@ def _of_float(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding("range_within_type", fact.place, "sentinels", text, "remove one of them")
 
 
-def _nearest(number: float, size: int) -> float:
-    """The floating-point number of some bytes that is nearest to another one."""
-    nearest: float = struct.unpack("f", struct.pack("f", number))[0] if size == 4 else number
-    return nearest
+def _nearest(number: float, precision: Precision) -> float:
+    """The finite number of a precision that is nearest to another one."""
+    try:
+        return real_number(precision, real_bits(precision, number))
+    except OverflowError:
+        return copysign(real_number(precision, infinity(precision) - 1), number)
 
 
-def _exact(number: int, size: int) -> bool:
-    """Whether a floating-point number of some bytes can be exactly a whole number."""
-    odd = abs(number)
-    while odd and odd % 2 == 0:
-        odd //= 2
-    return odd < 1 << _DIGITS[size] and abs(number) < 1 << (128 if size == 4 else 1024)
+def _exact(number: int, precision: Precision) -> bool:
+    """Whether a floating-point number can be exactly a whole number."""
+    try:
+        return real_number(precision, real_bits(precision, number)) == number
+    except OverflowError:
+        return False
 
 
 def _of_unit_addresses(link: Link) -> Iterator[Diagnostic]:
     part = next((p for p in link.request if p.role == "unit_address" and p.value is not None), None)
-    if link.unit_addresses is None or part is None or part.value is None or part.value.type.kind not in _WHOLE:
+    if link.unit_addresses is None or part is None or part.value is None or not is_exact(part.value.encoding):
         return
     if outside(link.unit_addresses.ranges, part.value.low, part.value.high):
         text = f"{part.name} cannot be {_ranges_text(link.unit_addresses.ranges)} as {_range_of(part.value)}"

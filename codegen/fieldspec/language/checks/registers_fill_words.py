@@ -18,7 +18,7 @@ from fieldspec.language.checks.finding import finding
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_array
 
 
 def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
@@ -27,9 +27,7 @@ def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
             text = f"the register {register.name} is {register.value.type.name}, half of its word"
             help = "state the whole word as u16 or i16, with a range if it is known"
             yield finding("registers_fill_words", register.place, "type", text, help, severity=Severity.WARNING)
-        elif (
-            register.value.type.kind in (Kind.TEXT, Kind.BYTES) and 2 * (register.words or 0) == register.value.size + 1
-        ):
+        elif is_array(register.value.encoding) and 2 * (register.words or 0) == register.value.size + 1:
             text = f"{register.name} has {register.value.size} bytes, which do not fill its {register.words} words"
             help = "correct the length or the words"
             yield finding("registers_fill_words", register.place, "length", text, help, severity=Severity.WARNING)

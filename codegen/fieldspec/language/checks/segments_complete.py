@@ -16,11 +16,12 @@ from collections.abc import Iterator
 from fieldspec.language.checks.finding import finding, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count, is_octets, is_signed
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.record import Field, Message, Record, Segments, SegmentsAbort
 from fieldspec.language.model.segments import number_places
 from fieldspec.language.model.sizes import sent_on
-from fieldspec.language.model.value import Kind, ParameterSizes
+from fieldspec.language.model.value import ParameterSizes
 
 _CODE = "segments_complete"
 
@@ -93,8 +94,8 @@ def _writing(device: Device, first: Message, stated: Segments) -> Iterator[Diagn
 def _size(first: Message, record: Record, name: str) -> Iterator[Diagnostic]:
     field = record.named(name)
     value = field.value if field is not None else None
-    whole = value is not None and value.type.kind is Kind.INTEGER and not value.type.signed
-    short = value is not None and value.type.kind is Kind.BYTES and value.size <= 8 and record is first.response
+    whole = value is not None and is_count(value.encoding) and not is_signed(value.encoding)
+    short = value is not None and is_octets(value.encoding) and value.size <= 8 and record is first.response
     if field is None:
         yield _finding(
             first, f"{first.name} has no field `{name}` there", near(name, [own.name for own in record.fields])
@@ -109,7 +110,7 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
     if data is None or data.value is None:
         names = [own.name for own in carrier.fields]
         yield _finding(first, f"{piece.name} has no field `{stated.data}` there", near(stated.data, names))
-    elif data.value.type.kind is not Kind.BYTES or data.count is not None or data.repeat is not None or data.reserved:
+    elif not is_octets(data.value.encoding) or data.count is not None or data.repeat is not None or data.reserved:
         yield _finding(
             first, f"{stated.data} of {piece.name} is no field of bytes", "use `type: bytes` and its `length`"
         )

@@ -17,11 +17,12 @@ from collections.abc import Iterator
 from fieldspec.language.checks.finding import enumeration, finding, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.operand import Operand, Operands
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.task import Step, Task, argument_text, value_text
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _RULE = "steps_possible"
 _ON_BITS = ("set", "clear", "pulse")
@@ -110,7 +111,7 @@ def _compared(operands: Operands, task: Task, index: int) -> Iterator[Diagnostic
     for message in task.messages or ("",):
         for operand in operands.target(step.target, message):
             value = operand.value
-            if value is None or value.type.kind is not Kind.INTEGER or value.enum or value.flags:
+            if value is None or not is_count(value.encoding) or value.enum or value.flags:
                 text = f"{operand.path} is no number that can be compared with an argument"
                 yield finding(_RULE, step.place, "wait", text, "name the fact that shows where the device is")
                 continue

@@ -18,14 +18,15 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, label, plural
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.text_form import text_fault
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 def text_fits_words(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
-        if value.characters is not None and value.type.kind is not Kind.TEXT:
+        if value.characters is not None and not is_text(value.encoding):
             text = f"{fact.name} is {value.type.name}, which has no characters"
             yield finding("text_fits_words", fact.place, "characters", text, "use the type `text`")
         elif value.characters is not None and value.characters > _most(value):
@@ -36,7 +37,7 @@ def text_fits_words(device: Device) -> Iterator[Diagnostic]:
             text = f"{fact.name} has room for {plural(_most(value), 'character')}, so that `characters` has no effect"
             help = "remove it, or state the characters that the manual permits"
             yield finding("text_fits_words", fact.place, "characters", text, help, _size(fact))
-        if isinstance(value.default, str) and value.type.kind is Kind.TEXT and value.text_form is None:
+        if isinstance(value.default, str) and is_text(value.encoding) and value.text_form is None:
             length = len(value.default.encode())
             fault = text_fault(value, "big", value.default)
             if fault is not None and fault[0] == "unknown_value":

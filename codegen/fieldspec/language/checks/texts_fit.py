@@ -17,10 +17,11 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, plural
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Parameter, Subindex
 from fieldspec.language.model.text_form import text_fault
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "texts_fit"
 _KEYS = ("encoding", "padding", "align", "terminator")
@@ -29,7 +30,7 @@ _KEYS = ("encoding", "padding", "align", "terminator")
 def texts_fit(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         keys = [key for key in _KEYS if key in fact.place and not (key == "padding" and value.digits)]
-        if value.type.kind is not Kind.TEXT:
+        if not is_text(value.encoding):
             for key in keys:
                 text = f"{fact.name} is {value.type.name}, and `{key}` is that of a text"
                 yield finding(_CODE, fact.place, key, text, "remove it, or use the type `text`")

@@ -17,9 +17,9 @@ from collections.abc import Iterator
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import messages_on
-from fieldspec.language.model.value import Kind
 
 _CODE = "unit_addresses_match"
 _DIRECTIONS = ("request", "response")
@@ -64,7 +64,7 @@ def _before_body(parts: tuple[Part, ...]) -> tuple[Part, ...]:
 def _may_be_address(part: Part) -> bool:
     """Whether a part is a number that users give, and nothing else says what it is."""
     value = part.value
-    if part.role != "plain" or part.reserved or part.same_as or value is None or value.type.kind is not Kind.INTEGER:
+    if part.role != "plain" or part.reserved or part.same_as or value is None or not is_count(value.encoding):
         return False
     return value.const is None and not value.enum and not value.flags and not value.scaled and not value.unit
 

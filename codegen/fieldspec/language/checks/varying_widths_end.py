@@ -25,12 +25,13 @@ from fieldspec.language.checks.finding import finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import BCD, digits_letters, has_sign
+from fieldspec.language.model.encoding import is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.record import Field, Message, Record, text_count
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.text_form import UTF_16
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "varying_widths_end"
 
@@ -44,7 +45,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         if not value.width:
             continue
-        unused = [key for key in ("padding", "align") if key in fact.place and value.type.kind is Kind.TEXT]
+        unused = [key for key in ("padding", "align") if key in fact.place and is_text(value.encoding)]
         for key in unused:
             yield finding(_CODE, fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
         if unused:
@@ -66,7 +67,7 @@ def _bodies(message: Message) -> tuple[Record, Record]:
 
 def _form(value: Value) -> str:
     """The reason why a value cannot vary in width; empty where it can."""
-    if value.type.kind is Kind.TEXT:
+    if is_text(value.encoding):
         form = value.text_form
         if form is not None and (
             form.encoding == UTF_16 or form.is_right or form.padding or form.terminator is not None or form.is_turned
@@ -75,7 +76,7 @@ def _form(value: Value) -> str:
         return ""
     if not value.digits or value.digits == BCD:
         return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"
-    if value.type.signed and not has_sign(value):
+    if is_signed(value.encoding) and not has_sign(value):
         return "is a signed hexadecimal number, whose sign is in its first digit"
     return ""
 
@@ -83,7 +84,7 @@ def _form(value: Value) -> str:
 def _cure(value: Value, is_in_place: bool) -> str:
     """What to write for a value of one width; `is_in_place` says that it could vary where it stands."""
     form = value.text_form
-    if not is_in_place and value.type.kind is Kind.TEXT:
+    if not is_in_place and is_text(value.encoding):
         return "remove it; or let the text end a record of a list, behind a `u8` or `u16` that `measures` its bytes"
     if form is None or form.terminator is None or form.encoding == UTF_16 or form.is_right or form.padding:
         return "remove it, and state the usual length"
@@ -146,7 +147,7 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
     """The finding of a field that measures a value that varies in width, unless it may count the bytes of that text."""
     count, value, measure = text_count(body, text), field.value, field.measures
     assert measure is not None
-    if text.value is None or text.value.type.kind is not Kind.TEXT:
+    if text.value is None or not is_text(text.value.encoding):
         message = f"{field.name} measures {text.name}, which varies in width and is no text"
         yield finding(_CODE, field.place, "measures", message, "let a `length` in the frame count the message")
         return

@@ -16,6 +16,7 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, plural
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_odd
 from fieldspec.language.model.registers import Register
 
 _CODE = "widths_fit_place"
@@ -27,8 +28,8 @@ def widths_fit_place(device: Device) -> Iterator[Diagnostic]:
         if isinstance(fact, Register) and value.digits and value.size % 2:
             text = f"the register {fact.name} has {plural(value.size, 'byte')} of digits, which are no whole words"
             yield finding(_CODE, fact.place, "length", text, "state the digits of whole words of two bytes")
-        elif isinstance(fact, Register) and value.type.is_odd and value.size % device.space(fact.space).unit_size:
+        elif isinstance(fact, Register) and is_odd(value.encoding) and value.size % device.space(fact.space).unit_size:
             text = f"the register {fact.name} is {type_name}, which has no whole number of words"
-            sign = "i" if value.type.signed else "u"
+            sign = value.type.name.rstrip("0123456789")
             help = f"state the words as {sign}32 or {sign}48, with a range if it is known"
             yield finding(_CODE, fact.place, "type", text, help)

@@ -19,9 +19,10 @@ from fieldspec.language.checks.facts import cases, nested_fields, values
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Field
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "write_range_applies"
 
@@ -41,7 +42,7 @@ def write_range_applies(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
-    if value.type.kind is not Kind.INTEGER or value.flags:
+    if not is_count(value.encoding) or value.flags:
         text = f"{fact.name} is not a whole number, so `write_range` does not apply"
         yield finding(_CODE, fact.place, "write_range", text, "remove it")
     elif value.const is not None:

@@ -17,9 +17,10 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 _CODE = "write_range_within_range"
 _HELP = "correct one of them"
@@ -27,7 +28,7 @@ _HELP = "correct one of them"
 
 def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
-        if value.write_ranges is not None and value.type.kind is Kind.INTEGER:
+        if value.write_ranges is not None and is_count(value.encoding):
             yield from _compare_ranges(fact, value, value.write_ranges)
 
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.encoding import is_signed
 
 if TYPE_CHECKING:
     from typing import Protocol
+
+    from fieldspec.language.model.encoding import Encoding
 
     class Number(Protocol):
         """The type of the number that the digits are those of."""
 
         @property
-        def signed(self) -> bool: ...
+        def encoding(self) -> Encoding: ...
         @property
         def high(self) -> int: ...
 
@@ -50,12 +53,12 @@ def has_sign(value: Digits) -> bool:
     A hexadecimal number has none, as it is in two's complement. Where blanks are in place of leading zeros, `-` comes
     behind them, and takes the place of a digit.
     """
-    return value.digits == "decimal" and value.type.signed and not value.has_blanks
+    return value.digits == "decimal" and is_signed(value.type.encoding) and not value.has_blanks
 
 
 def is_complement(value: Digits) -> bool:
     """Whether the digits are those of a number in two's complement."""
-    return value.type.signed and value.digits in ("upper_hex", "lower_hex")
+    return is_signed(value.type.encoding) and value.digits in ("upper_hex", "lower_hex")
 
 
 def digit_count(value: Digits) -> int:
@@ -83,13 +86,13 @@ def digit_bounds(value: Digits) -> tuple[int, int]:
     count = max(digit_count(value), 0)
     if value.digits in ("upper_hex", "lower_hex"):
         high = 16**count - 1
-        return (-(high + 1) // 2, high // 2) if value.type.signed else (0, high)
+        return (-(high + 1) // 2, high // 2) if is_signed(value.type.encoding) else (0, high)
     high = 10**count - 1
     if value.width:
         # The sign is sent below zero only, and takes the place of a digit; one stands before a point.
         return (_least_below_zero(value, count) if has_sign(value) else 0), high
     if value.has_blanks:
-        return (_least_below_zero(value, count) if value.type.signed else 0), high
+        return (_least_below_zero(value, count) if is_signed(value.type.encoding) else 0), high
     return (-high if has_sign(value) else 0), high
 
 
@@ -121,13 +124,13 @@ def digits_number(value: Digits, data: bytes) -> int | None:
     if value.digits == "decimal":
         return sign * int(text)
     number = int(text, 16)
-    return number - 16 ** len(text) if value.type.signed and number > value.type.high else number
+    return number - 16 ** len(text) if is_signed(value.type.encoding) and number > value.type.high else number
 
 
 def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
     """The number of ` -1.25`: blanks, `-` below zero, and digits of which the first is a zero only before the point."""
     text = data.lstrip(b" ")
-    is_negative = value.type.signed and text.startswith(b"-")
+    is_negative = is_signed(value.type.encoding) and text.startswith(b"-")
     fraction_width = value.places + 1 if value.places else 0
     whole = text[is_negative : max(len(text) - fraction_width, 0)]
     fraction = text[is_negative + len(whole) :]
@@ -165,7 +168,7 @@ def digits_text(value: Digits) -> str:
     case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
     sign = ", with a sign" if has_sign(value) else ""
     if value.has_blanks:
-        sign = f", blanks in place of leading zeros{', a sign below zero' if value.type.signed else ''}"
+        sign = f", blanks in place of leading zeros{', a sign below zero' if is_signed(value.type.encoding) else ''}"
     return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{sign}"
 
 

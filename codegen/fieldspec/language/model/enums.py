@@ -6,8 +6,9 @@ from decimal import Decimal
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.fact import Citation, Fact
+from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
-from fieldspec.language.model.value import PRIMITIVES, Handling, Primitive, Value
+from fieldspec.language.model.value import Handling, Value
 
 if TYPE_CHECKING:
     from fractions import Fraction

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
-import struct
 from decimal import ROUND_HALF_UP, Context, Decimal
 from math import isfinite
 
-from fieldspec.language.model.digits import digits_number
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.digits import digits_bytes, digits_number
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    real_bits,
+    real_number,
+    whole_bits,
+    whole_number,
+)
+from fieldspec.language.model.value import Value
 
-_SINGLE_DIGITS = 10
+_SHORT_DIGITS = 10
 """Nine digits tell all numbers of four bytes apart."""
-_INFINITE_SINGLE = (2 - 2**-24) * 2.0**127
-"""The least number that four bytes have as infinity."""
 
 
 class SinglePrecision(float):
@@ -22,15 +33,39 @@ class SinglePrecision(float):
     """
 
     __slots__ = ()
+    precision = Precision.SINGLE
 
     def __repr__(self) -> str:
         if isfinite(self):
-            exact, four_bytes = Decimal(self), struct.pack("f", self)
-            for digits in range(1, _SINGLE_DIGITS):
+            exact, bits = Decimal(self), real_bits(self.precision, self)
+            for digits in range(1, _SHORT_DIGITS):
                 rounded = float(Context(prec=digits, rounding=ROUND_HALF_UP).plus(exact))
-                if abs(rounded) < _INFINITE_SINGLE and struct.pack("f", rounded) == four_bytes:
-                    return repr(rounded)
+                try:
+                    if real_bits(self.precision, rounded) == bits:
+                        return repr(rounded)
+                except OverflowError:
+                    pass  # the nearest number of so few digits is greater than all that the bytes have
         return float.__repr__(self)
+
+
+class HalfPrecision(SinglePrecision):
+    """A number of two bytes in floating point, printed like one of four."""
+
+    __slots__ = ()
+    precision = Precision.HALF
+
+
+def printable(precision: Precision, number: float) -> float:
+    """The same number, which is printed with the fewest digits that read back as the same bits."""
+    match precision:
+        case Precision.HALF:
+            return HalfPrecision(number)
+        case Precision.SINGLE:
+            return SinglePrecision(number)
+        case Precision.DOUBLE:
+            return number
+        case _:
+            assert_never(precision)
 
 
 def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:
@@ -48,15 +83,41 @@ def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:
 def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | float | None:
     """The number in all bytes of a value that is no text and no bytes; None where they are not its digits.
 
-    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
+    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each. Raises AssertionError
+    for a text and for bytes.
     """
     in_order = data
     if swapped:
         in_order = b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
-    big = (order == "big") != swapped
-    if value.type.kind is Kind.FLOAT:
-        number: float = struct.unpack(f"{'>' if big else '<'}{value.type.letter}", in_order)[0]
-        return number
-    if value.digits:
-        return digits_number(value, in_order if big else in_order[::-1])
-    return int.from_bytes(in_order, "big" if big else "little", signed=value.type.signed)
+    first_to_last = in_order if (order == "big") != swapped else in_order[::-1]
+    bits = int.from_bytes(first_to_last, "big")
+    encoding = value.encoding
+    match encoding:
+        case Whole():
+            return whole_number(encoding, bits)
+        case Real():
+            return printable(encoding.precision, real_number(encoding.precision, bits))
+        case Truth():
+            return bits
+        case Digits():
+            return digits_number(value, first_to_last)
+        case Text() | Octets():
+            raise AssertionError("a text or bytes are no number")
+        case _:
+            assert_never(encoding)
+
+
+def bytes_of_number(value: Value, number: int) -> bytes:
+    """The bytes of a whole number that is a value, in big-endian order. Raises AssertionError for other values."""
+    encoding = value.encoding
+    match encoding:
+        case Whole():
+            return whole_bits(encoding, number).to_bytes(value.size, "big")
+        case Digits():
+            return digits_bytes(value, number)
+        case Truth():
+            return number.to_bytes(value.size, "big")
+        case Real() | Text() | Octets():
+            raise AssertionError("its raw value is no whole number")
+        case _:
+            assert_never(encoding)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import is_count, is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Handling, Kind, Value
+from fieldspec.language.model.value import Handling, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +100,7 @@ def list_count(record: Record, field: Field) -> Field | None:
         value = other.value
         if other.measures is None or other.measures.field != field.name or value is None or other.is_list:
             continue
-        is_number = value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits
         if is_number and value.size <= 2:
             return other
     return None
@@ -110,13 +111,13 @@ def text_count(record: Record, field: Field) -> Field | None:
 
     It is a binary number of one or two bytes without a sign, and nothing but that number.
     """
-    if field.value is None or not field.value.width or field.value.type.kind is not Kind.TEXT:
+    if field.value is None or not field.value.width or not is_text(field.value.encoding):
         return None
     for other in record.fields[: record.fields.index(field)]:
         value, measure = other.value, other.measures
         if measure is None or measure.field != field.name or measure.of != "bytes" or value is None or other.is_list:
             continue
-        is_number = value.type.kind is Kind.INTEGER and not value.type.signed and not value.digits
+        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits
         has_meaning = value.const is not None or value.enum or value.flags or value.sentinels or value.scaled
         if is_number and value.size <= 2 and not has_meaning and not other.reserved and measure.plus >= 0:
             return other

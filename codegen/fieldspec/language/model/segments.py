@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count, is_signed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -48,7 +48,7 @@ def number_places(flags: Mapping[str, Flags], record: Record, name: str) -> Iter
     """The places in a record with a name: unsigned whole numbers, and bits of the words that fields are."""
     for field in record.fields:
         value = field.value
-        if value is None or value.type.kind is not Kind.INTEGER or value.type.signed or value.digits or value.width:
+        if value is None or not is_count(value.encoding) or is_signed(value.encoding) or value.digits or value.width:
             continue
         if field.count is not None or field.repeat is not None or field.reserved or value.parameter is not None:
             continue

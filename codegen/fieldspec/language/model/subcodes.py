@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import TYPE_CHECKING
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count, is_signed
 
 if TYPE_CHECKING:
     from fieldspec.language.model.record import Field
@@ -34,7 +34,7 @@ def constant_at(
     value = field.value
     if value is None or value.const is None or field.reserved or field.count is not None or field.repeat is not None:
         return None
-    if value.type.kind is not Kind.INTEGER or value.size > widest:
+    if not is_count(value.encoding) or value.size > widest:
         return None
     own = (value.byte_order or order) if value.size > 1 else "big"
     if value.has_words and (value.word_order or word_order or own) != own:
@@ -55,7 +55,7 @@ def numbers_at(field: Field, offset: int, order: str, word_order: str) -> tuple[
         return None
     if field.count is not None or field.repeat is not None or value.parameter is not None or value.width:
         return None
-    if value.type.kind is not Kind.INTEGER or value.type.signed or value.size != 1 or value.digits:
+    if not is_count(value.encoding) or is_signed(value.encoding) or value.size != 1 or value.digits:
         return None
     numbers = (number for low, high in value.ranges.intervals for number in range(max(low, 0), min(high, 0xFF) + 1))
     return (offset, 1, "big"), tuple(dict.fromkeys(numbers))

@@ -3,99 +3,18 @@
 from __future__ import annotations
 
 from decimal import Context, Decimal
-from enum import Enum
 
 from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, replace
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.digits import BCD, digit_bounds
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole
 from fieldspec.language.model.fact import Citation, Fact
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import UTF_16, TextForm
 
 if TYPE_CHECKING:
     from fractions import Fraction
-
-
-class Kind(Enum):
-    """The kind of value that a primitive type encodes."""
-
-    INTEGER = "integer"
-    FLOAT = "float"
-    BOOLEAN = "boolean"
-    TEXT = "text"
-    BYTES = "bytes"
-
-
-@dataclass(frozen=True, slots=True)
-class Primitive:
-    """A type: its name, its size in bytes (0 where a length gives it), and its letter in `struct`.
-
-    The letter is empty for a number that `struct` and the machine do not have, such as one of three bytes.
-    """
-
-    name: str
-    kind: Kind
-    size: int
-    signed: bool = False
-    letter: str = ""
-
-    @property
-    def is_number(self) -> bool:
-        """Whether it is neither a text nor bytes."""
-        return self.kind not in (Kind.TEXT, Kind.BYTES)
-
-    @property
-    def is_odd(self) -> bool:
-        """Whether it is a whole number of a width that machines do not have: 24, 40, 48 or 56 bits."""
-        return self.is_number and self.size not in _MACHINE_SIZES
-
-    @property
-    def container(self) -> int:
-        """The bytes of the narrowest number of a machine that has all its values."""
-        return next((size for size in _MACHINE_SIZES if size >= self.size), self.size)
-
-    @property
-    def low(self) -> int:
-        """The least integer of the type."""
-        return -(1 << (8 * self.size - 1)) if self.signed else 0
-
-    @property
-    def high(self) -> int:
-        """The greatest integer of the type; 1 for a boolean."""
-        if self.kind is Kind.BOOLEAN:
-            return 1
-        return (1 << (8 * self.size - self.signed)) - 1
-
-
-_MACHINE_SIZES = (1, 2, 4, 8)
-
-PRIMITIVES = {
-    primitive.name: primitive
-    for primitive in (
-        Primitive("u8", Kind.INTEGER, 1, False, "B"),
-        Primitive("i8", Kind.INTEGER, 1, True, "b"),
-        Primitive("u16", Kind.INTEGER, 2, False, "H"),
-        Primitive("i16", Kind.INTEGER, 2, True, "h"),
-        Primitive("u24", Kind.INTEGER, 3),
-        Primitive("i24", Kind.INTEGER, 3, True),
-        Primitive("u32", Kind.INTEGER, 4, False, "I"),
-        Primitive("i32", Kind.INTEGER, 4, True, "i"),
-        Primitive("u40", Kind.INTEGER, 5),
-        Primitive("i40", Kind.INTEGER, 5, True),
-        Primitive("u48", Kind.INTEGER, 6),
-        Primitive("i48", Kind.INTEGER, 6, True),
-        Primitive("u56", Kind.INTEGER, 7),
-        Primitive("i56", Kind.INTEGER, 7, True),
-        Primitive("u64", Kind.INTEGER, 8, False, "Q"),
-        Primitive("i64", Kind.INTEGER, 8, True, "q"),
-        Primitive("f32", Kind.FLOAT, 4, True, "f"),
-        Primitive("f64", Kind.FLOAT, 8, True, "d"),
-        Primitive("bool8", Kind.BOOLEAN, 1, False, "B"),
-        Primitive("bool16", Kind.BOOLEAN, 2, False, "H"),
-        Primitive("bit", Kind.BOOLEAN, 1, False, "B"),
-        Primitive("text", Kind.TEXT, 0, False, "s"),
-        Primitive("bytes", Kind.BYTES, 0, False, "s"),
-    )
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,6 +139,24 @@ class Value:
     text_form: TextForm | None = None
     width: int = 0
     has_blanks: bool = False
+
+    @property
+    def encoding(self) -> Encoding:
+        """How it is on the wire."""
+        encoding = self.type.encoding
+        match encoding:
+            case Whole():
+                if not self.digits:
+                    return encoding
+                return Digits(encoding, self.digits, self.size, self.places, self.has_blanks)
+            case Real() | Truth():
+                return encoding
+            case Text():
+                return Text(self.size, self.text_form)
+            case Octets():
+                return Octets(self.size)
+            case _:
+                assert_never(encoding)
 
     @property
     def quantity_unit(self) -> str:

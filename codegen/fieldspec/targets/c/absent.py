@@ -6,11 +6,12 @@ from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import Kind, Sentinel, Value
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, infinity
+from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
 from fieldspec.targets.c.expressions import (
     VALUE,
-    Call,
     Expression,
     Group,
     Operation,
@@ -22,16 +23,12 @@ from fieldspec.targets.c.expressions import (
     equal,
     greater,
     hexadecimal,
-    integer,
-    real,
 )
+from fieldspec.targets.c.machine import literal, macro_literal, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.runtime_files import all_records, is_bit
 from fieldspec.targets.c.statements import Return, Variable
-from fieldspec.targets.c.values import real_functions, type_name
-
-_INFINITY = {4: 0x7F800000, 8: 0x7FF0000000000000}
-"""The bits of infinity, beyond which those of NaN begin."""
+from fieldspec.targets.c.values import type_name
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,12 +113,9 @@ def _nan_name(value: Value) -> str:
 
 def sentinel_literal(naming: Naming, value: Value, sentinel: Sentinel) -> Expression:
     """A sentinel as a constant of the type of its value; a NaN by a function, as no constant of C has its bits."""
-    if value.type.kind is not Kind.FLOAT:
-        return integer(sentinel.value, value.type.container, value.type.signed)
-    if sentinel.is_nan:
-        return Call(naming.own(real_functions(value.size)[0]), (hexadecimal(sentinel.value, value.size),))
-    literal = real(sentinel.value, value.size)
-    return Group(literal) if sentinel.value < 0 else literal
+    if not sentinel.is_nan:
+        return macro_literal(value.encoding, sentinel.value)
+    return of_bits(naming, value.encoding, hexadecimal(sentinel.value, value.size))
 
 
 def _absent_test(naming: Naming, value: Value) -> Expression:
@@ -129,14 +123,19 @@ def _absent_test(naming: Naming, value: Value) -> Expression:
 
     A NaN is told by its bits, as compilers may take comparisons with it for what they are not, with -ffast-math.
     """
-    kind = value.type
-    if kind.kind is not Kind.FLOAT:
-        numbers = [integer(sentinel.value, kind.container, kind.signed) for sentinel in value.sentinels]
-        return any_of([equal(VALUE, number) for number in numbers])
-    literals = [real(sentinel.value, value.size) for sentinel in value.sentinels if not sentinel.is_nan]
-    tests: list[Expression] = [Group(all_of([at_least(VALUE, number), at_most(VALUE, number)])) for number in literals]
+    encoding = value.encoding
+    numbers = [literal(encoding, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
+    match encoding:
+        case Whole() | Digits() | Truth() | Text() | Octets():
+            return any_of([equal(VALUE, number) for number in numbers])
+        case Real():
+            tests: list[Expression] = [
+                Group(all_of([at_least(VALUE, number), at_most(VALUE, number)])) for number in numbers
+            ]
+        case _:
+            assert_never(encoding)
     if value.absent_nan:
-        bits = Call(naming.own(real_functions(value.size)[1]), (VALUE,))
-        magnitude = Group(Operation("&", (bits, hexadecimal((1 << (8 * value.size - 1)) - 1, value.size))))
-        tests.append(greater(magnitude, hexadecimal(_INFINITY[value.size], value.size)))
+        bits, size = to_bits(naming, encoding, VALUE), value.size
+        magnitude = Group(Operation("&", (bits, hexadecimal((1 << (8 * size - 1)) - 1, size))))
+        tests.append(greater(magnitude, hexadecimal(infinity(encoding.precision), size)))
     return any_of(tests)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 from fieldspec.codec.layout.record import FieldLayout
-from fieldspec.language.model.value import Kind
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Octets, Real, Text, Truth, Whole, real_bits
 from fieldspec.targets.c.expressions import (
     FALSE,
     TRUE,
@@ -29,10 +29,10 @@ from fieldspec.targets.c.expressions import (
     unsigned,
 )
 from fieldspec.targets.c.fields import members
+from fieldspec.targets.c.machine import of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.sample_values import RecordForm, form_of_values
 from fieldspec.targets.c.statements import Assignment, Evaluation, Expectation, Statement, assign, call
-from fieldspec.targets.c.values import real_functions
 
 LENGTH = Identifier("length")
 
@@ -117,39 +117,48 @@ def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: A
 
 
 def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
-    kind = field.primitive.kind
-    if kind in (Kind.TEXT, Kind.BYTES):
-        data = _data(item)
-        return [call("copy", target, byte_string(data), unsigned(len(data)))] if data else []
-    if kind is Kind.FLOAT:
-        real_of, _ = real_functions(field.size)
-        return [assign(target, Call(naming.own(real_of), (_real_bits(field, item),)))]
-    return [Assignment(target, _literal(field, item))]
+    encoding = field.primitive.encoding
+    match encoding:
+        case Text() | Octets():
+            data = _data(item)
+            return [call("copy", target, byte_string(data), unsigned(len(data)))] if data else []
+        case Real():
+            return [assign(target, of_bits(naming, encoding, _real_bits(encoding, item)))]
+        case Whole() | Truth():
+            return [Assignment(target, _literal(encoding, item))]
+        case _:
+            assert_never(encoding)
 
 
 def _expect_member(
     naming: Naming, field: FieldLayout, target: Expression, item: Any, description: str
 ) -> list[Statement]:
-    kind = field.primitive.kind
-    if kind in (Kind.TEXT, Kind.BYTES):
-        data = _data(item)
-        return [expect_bytes(description, target, data)] if data else []
-    if kind is Kind.FLOAT:
-        _, bits_of = real_functions(field.size)
-        return [expect_equal(description, Call(naming.own(bits_of), (target,)), _real_bits(field, item))]
-    return [expect_equal(description, target, _literal(field, item))]
+    encoding = field.primitive.encoding
+    match encoding:
+        case Text() | Octets():
+            data = _data(item)
+            return [expect_bytes(description, target, data)] if data else []
+        case Real():
+            return [expect_equal(description, to_bits(naming, encoding, target), _real_bits(encoding, item))]
+        case Whole() | Truth():
+            return [expect_equal(description, target, _literal(encoding, item))]
+        case _:
+            assert_never(encoding)
 
 
 def _data(item: Any) -> bytes:
     return item.encode("utf-8") if isinstance(item, str) else bytes(item)
 
 
-def _real_bits(field: FieldLayout, item: Any) -> Literal:
-    return hexadecimal(int.from_bytes(struct.pack(f">{field.primitive.letter}", item), "big"), field.size)
+def _real_bits(encoding: Real, item: float) -> Literal:
+    return hexadecimal(real_bits(encoding.precision, item), encoding.bits // 8)
 
 
-def _literal(field: FieldLayout, item: Any) -> Literal:
-    primitive = field.primitive
-    if primitive.kind is Kind.BOOLEAN:
-        return TRUE if item else FALSE
-    return integer(int(item), primitive.size, primitive.signed)
+def _literal(encoding: Whole | Truth, item: int) -> Literal:
+    match encoding:
+        case Truth():
+            return TRUE if item else FALSE
+        case Whole():
+            return integer(int(item), encoding)
+        case _:
+            assert_never(encoding)

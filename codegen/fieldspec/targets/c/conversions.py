@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Conversion, Primitive
+from fieldspec.language.model.encoding import Encoding, bounds_of
+from fieldspec.language.model.value import Conversion
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment, describe_fact
 from fieldspec.targets.c.expressions import (
     Cast,
@@ -23,13 +24,13 @@ from fieldspec.targets.c.expressions import (
     different,
     double,
     greater,
-    integer,
     less,
     multiply,
     negate,
     subtract,
     whole_double,
 )
+from fieldspec.targets.c.machine import literal, machine
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Body, If, Return, Variable, Variables, assign
 from fieldspec.targets.c.values import refuse, return_ok, status_type
@@ -41,18 +42,18 @@ COUNT, _REST, _WHOLE = Identifier("count"), Identifier("rest"), Identifier("whol
 
 def count_type(conversion: Conversion) -> str:
     """The type of a conversion's counts."""
-    return f"{'' if conversion.type.signed else 'u'}int{8 * conversion.type.container}_t"
+    return machine(conversion.type.encoding).type
 
 
 def count_bounds(device: Device, conversion: Conversion) -> tuple[int, int]:
     """The least and the greatest count that a signal of a conversion may have."""
-    kind = conversion.type
+    minimum, maximum = bounds_of(conversion.type.encoding)
     ranges = [device.signals[name].value.ranges for name in conversion.signals]
     known = [intervals for intervals in ranges if intervals is not None]
     if not known or len(known) < len(ranges):
-        return kind.low, kind.high
+        return minimum, maximum
     low, high = min(intervals.low for intervals in known), max(intervals.high for intervals in known)
-    return max(kind.low, low), min(kind.high, high)
+    return max(minimum, low), min(maximum, high)
 
 
 def declare_conversion(naming: Naming, device: Device, conversion: Conversion) -> list[Declaration]:
@@ -106,12 +107,12 @@ def _count_of_quantity(naming: Naming, conversion: Conversion, low: int, high: i
         *refuse(naming, negate(usable), "err_out_of_range"),
         assign(COUNT, multiply(share, whole_double(conversion.full_scale))),
     )
-    return count_of_share(naming, conversion.type, (low, high), unrounded)
+    return count_of_share(naming, conversion.type.encoding, (low, high), unrounded)
 
 
 def count_of_share(
     naming: Naming,
-    kind: Primitive,
+    encoding: Encoding,
     bounds: tuple[int, int],
     unrounded: Body,
     refusals: Callable[[Expression], Body] = lambda _: (),
@@ -121,8 +122,8 @@ def count_of_share(
     It is between two `bounds`; `refusals` are the statements that refuse other whole numbers.
     """
     low, high = bounds
-    name, size, signed = f"{'' if kind.signed else 'u'}int{8 * kind.container}_t", kind.container, kind.signed
-    zero, unit, two = (integer(number, size, signed) for number in (0, 1, 2))
+    name, is_signed = machine(encoding).type, bounds_of(encoding)[0] < 0
+    zero, unit, two = (literal(encoding, number) for number in (0, 1, 2))
     # Beyond 53 bits a double has no halves: there the bound itself is the last number that fits.
     lower_test = at_least(COUNT, whole_double(low)) if -low > 2**52 else greater(COUNT, _half(2 * low - 1))
     upper_test = less(COUNT, whole_double(high + 1)) if high > 2**52 else less(COUNT, _half(2 * high + 1))
@@ -137,7 +138,7 @@ def count_of_share(
         *refuse(naming, negate(all_of([lower_test, upper_test])), "err_out_of_range"),
         assign(_WHOLE, Cast(name, COUNT)),
         assign(_REST, subtract(COUNT, Cast("double", _WHOLE))),
-        If(above, (assign(_WHOLE, Cast(name, add(_WHOLE, unit))),), (round_down,) if signed else ()),
+        If(above, (assign(_WHOLE, Cast(name, add(_WHOLE, unit))),), (round_down,) if is_signed else ()),
         *refusals(_WHOLE),
         assign(dereference(RAW), _WHOLE),
         return_ok(naming),

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from fieldspec.language.model.digits import BCD, has_sign, is_complement
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.expressions import FALSE, TRUE, Call, Cast, Expression, unsigned
+from fieldspec.targets.c.machine import machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 
 LETTERS = {"decimal": 0, "upper_hex": 0x41, "lower_hex": 0x61}
@@ -16,7 +18,7 @@ def digits_test(naming: Naming, value: Value, source: Expression, number: Expres
         return Call(naming.own("is_bcd"), (number,))
     size, places = unsigned(value.size), unsigned(value.places)
     if value.has_blanks:
-        signed = TRUE if value.type.signed else FALSE
+        signed = TRUE if is_signed(value.encoding) else FALSE
         return Call(naming.own("is_blank_digits"), (source, size, places, signed))
     if has_sign(value):
         return Call(naming.own("is_signed_digits"), (source, size, places))
@@ -25,20 +27,18 @@ def digits_test(naming: Naming, value: Value, source: Expression, number: Expres
 
 def load_digits(naming: Naming, value: Value, source: Expression, number: Expression) -> Expression:
     """`(uint16_t)load_digits(in + 4, 6u, 10u)`: the number of digits, as the type of the value."""
-    bits = 8 * value.type.size
+    kind = machine(value.encoding)
     if has_sign(value):
         loaded = Call(naming.own("load_signed_digits"), (source, unsigned(value.size)))
-        return Cast(f"int{bits}_t", loaded)
+        return Cast(kind.type, loaded)
     if value.digits == BCD:
-        return Cast(f"uint{bits}_t", Call(naming.own("of_bcd"), (number,)))
+        return Cast(kind.word, Call(naming.own("of_bcd"), (number,)))
     if value.has_blanks:
         loaded = Call(naming.own("load_blank_digits"), (source, unsigned(value.size)))
-        whole = Cast(f"uint{bits}_t", loaded)
-        return Call(naming.own(f"signed_{bits}"), (whole,)) if value.type.signed else whole
+        return of_bits(naming, value.encoding, Cast(kind.word, loaded))
     base = 16 if LETTERS[value.digits] else 10
     loaded = Call(naming.own("load_digits"), (source, unsigned(value.size), unsigned(base)))
-    whole = Cast(f"uint{bits}_t", loaded)
-    return Call(naming.own(f"signed_{bits}"), (whole,)) if value.type.signed else whole
+    return of_bits(naming, value.encoding, Cast(kind.word, loaded))
 
 
 def digits_call(
@@ -47,11 +47,11 @@ def digits_call(
     """The function that writes digits as characters, and its arguments."""
     size, places = unsigned(value.size), unsigned(value.places)
     if value.has_blanks:
-        sign = "signed_" if value.type.signed else ""
+        sign = "signed_" if is_signed(value.encoding) else ""
         return naming.own(f"store_{sign}blank_digits"), (target, size, places, number)
     if has_sign(value):
         return naming.own("store_signed_digits"), (target, size, places, number)
-    raw = Cast(f"uint{8 * value.type.size}_t", number) if is_complement(value) else number
+    raw = to_bits(naming, value.encoding, number) if is_complement(value) else number
     return naming.own("store_digits"), (target, size, places, unsigned(LETTERS[value.digits]), raw)
 
 
@@ -62,5 +62,5 @@ def digits_parts(values: list[Value]) -> list[str]:
     parts += ["signed_digits"] if any(map(has_sign, characters)) else []
     blank = [value for value in characters if value.has_blanks]
     parts += ["blank_digits"] if blank else []
-    parts += ["signed_blank_digits"] if any(value.type.signed for value in blank) else []
+    parts += ["signed_blank_digits"] if any(is_signed(value.encoding) for value in blank) else []
     return parts + (["bcd"] if any(value.digits == BCD for value in values) else [])

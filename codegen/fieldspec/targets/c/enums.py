@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import bounds_of, is_count
 from fieldspec.language.model.enums import Enum, Member
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import (
     BLANK,
     Comment,
@@ -20,12 +21,14 @@ from fieldspec.targets.c.declarations import (
 from fieldspec.targets.c.expressions import (
     FALSE,
     INDEX,
+    INT64,
     NULL,
     TRUE,
+    UINT32,
+    UINT64,
     VALUE,
     ZERO,
     Call,
-    Cast,
     Element,
     Expression,
     Identifier,
@@ -37,21 +40,20 @@ from fieldspec.targets.c.expressions import (
     all_of,
     at_least,
     at_most,
-    different,
     equal,
     hexadecimal,
     hexadecimal_digits,
     integer,
-    negate,
     string,
 )
 from fieldspec.targets.c.expressions import Member as StructMember
+from fieldspec.targets.c.machine import machine
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import CountUp, If, Return, Statement, Table, Variable, discard
 
 # What the constants of an enum may be: an int, which has 16 bits on small machines.
 _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
-_LARGEST_CODE = 2**63 - 1
+_LARGEST_CODE = INT64.bounds[1]
 
 # Enums that are no tables of codes, and have no texts but their members' comments.
 _KINDS_WITHOUT_TEXTS = ("enum", "function", "type")
@@ -101,14 +103,13 @@ def _enumeration(naming: Naming, enum: Enum, members: list[Member]) -> list[Decl
 
 def _macros(naming: Naming, enum: Enum, members: list[Member]) -> list[Declaration]:
     signed = any(member.value < 0 for member in members)
-    size = 4 if not signed and all(member.value < 2**32 for member in members) else 8
-    kind = Type(f"{'' if signed else 'u'}int{8 * size}_t")
+    whole = INT64 if signed else UINT32 if all(member.value < 2**32 for member in members) else UINT64
     return [
-        Typedef(kind, naming.type("enum", enum.name)),
+        Typedef(Type(machine(whole).type), naming.type("enum", enum.name)),
         *(
             Define(
                 naming.macro("enum", enum.name, name),
-                integer(member.value, size) if signed else hexadecimal(member.value, size),
+                integer(member.value, whole) if signed else hexadecimal(member.value, whole.bits // 8),
                 remark,
             )
             for member in members
@@ -147,7 +148,8 @@ def integer_reason(device: Device, value: Value) -> str:
         return f"An integer, as {enum.name} has no members."
     if not _fits_int(members):
         return f"An integer, as 16 bits do not hold all members of {enum.name}."
-    if not all(value.type.low <= member.value <= value.type.high for member in members):
+    low, high = bounds_of(value.encoding)
+    if not all(low <= member.value <= high for member in members):
         return f"An integer, as {value.type.name} does not hold all members of {enum.name}."
     numbers = {member.value for member in members}
     missing = [sentinel.name for sentinel in value.sentinels if sentinel.value not in numbers]
@@ -156,22 +158,19 @@ def integer_reason(device: Device, value: Value) -> str:
 
 def _closed_enum(device: Device, value: Value) -> Enum | None:
     """The closed enum of an integer that is no constant."""
-    if not value.enum or value.const is not None or value.type.kind is not Kind.INTEGER:
+    if not value.enum or value.const is not None or not is_count(value.encoding):
         return None
     enum = device.enums[value.enum]
     return None if enum.open else enum
 
 
-def _is_wide(enum: Enum) -> bool:
-    return any(member.value > _LARGEST_CODE for member in available_members(enum))
-
-
 def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
     """`bool stop_mode_known(int64_t value)`"""
-    wide = _is_wide(enum)
+    wide = any(member.value > _LARGEST_CODE for member in available_members(enum))
+    whole = UINT64 if wide else INT64
     tests: list[Expression] = []
     for low, high in _runs(sorted({member.value for member in available_members(enum)})):
-        minimum, maximum = integer(low, 8, not wide), integer(high, 8, not wide)
+        minimum, maximum = integer(low, whole), integer(high, whole)
         if low == 0 and high > 0 and wide:
             tests.append(at_most(VALUE, maximum))
         else:
@@ -183,7 +182,7 @@ def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
         body.append(Return(Call(naming.own_macro("likely"), (tests[-1],))))
     else:
         body += [discard("value"), Return(FALSE)]
-    parameter = Variable(Type("uint64_t" if wide else "int64_t"), "value")
+    parameter = Variable(Type(machine(whole).type), "value")
     # The name of the type is claimed before that of the function.
     description = f"Whether a value is one of {escape_comment(naming.type('enum', enum.name))}."
     function = Function(Type("bool"), naming.function("enum", enum.name, "known"), (parameter,), tuple(body))
@@ -199,29 +198,6 @@ def _runs(values: list[int]) -> list[tuple[int, int]]:
         else:
             runs.append((value, value))
     return runs
-
-
-def unknown_value_test(naming: Naming, device: Device, value: Value, number: Expression) -> Expression | None:
-    """`!stop_mode_known((int64_t)value)`: whether the value's closed enum refuses it; None where nothing is refused."""
-    if not value.enum or device.enums[value.enum].open:
-        return None
-    kind = "uint64_t" if _is_wide(device.enums[value.enum]) else "int64_t"
-    known = negate(Call(naming.function("enum", value.enum, "known"), (Cast(kind, number),)))
-    sentinels = [different(number, integer(s.value, value.type.size, value.type.signed)) for s in value.sentinels]
-    return all_of([known, *sentinels])
-
-
-def enum_implies_range(device: Device, value: Value) -> bool:
-    """Whether every number that the value's closed enum takes may be written: then the range need not be tested."""
-    ranges = value.writable_ranges
-    if not value.enum or device.enums[value.enum].open:
-        return False
-    if ranges is None:
-        return value.type.is_odd  # such a type bounds numbers as a range does, and every member is within it
-    sentinels = {sentinel.value for sentinel in value.sentinels}
-    return all(
-        member.value in ranges or member.value in sentinels for member in available_members(device.enums[value.enum])
-    )
 
 
 def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
@@ -256,5 +232,5 @@ def _code_text(member: Member) -> Initializer:
     causes = "\n".join(cause.cause for cause in member.causes)
     remedies = "\n".join([*(r for cause in member.causes for r in cause.remedies), *member.remedies])
     texts = (member.printed_name, member.name, member.label, member.problem or member.doc, causes, remedies)
-    number = integer(-1 if member.number is None else member.number, 8)
-    return Initializer((integer(member.value, 8), number, *[string(text) for text in texts]))
+    number = integer(-1 if member.number is None else member.number, INT64)
+    return Initializer((integer(member.value, INT64), number, *[string(text) for text in texts]))

@@ -6,6 +6,7 @@ from fieldspec.codec.layout.exception_mark import ExceptionMark
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.link import ExceptionResponse
+from fieldspec.targets.c.conditions import out_of_range_test
 from fieldspec.targets.c.expressions import (
     IN,
     LENGTH,
@@ -29,7 +30,7 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.naming import Naming, argument, frame_member
 from fieldspec.targets.c.statements import Assignment, Body, If, assign
-from fieldspec.targets.c.values import out_of_range_test, refuse
+from fieldspec.targets.c.values import refuse
 
 _CODE, _CODE_TYPE = Identifier("code"), "uint32_t"
 

@@ -8,6 +8,8 @@ from functools import lru_cache
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Precision, Sign, Whole
 
 _CACHE_SIZE = 1 << 14
 """How many literals are remembered: versions have most of theirs in common."""
@@ -151,6 +153,10 @@ SIZE_TYPE = Type("size_t")
 INPUT_BYTES = Type("uint8_t", const=True, pointer=True)
 OUTPUT_BYTES = Type("uint8_t", pointer=True)
 
+INT32, UINT32 = Whole(32, Sign.COMPLEMENT), Whole(32, Sign.NONE)
+INT64, UINT64 = Whole(64, Sign.COMPLEMENT), Whole(64, Sign.NONE)
+"""Types of constants."""
+
 # What functions that read and write bytes call their parameters and variables.
 IN = Identifier("in")
 OUT = Identifier("out")
@@ -188,19 +194,20 @@ def byte_string(data: bytes) -> Literal:
 
 
 @lru_cache(maxsize=_CACHE_SIZE)
-def integer(value: int, size: int = 4, signed: bool = True) -> Literal:
-    """A constant of a width in bytes that every compiler takes, the least values of signed types included."""
-    return Literal(_integer_text(value, size, signed))
+def integer(value: int, whole: Whole = INT32) -> Literal:
+    """A constant of a type that every compiler takes, the least values of signed types included."""
+    return Literal(_integer_text(value, whole))
 
 
-def _integer_text(value: int, size: int, signed: bool) -> str:
-    if not signed:
-        return f"UINT64_C({value})" if size > 4 else f"{value}u"
+def _integer_text(value: int, whole: Whole) -> str:
+    is_long = whole.bits > 32
+    if not whole.sign.is_signed:
+        return f"UINT64_C({value})" if is_long else f"{value}u"
     if value == -(1 << 63):
         return "(-INT64_C(9223372036854775807) - 1)"
     if value == -(1 << 31):
         return "(-2147483647 - 1)"
-    if size > 4:
+    if is_long:
         return f"(-INT64_C({-value}))" if value < 0 else f"INT64_C({value})"
     return f"({value})" if value < 0 else str(value)
 
@@ -234,10 +241,16 @@ def whole_double(value: int) -> Literal:
     return Literal(f"{value}.0")
 
 
-def real(value: float, size: int) -> Literal:
-    """A number as a float, `16384.0f`, or as a double if it has 8 bytes: `16384.0`"""
+def real(value: float, precision: Precision) -> Literal:
+    """A number as a float, `16384.0f`, which those of half precision are too, or as a double: `16384.0`"""
     text = repr(value) if isinstance(value, float) else f"{value}.0"
-    return Literal(f"{text}f" if size == 4 else text)
+    match precision:
+        case Precision.HALF | Precision.SINGLE:
+            return Literal(f"{text}f")
+        case Precision.DOUBLE:
+            return Literal(text)
+        case _:
+            assert_never(precision)
 
 
 def double(value: float) -> Literal:

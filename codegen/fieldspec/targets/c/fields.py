@@ -21,10 +21,10 @@ from fieldspec.targets.c.expressions import (
     address_of,
     decimal,
     different,
-    integer,
     multiply,
     unsigned,
 )
+from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.statements import Assignment, Body, CountUp, If, Return, Statement, Switch, Variable
 from fieldspec.targets.c.values import declare_value, field_value, load
@@ -181,7 +181,7 @@ def encoded_selector(selector: FieldLayout) -> Expression:
     value = selector.value
     assert value is not None
     if value.const is not None:
-        return integer(value.const, value.size, value.type.signed)
+        return literal(value.encoding, value.const)
     return PointerMember(IN, member(selector.name))
 
 
@@ -218,5 +218,5 @@ def _switch(
     labels = []
     for cases, body in branches:
         numbers = sorted(number for case in cases for number in case.numbers)
-        labels.append((tuple([integer(number, value.size, value.type.signed) for number in numbers]), body))
+        labels.append((tuple([literal(value.encoding, number) for number in numbers]), body))
     return Switch(selector, tuple(labels), (Return(naming.status("err_unknown_value")),))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.codec.layout.needed_bits import needed_bits
+from fieldspec.language.model.encoding import Sign, Whole
 from fieldspec.language.model.enums import Bit, Enum, Flags
 from fieldspec.targets.c.declarations import (
     BLANK,
@@ -35,6 +36,7 @@ from fieldspec.targets.c.expressions import (
     integer,
     unsigned,
 )
+from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.scales import define_fractions
 from fieldspec.targets.c.statements import If, Return, Variable
@@ -58,7 +60,7 @@ def named_bits(word: Flags) -> list[tuple[str, Bit]]:
 
 def declare_flags(naming: Naming, word: Flags, enums: Mapping[str, Enum]) -> list[Declaration]:
     """Masks, shifts, and a function for each bit or bit field; then the states."""
-    kind = Type(f"uint{8 * word.type.container}_t")
+    kind = Type(machine(word.type.encoding).word)
     requirements = [
         escape_comment(f"Set {required.bit.name}: its {required.reason}.") for required in needed_bits(word, enums)
     ]
@@ -109,9 +111,9 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
     ]
     declarations += define_fractions(naming, "bit", (word.name, name), bit.scale, bit.offset)
     if bit.ranges is not None:
-        size = max(word.type.size, 4) if bit.signed else word.type.size
+        whole = number_of_bit(word, bit)
         declarations += [
-            Define(naming.macro("bit", word.name, name, limit), integer(bound, size, bit.signed))
+            Define(naming.macro("bit", word.name, name, limit), integer(bound, whole))
             for limit, bound in (("min", bit.ranges.low), ("max", bit.ranges.high))
         ]
     if bit.width == 1:
@@ -136,13 +138,18 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
     ]
 
 
+def number_of_bit(word: Flags, bit: Bit) -> Whole:
+    """The number of C that a field of bits is: as wide as its word, and where it has a sign 32 bits or more."""
+    bits = machine_bits(8 * word.type.size)
+    return Whole(max(bits, 32), Sign.COMPLEMENT) if bit.signed else Whole(bits, Sign.NONE)
+
+
 def _signed_number(word: Flags, bit: Bit, number: Expression) -> tuple[Type, Expression]:
     """The type of a signed field of bits, and `(int32_t)(number ^ 8u) - 8`, which repeats its sign."""
-    size = max(word.type.container, 4)
-    sign = 1 << (bit.width - 1)
-    kind = Type(f"int{8 * size}_t")
-    moved = Cast(kind.name, Group(Operation("^", (number, integer(sign, size, signed=False)))))
-    return kind, Operation("-", (moved, integer(sign, size)))
+    whole = number_of_bit(word, bit)
+    sign, kind = 1 << (bit.width - 1), Type(machine(whole).type)
+    moved = Cast(kind.name, Group(Operation("^", (number, integer(sign, Whole(whole.bits, Sign.NONE))))))
+    return kind, Operation("-", (moved, integer(sign, whole)))
 
 
 def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration]:

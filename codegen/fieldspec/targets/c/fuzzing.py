@@ -8,7 +8,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import has_single_bytes
 from fieldspec.targets.c.conversions import count_type
 from fieldspec.targets.c.declarations import Function, escape_comment
 from fieldspec.targets.c.delimiters import is_wrapped
@@ -45,7 +45,7 @@ from fieldspec.targets.c.frames import header_parts
 from fieldspec.targets.c.naming import Naming, Noun, frame_member
 from fieldspec.targets.c.packing import is_packed
 from fieldspec.targets.c.printer import Printer
-from fieldspec.targets.c.quantities import EXACT_BYTES, scaled_values
+from fieldspec.targets.c.quantities import keeps_counts, scaled_values
 from fieldspec.targets.c.runtime_files import all_records, copy_runtime, runtime_parts
 from fieldspec.targets.c.sample_values import lone_values
 from fieldspec.targets.c.statements import (
@@ -115,12 +115,12 @@ def write_fuzz_target(layout: DeviceLayout, naming: Naming, header: str) -> str:
 
 
 def _is_exact(record: RecordLayout) -> bool:
-    """Whether every byte of a record comes back: no reserved ones, and none behind the end of a text."""
-    kinds = [field.value.type.kind for field in record.fields if field.value is not None]
-    kinds += [case.value.type.kind for field in record.fields for case in field.cases]
+    """Whether every byte of a record comes back: no reserved ones, and no value that other bytes are too."""
+    encodings = [field.value.encoding for field in record.fields if field.value is not None]
+    encodings += [case.value.encoding for field in record.fields for case in field.cases]
     inner = [_is_exact(field.record) for field in record.fields if field.record is not None]
     reserved = any(field.field.reserved for field in record.fields)
-    return not reserved and not record.spans and Kind.TEXT not in kinds and all(inner)
+    return not reserved and not record.spans and all(map(has_single_bytes, encodings)) and all(inner)
 
 
 def _flag(holds: bool) -> Literal:
@@ -161,13 +161,16 @@ def _value_macro(
     if wire.value.const is not None:
         return Call("CONSTANT", (kind, *functions, unsigned(size)))
     if wire.is_array:
-        exact = _flag(wire.kind is Kind.BYTES and wire.size == size)
+        exact = _flag(has_single_bytes(wire.encoding) and wire.size == size)
         declared = Identifier(Printer().print_variable(declare_value(wire, "value")))
         return Call("ARRAY", (declared, *functions, exact, unsigned(size)))
     sizes = unsigned(wire.size), unsigned(size)
+    argument = Identifier(accessed_type(naming, device, wire.value))
+    if not has_single_bytes(wire.encoding):
+        return Call("SEVERAL_FORMS", (kind, argument, *functions, unsigned(size)))
     if answer == wire.value:
         return Call("VALUE", (kind, *functions, *sizes))
-    return Call("TRIGGER", (kind, Identifier(accessed_type(naming, device, wire.value)), *functions, *sizes))
+    return Call("TRIGGER", (kind, argument, *functions, *sizes))
 
 
 def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
@@ -178,12 +181,12 @@ def _address_and_conversion_macros(layout: DeviceLayout, naming: Naming) -> Iter
         yield Call("ADDRESS", _names("uint16_t", naming.function("table", table.name, "at")))
     for conversion in layout.device.conversions.values():
         functions = [naming.function("conversion", conversion.name, end) for end in ("from_raw", "to_raw")]
-        exact = _flag(conversion.type.size <= EXACT_BYTES)
+        exact = _flag(keeps_counts(conversion.type.encoding))
         yield Call("CONVERSION", (*_names(count_type(conversion), *functions), exact))
     for scaled in scaled_values(layout):
         functions = [scaled.function(naming, end) for end in ("from_raw", "to_raw")]
         types = type_name(scaled.value), type_name(scaled.exponent.value)
-        yield Call("QUANTITY", (*_names(*types, *functions), _flag(scaled.value.type.size <= EXACT_BYTES)))
+        yield Call("QUANTITY", (*_names(*types, *functions), _flag(keeps_counts(scaled.value.encoding))))
 
 
 # Functions for frames

@@ -37,10 +37,10 @@ from fieldspec.targets.c.expressions import (
     at_most,
     dereference,
     hexadecimal_digits,
-    integer,
     negate,
     unsigned,
 )
+from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.registers import ACCESS, access_functions, define_constants
 from fieldspec.targets.c.statements import Body, Return, Switch, Variable, assign
@@ -86,9 +86,7 @@ def _declare_sizes(
     branches = []
     for size in dict.fromkeys(field.sizes.values()):
         numbers = [number for number, own in field.sizes.items() if own == size]
-        labels = tuple(
-            integer(number, selector_field.value.size, selector_field.value.type.signed) for number in numbers
-        )
+        labels = tuple(literal(selector_field.value.encoding, number) for number in numbers)
         branches.append((labels, (assign(dereference(OUT), unsigned(size)),)))
     kind = Type(naming.type("record", record.name), const=True, pointer=True)
     selector = PointerMember(IN, member(selector_field.name))

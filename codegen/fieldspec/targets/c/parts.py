@@ -7,14 +7,14 @@ from collections.abc import Iterable
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
 from fieldspec.targets.c.digits import digits_test
-from fieldspec.targets.c.enums import enum_implies_range, unknown_value_test
 from fieldspec.targets.c.expressions import (
     IN,
     LENGTH,
     OUT,
     ZERO,
-    Cast,
     Expression,
     Group,
     Identifier,
@@ -35,7 +35,7 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.naming import Naming, argument
 from fieldspec.targets.c.statements import Body, CompileIf, Statement
-from fieldspec.targets.c.values import WireValue, out_of_range_test, refuse, store, store_constant, store_number
+from fieldspec.targets.c.values import WireValue, check_stored, refuse, store_constant, store_number, store_whole
 
 CODE, TOTAL = Identifier("code"), Identifier("total")
 
@@ -94,22 +94,25 @@ def write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: Fr
     if part.constant is not None:
         return store_constant(naming, wire, part.constant, target)
     value = Identifier(argument(part))
-    unknown = unknown_value_test(naming, layout.device, wire.value, value)
-    out_of_range = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
-    if out_of_range is None and not enum_implies_range(layout.device, wire.value):
-        out_of_range = out_of_range_test(wire.value, value)
+    unit_address = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
+    if unit_address is None:
+        return (*check_stored(naming, layout.device, wire, value), _store_part(naming, wire, target, value))
     return (
-        *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()),
-        *(refuse(naming, out_of_range, "err_out_of_range") if out_of_range is not None else ()),
+        *check_stored(naming, layout.device, wire, value, ("unknown_value",)),
+        *refuse(naming, unit_address, "err_out_of_range"),
         _store_part(naming, wire, target, value),
     )
 
 
 def _store_part(naming: Naming, wire: WireValue, target: Expression, number: Expression) -> Statement:
     """Writes the number of a part, which its bytes or its digits hold."""
-    if wire.value.digits:
-        return store_number(naming, wire, number, target)
-    return store(naming, wire.access, target, Cast(f"uint{8 * wire.value.type.container}_t", number))
+    match wire.encoding:
+        case Digits():
+            return store_number(naming, wire, number, target)
+        case Whole() | Real() | Truth() | Text() | Octets():
+            return store_whole(naming, wire, number, target)
+        case _:
+            assert_never(wire.encoding)
 
 
 def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:
@@ -117,10 +120,11 @@ def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -
     addresses = link.link.unit_addresses
     if addresses is None or addresses.ranges is None:
         return None
+    minimum, maximum = bounds_of(wire.encoding)
     tests: list[Expression] = []
     for low, high in addresses.ranges.intervals:
-        bounds: list[Expression] = [at_least(address, decimal(low))] if low > wire.value.type.low else []
-        bounds += [at_most(address, decimal(high))] if high < wire.value.type.high else []
+        bounds: list[Expression] = [at_least(address, decimal(low))] if low > minimum else []
+        bounds += [at_most(address, decimal(high))] if high < maximum else []
         tests.append(Group(all_of(bounds) if bounds else decimal(1)))
     if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
         tests.append(Group(equal(address, decimal(addresses.broadcast))))

@@ -7,9 +7,11 @@ from fractions import Fraction
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.exponents import ExponentLayout, exponent_of
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import Encoding, bounds_of, is_count, number_of
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
+from fieldspec.targets.c.conditions import out_of_range_test
 from fieldspec.targets.c.conversions import COUNT, RAW, count_of_share
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment
 from fieldspec.targets.c.expressions import (
@@ -27,21 +29,27 @@ from fieldspec.targets.c.expressions import (
     at_most,
     dereference,
     equal,
-    integer,
     multiply,
     negate,
     subtract,
     whole_double,
 )
+from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.statements import Body, Variable, assign
-from fieldspec.targets.c.values import out_of_range_test, refuse, return_ok, status_type, type_name
+from fieldspec.targets.c.values import refuse, return_ok, status_type, type_name
 
 _DOUBLE = Type("double")
 _QUANTITY, _EXPONENT = Identifier("quantity"), Identifier("exponent")
 
-EXACT_BYTES = 6
+_EXACT_BITS = 48
 """A double has 53 bits, of which a conversion there and back may lose one or two: a count of 56 bits is rounded."""
+
+
+def keeps_counts(encoding: Encoding) -> bool:
+    """Whether a count becomes a quantity and the same count again."""
+    whole = number_of(encoding)
+    return whole is not None and whole.bits <= _EXACT_BITS
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +130,7 @@ def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
             (Variable(_DOUBLE, "quantity"), parameter, Variable(Type(kind.name, pointer=True), "raw")),
             count_of_share(
                 naming,
-                value.type,
+                value.encoding,
                 (ranges.low, ranges.high),
                 (*valid, assign(COUNT, Call(naming.own("over_power"), (_QUANTITY, signed_exponent)))),
                 lambda whole: (*_refuse_gaps(naming, value, whole), *_refuse_absent(naming, value, whole)),
@@ -136,7 +144,7 @@ def fixed_values(layout: DeviceLayout) -> list[AbsentValue]:
     return [
         absent
         for absent in absent_values(layout)
-        if absent.value.type.kind is Kind.INTEGER
+        if is_count(absent.value.encoding)
         and absent.value.scaled
         and not (absent.value.scale_by or absent.value.enum or absent.value.flags or absent.value.const is not None)
     ]
@@ -178,7 +186,7 @@ def declare_fixed_quantity(naming: Naming, absent: AbsentValue) -> list[Declarat
             (Variable(_DOUBLE, "quantity"), Variable(Type(kind.name, pointer=True), "raw")),
             count_of_share(
                 naming,
-                value.type,
+                value.encoding,
                 (ranges.low, ranges.high),
                 (assign(COUNT, count),),
                 lambda whole: (*_refuse_gaps(naming, value, whole), *_refuse_absent(naming, value, whole)),
@@ -212,11 +220,10 @@ def _writable(value: Value) -> Ranges:
 
 def _is_in(value: Value, ranges: Ranges | None, number: Expression) -> Expression:
     """The test whether a number is in ranges that are narrower than its type."""
-    size, signed = value.type.container, value.type.signed
-    tests = []
+    encoding, tests = value.encoding, []
     for low, high in ranges.intervals if ranges is not None else ():
-        bounds = [at_least(number, integer(low, size, signed))] if low > 0 or signed else []
-        tests.append(Group(all_of([*bounds, at_most(number, integer(high, size, signed))])))
+        bounds = [at_least(number, literal(encoding, low))] if low > 0 or bounds_of(encoding)[0] < 0 else []
+        tests.append(Group(all_of([*bounds, at_most(number, literal(encoding, high))])))
     return any_of(tests)
 
 
@@ -229,7 +236,6 @@ def _refuse_gaps(naming: Naming, value: Value, number: Expression) -> Body:
 
 def _refuse_absent(naming: Naming, value: Value, number: Expression) -> Body:
     """Refuses the numbers that stand for an absent value."""
-    tests: list[Expression] = [
-        equal(number, integer(sentinel.value, value.type.container, value.type.signed)) for sentinel in value.sentinels
-    ]
+    encoding = value.encoding
+    tests: list[Expression] = [equal(number, literal(encoding, sentinel.value)) for sentinel in value.sentinels]
     return refuse(naming, any_of(tests), "err_out_of_range") if tests else ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout, tail_of
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import bounds_of
 from fieldspec.targets.c.bit_counts import check_bit_count
 from fieldspec.targets.c.declarations import BLANK, Comment, Declaration, Define, Function, Struct, comment
 from fieldspec.targets.c.expressions import (
@@ -16,7 +17,6 @@ from fieldspec.targets.c.expressions import (
     SIZE_TYPE,
     ZERO,
     Call,
-    Cast,
     Conditional,
     Expression,
     Group,
@@ -75,8 +75,8 @@ from fieldspec.targets.c.values import (
     refuse,
     return_ok,
     status_type,
-    store,
     store_constant,
+    store_whole,
 )
 from fieldspec.targets.c.widths import decode_widths, encode_widths
 
@@ -258,12 +258,11 @@ def _write_measure(naming: Naming, record: RecordLayout, field: FieldLayout, tar
     """`store_u8(out + 2, (uint8_t)(in->points_count * 4u));`, refused where the field cannot be that large."""
     wire = field_value(field)
     measured = measured_size(record, field, IN)
-    highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
+    highest = wire.value.ranges.high if wire.value.ranges else bounds_of(wire.encoding)[1]
     greatest = _greatest_measure(record, field)
     fits = (greatest is not None and greatest <= highest) or highest >= 2**31
     checks = () if fits else refuse(naming, greater(measured, unsigned(highest)), "err_out_of_range")
-    number = Cast(f"uint{8 * wire.value.type.container}_t", Group(measured))
-    return (*checks, store(naming, wire.access, target, number))
+    return (*checks, store_whole(naming, wire, Group(measured), target))
 
 
 def _greatest_measure(record: RecordLayout, field: FieldLayout) -> int | None:

@@ -6,7 +6,8 @@ from fieldspec.codec.layout.device import TableLayout
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind, Signal, Value
+from fieldspec.language.model.encoding import is_exact
+from fieldspec.language.model.value import Signal, Value
 from fieldspec.targets.c.declarations import (
     BLANK,
     Declaration,
@@ -28,7 +29,6 @@ from fieldspec.targets.c.expressions import (
     Cast,
     Element,
     Expression,
-    Group,
     Identifier,
     Type,
     add,
@@ -37,12 +37,11 @@ from fieldspec.targets.c.expressions import (
     dereference,
     greater,
     hexadecimal,
-    integer,
     multiply,
-    real,
     subtract,
     unsigned,
 )
+from fieldspec.targets.c.machine import literal, macro_literal
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.runtime_files import is_bit
 from fieldspec.targets.c.scales import define_fractions
@@ -74,27 +73,22 @@ ACCESS = {
 
 def define_constants(naming: Naming, noun: Noun, names: tuple[str, ...], value: Value) -> list[Declaration]:
     """`#define GADGET_REG_SPEED_MAX 3000`: constant, range, default and scale, in counts or as a fraction."""
-    size, signed = value.type.size, value.type.signed
+    encoding = value.encoding
     constants: list[tuple[str, Expression]] = []
     if value.const is not None:
-        constants.append(("value", integer(value.const, size, signed)))
+        constants.append(("value", literal(encoding, value.const)))
     if value.ranges is not None:
-        constants += [("min", _bound(value, value.ranges.low)), ("max", _bound(value, value.ranges.high))]
+        constants += [
+            ("min", macro_literal(encoding, value.ranges.low)),
+            ("max", macro_literal(encoding, value.ranges.high)),
+        ]
     if value.write_ranges is not None:
         low, high = value.write_ranges.low, value.write_ranges.high
-        constants += [("write_min", _bound(value, low)), ("write_max", _bound(value, high))]
-    if isinstance(value.default, int) and value.type.kind is not Kind.FLOAT:
-        constants.append(("default", integer(value.default, size, signed)))
+        constants += [("write_min", macro_literal(encoding, low)), ("write_max", macro_literal(encoding, high))]
+    if isinstance(value.default, int) and is_exact(encoding):
+        constants.append(("default", literal(encoding, value.default)))
     defined: list[Declaration] = [Define(naming.macro(noun, *names, name), number) for name, number in constants]
     return defined + define_fractions(naming, noun, names, value.scale, value.offset)
-
-
-def _bound(value: Value, number: int) -> Expression:
-    """A bound of the value's range as a constant of its type."""
-    if value.type.kind is not Kind.FLOAT:
-        return integer(number, value.type.size, value.type.signed)
-    literal = real(number, value.size)
-    return Group(literal) if number < 0 else literal
 
 
 def access_functions(

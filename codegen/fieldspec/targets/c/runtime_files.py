@@ -15,9 +15,12 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.digits import BCD
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import Sign, Whole, is_odd, is_text
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import Source
 from fieldspec.targets.c.digits import digits_parts
+from fieldspec.targets.c.expressions import hexadecimal
+from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.values import WireValue, access_name
 from fieldspec.targets.templates import text
@@ -66,22 +69,31 @@ def runtime_macros() -> list[str]:
 
 def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     """The functions for the numbers, texts and characters that the device has."""
-    usual_texts = any(wire.kind is Kind.TEXT and wire.value.text_form is None for wire in _wire_values(layout))
-    reals = {wire.size for wire in _wire_values(layout) if wire.kind is Kind.FLOAT}
+    encodings = {wire.encoding for wire in _wire_values(layout)} | {value.encoding for value in _part_values(layout)}
     # The functions for absent values take those of signals that no record places, too.
-    unplaced = (signal.value for signal in layout.device.signals.values() if signal.value.sentinels)
-    reals |= {value.size for value in unplaced if value.type.kind is Kind.FLOAT}
+    encodings |= {signal.value.encoding for signal in layout.device.signals.values() if signal.value.sentinels}
+    functions = {machine(encoding).from_bits for encoding in encodings}
+    usual_texts = any(is_text(wire.encoding) and wire.value.text_form is None for wire in _wire_values(layout))
     characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
     parts = [
         *_accesses(layout),
         *(["bits"] if has_bits(layout) else []),
         "signed",
-        *(["float"] if 4 in reals else []),
-        *(["double"] if 8 in reals else []),
+        *(["float"] if functions & {"float_of", "float_of_half"} else []),
+        *(["double"] if "double_of" in functions else []),
         *(["text"] if usual_texts else []),
         *(["hexadecimal"] if characters else []),
     ]
-    odd = [[copy_runtime(naming, "odd_numbers.h", part)] for part in _odd_accesses(layout)]
+    odd_parts = _odd_accesses(layout) | functions
+    odd = [
+        [copy_runtime(naming, "odd_numbers.h", part)] for part in runtime_parts("odd_numbers.h") if part in odd_parts
+    ]
+    odd += [[copy_runtime(naming, "number_forms.h", "half")]] * ("float_of_half" in functions)
+    odd += [
+        [copy_runtime(naming, "number_forms.h", "magnitude", _magnitude_words(bits))]
+        for bits in range(8, 65, 8)
+        if f"of_magnitude_{bits}" in functions
+    ]
     numbers = [wire.value for wire in _wire_values(layout)] + list(_part_values(layout))
     digits = digits_parts([value for value in numbers if value.digits])
     encoded = any(wire.value.text_form is not None for wire in _wire_values(layout))
@@ -103,15 +115,27 @@ def _accesses(layout: DeviceLayout) -> list[str]:
     return [name for name in runtime_parts("numbers.h") if name in used]
 
 
-def _odd_accesses(layout: DeviceLayout) -> list[str]:
-    """The functions that load and store numbers of odd sizes or in BCD, and those that extend their signs."""
-    odd = [wire for wire in _wire_values(layout) if wire.value.type.is_odd]
-    used = {wire.access for wire in _wire_values(layout) if wire.value.type.is_odd or wire.value.digits == BCD}
-    parts = [part for part in _parts_of_frames(layout) if part.value is not None and part.value.type.is_odd]
-    used |= {access_name(part.size, part.order, False) for part in parts}
-    signed = [wire.value for wire in odd] + [part.value for part in parts if part.value is not None]
-    used |= {f"signed_{8 * value.size}" for value in signed if value.type.signed}
-    return [name for name in runtime_parts("odd_numbers.h") if name in used]
+def _odd_accesses(layout: DeviceLayout) -> set[str]:
+    """The functions that load and store numbers of odd sizes or in BCD."""
+    wires = (wire for wire in _wire_values(layout) if is_odd(wire.encoding) or wire.value.digits == BCD)
+    parts = (part for part in _parts_of_frames(layout) if part.value is not None and is_odd(part.value.encoding))
+    return {wire.access for wire in wires} | {access_name(part.size, part.order, False) for part in parts}
+
+
+def _magnitude_words(bits: int) -> dict[str, str]:
+    """The words of the functions between the bits of a number with sign and magnitude and the number."""
+    sign = Whole(bits, Sign.MAGNITUDE)
+    width = max(machine_bits(bits), 32)
+    return {
+        "of_magnitude": f"of_magnitude_{bits}",
+        "magnitude_of": f"magnitude_of_{bits}",
+        "number_type": machine(sign).type,
+        "word_type": machine(sign).word,
+        "wide_type": f"int{width}_t",
+        "wide_word": f"uint{width}_t",
+        "SIGN": hexadecimal(1 << bits - 1, machine_bits(bits) // 8).text,
+        "MAGNITUDE": hexadecimal((1 << bits - 1) - 1, machine_bits(bits) // 8).text,
+    }
 
 
 def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -12,10 +11,23 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import data_of
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    bounds_of,
+    is_array,
+    real_bits,
+    whole_bits,
+)
 from fieldspec.language.model.text_form import UTF_16, text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.enums import available_members
 from fieldspec.targets.c.fields import case_member, count_member, greatest_count, is_set_by_user, members
 from fieldspec.targets.c.naming import Noun, member
@@ -101,27 +113,36 @@ def form_of_values(record: RecordLayout, values: Mapping[str, Any]) -> RecordFor
 
 def low_value(device: Device, value: Value) -> Any:
     """A value that is always taken: 0 where it is in range."""
-    if value.type.kind is Kind.TEXT:
-        return ""
-    if value.type.kind is Kind.BYTES:
-        return bytes(value.size)
-    if value.type.kind is Kind.FLOAT:
-        return 0.0 if value.ranges is None or 0 in value.ranges else float(value.ranges.low)
-    numbers = legal_numbers(device, value)
-    return 0 if 0 in numbers else numbers[0]
+    match value.encoding:
+        case Text():
+            return ""
+        case Octets():
+            return bytes(value.size)
+        case Real():
+            return 0.0 if value.ranges is None or 0 in value.ranges else float(value.ranges.low)
+        case Whole() | Digits() | Truth():
+            numbers = legal_numbers(device, value)
+            return 0 if 0 in numbers else numbers[0]
+        case _:
+            assert_never(value.encoding)
 
 
 def high_value(device: Device, value: Value) -> Any:
     """A value that is as different from it as can be."""
-    if value.text_form is not None:
-        return text_sample(value)
-    if value.type.kind is Kind.TEXT:
-        return "".join(chr(0x41 + index % 26) for index in range(value.size))
-    if value.type.kind is Kind.BYTES:
-        return bytes((0xA1 + index) & 0xFF for index in range(value.size))
-    if value.type.kind is Kind.FLOAT:
-        return -1.5 if value.ranges is None else float(value.ranges.high)
-    return legal_numbers(device, value)[-1]
+    encoding = value.encoding
+    match encoding:
+        case Text():
+            if encoding.form is not None:
+                return text_sample(value)
+            return "".join(chr(0x41 + index % 26) for index in range(encoding.size))
+        case Octets():
+            return bytes((0xA1 + index) & 0xFF for index in range(encoding.size))
+        case Real():
+            return -1.5 if value.ranges is None else float(value.ranges.high)
+        case Whole() | Digits() | Truth():
+            return legal_numbers(device, value)[-1]
+        case _:
+            assert_never(encoding)
 
 
 def text_sample(value: Value) -> str:
@@ -139,7 +160,7 @@ def legal_numbers(device: Device, value: Value) -> list[int]:
         numbers = sorted(member.value for member in available_members(device.enums[value.enum]))
         permitted = [number for number in numbers if ranges is None or number in ranges]
         return permitted or numbers
-    numbers = [0, value.type.low, value.type.high]
+    numbers = [0, *bounds_of(value.encoding)]
     if ranges is not None:
         numbers = [bound for pair in ranges.intervals for bound in pair]
     if value.flags:
@@ -215,7 +236,7 @@ def _fixed_value(field: FieldLayout) -> Any:
     assert field.value is not None
     default = field.value.default if isinstance(field.value.default, int) else 0
     value: Any = field.value.const if field.value.const is not None else default
-    if field.value.type.letter == "s":
+    if is_array(field.value.encoding):
         value = b""
     return [value] * (field.count or 1) if field.is_list else value
 
@@ -236,20 +257,25 @@ def _element_bytes(field: FieldLayout, item: Any) -> bytes:
 
 def value_bytes(value: Value, order: str, swapped: bool, item: Any) -> bytes:
     """The bytes of a value on the wire, in an order of bytes and of words."""
-    kind = value.type.kind
-    if value.text_form is not None and isinstance(item, str):
-        return text_bytes(value, order, item)
-    if kind in (Kind.TEXT, Kind.BYTES):
-        data = item.encode("ascii") if isinstance(item, str) else bytes(item)
-        return data.ljust(value.size, b"\0")
-    if value.digits:
-        data = digits_bytes(value, int(item))
-        data = data[::-1] if (order == "little") != swapped else data
-        return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2)) if swapped else data
-    is_float = kind is Kind.FLOAT
-    number = int.from_bytes(struct.pack(f">{value.type.letter}", item), "big") if is_float else int(item)
-    words_little = (order == "little") != swapped
-    data = (number & ((1 << 8 * value.size) - 1)).to_bytes(value.size, "little" if words_little else "big")
-    if swapped:
-        return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
-    return data
+    encoding = value.encoding
+    match encoding:
+        case Text():
+            return text_bytes(value, order, item) if encoding.form is not None else _filled(value, item.encode("ascii"))
+        case Octets():
+            return _filled(value, bytes(item))
+        case Digits():
+            data = digits_bytes(value, int(item))
+        case Whole():
+            data = whole_bits(encoding, int(item)).to_bytes(value.size, "big")
+        case Real():
+            data = real_bits(encoding.precision, item).to_bytes(value.size, "big")
+        case Truth():
+            data = int(item).to_bytes(value.size, "big")
+        case _:
+            assert_never(encoding)
+    data = data[::-1] if (order == "little") != swapped else data
+    return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2)) if swapped else data
+
+
+def _filled(value: Value, data: bytes) -> bytes:
+    return data.ljust(value.size, b"\0")

@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.targets.c.declarations import Declaration, Define
-from fieldspec.targets.c.expressions import integer
+from fieldspec.targets.c.expressions import INT64, integer
 from fieldspec.targets.c.naming import Naming, Noun
 
 _GREATEST_FRACTION = 2**63 - 1
@@ -21,5 +21,5 @@ def define_fractions(
         fraction = Fraction(exact)
         if fraction != implied and max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
             for part, number in (("numerator", fraction.numerator), ("denominator", fraction.denominator)):
-                constants.append(Define(naming.macro(noun, *names, f"{name}_{part}"), integer(number, 8)))
+                constants.append(Define(naming.macro(noun, *names, f"{name}_{part}"), integer(number, INT64)))
     return constants

@@ -8,6 +8,7 @@ from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.language.model.encoding import bounds_of
 from fieldspec.targets.c.assertions import (
     LENGTH,
     clear_variable,
@@ -32,10 +33,10 @@ from fieldspec.targets.c.expressions import (
     byte_initializer,
     decimal,
     different,
-    integer,
     subtract,
 )
 from fieldspec.targets.c.fields import members
+from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.printer import Printer
 from fieldspec.targets.c.runtime_files import all_records
@@ -168,8 +169,9 @@ def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[lis
     selector = record.selector
     assert selector is not None
     assert selector.value is not None
-    kind = selector.value.type
-    highest = range(kind.high, kind.high - len(record.chosen) - 1, -1)
+    encoding = selector.value.encoding
+    minimum, maximum = bounds_of(encoding)
+    highest = range(maximum, maximum - len(record.chosen) - 1, -1)
     number = next((number for number in highest if number not in record.chosen), None)
     if number is None:
         return
@@ -180,10 +182,10 @@ def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[lis
         Variable(Type(naming.type("record", record.name)), "in"),
         Variable(SIZE_TYPE, "length", value=ZERO),
         clear_variable(_IN_POINTER),
-        assign(Member(_IN, member(selector.name)), integer(number, kind.size, kind.signed)),
+        assign(Member(_IN, member(selector.name)), literal(encoding, number)),
         expect_equal(f"{record.name} chooses nothing", encoded, unknown_value),
     ]
-    if not kind.signed and number == kind.high:
+    if minimum == 0 and number == maximum:
         data = bytearray(record.least)
         data[selector.offset : selector.offset + selector.size] = b"\xff" * selector.size
         unknown = Identifier("unknown")

@@ -38,11 +38,11 @@ from fieldspec.targets.c.expressions import (
     byte_initializer,
     decimal,
     equal,
-    integer,
     unsigned,
 )
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
+from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, frame_member
 from fieldspec.targets.c.parts import part_value
 from fieldspec.targets.c.sample_values import form_of_values, record_value
@@ -142,7 +142,7 @@ def _code(link: LinkLayout, example: Example) -> Expression:
 def _header_number(part: PartLayout, number: int) -> Expression:
     """The number of a part before the body, as a constant."""
     value = part_value(part).value
-    return integer(number, value.number_size(part.size), value.type.signed)
+    return literal(value.encoding, number)
 
 
 def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:

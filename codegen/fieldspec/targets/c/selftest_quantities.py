@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
+from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.assertions import expect, expect_equal
 from fieldspec.targets.c.expressions import (
@@ -20,12 +22,11 @@ from fieldspec.targets.c.expressions import (
     at_least,
     at_most,
     double,
-    integer,
-    real,
     whole_double,
 )
+from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming
-from fieldspec.targets.c.quantities import EXACT_BYTES, ScaledValue, fixed_values, scaled_values
+from fieldspec.targets.c.quantities import ScaledValue, fixed_values, keeps_counts, scaled_values
 from fieldspec.targets.c.sample_values import legal_numbers
 from fieldspec.targets.c.statements import CompileIf, Statement, Variable, assign
 from fieldspec.targets.c.values import type_name
@@ -52,7 +53,7 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
         value, function = absent.value, absent.function(naming)
         numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
         neighbours = sorted({number + step for number in (0, *numbers) for step in (-1, 0, 1)} - set(numbers))
-        is_float = value.type.kind is Kind.FLOAT
+        low, high = _neighbour_bounds(value)
         yield [
             *(
                 expect_equal(f"{function} {sentinel.name}", Call(function, (constant,)), TRUE)
@@ -60,10 +61,9 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
                 if (constant := Identifier(absent.constant(naming, sentinel)))
             ),
             *(
-                expect_equal(f"{function} {number}", Call(function, (literal,)), FALSE)
+                expect_equal(f"{function} {number}", Call(function, (literal(value.encoding, number),)), FALSE)
                 for number in neighbours
-                if (abs(number) < _WHOLE_FLOATS if is_float else value.type.low <= number <= value.type.high)
-                if (literal := real(number, value.size) if is_float else _literal(value, number))
+                if low <= number <= high
             ),
         ]
     for absent in fixed_values(layout):
@@ -79,14 +79,14 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
     value, names = absent.value, absent.names
     from_raw, to_raw = (naming.function(absent.noun, *names, end) for end in ("from_raw", "to_raw"))
     ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
-    goes_back = value.type.size <= EXACT_BYTES and not value.offset
+    goes_back = keeps_counts(value.encoding) and not value.offset
     quantities = {number: float(value.in_unit(number)) for number in numbers}
     small = {number: quantity for number, quantity in quantities.items() if abs(quantity) <= _GREATEST}
     if goes_back and small:
         yield Variable(Type(type_name(value)), "raw", value=ZERO)
     for number, expected in small.items():
         description = f"{absent.title} {number}"
-        reading = Call(from_raw, (_literal(value, number), address_of(_QUANTITY)))
+        reading = Call(from_raw, (literal(value.encoding, number), address_of(_QUANTITY)))
         writing = Call(to_raw, (_QUANTITY, address_of(_RAW)))
         if value.sentinel(number) is not None:
             yield expect_equal(description, reading, out_of_range)
@@ -100,7 +100,7 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
         yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
         if goes_back:
             yield expect_equal(f"{description} back", writing, ok)
-            yield expect_equal(f"{description} back", _RAW, _literal(value, number))
+            yield expect_equal(f"{description} back", _RAW, literal(value.encoding, number))
 
 
 def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterator[Statement]:
@@ -111,11 +111,14 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
     assert ranges is not None
     yield Variable(Type(type_name(value)), "raw", value=ZERO)
     yield Variable(Type("double"), "quantity", value=whole_double(0))
-    exact = value.type.size <= EXACT_BYTES
+    exact = keeps_counts(value.encoding)
     for power in sorted({ranges.intervals[0][0], ranges.intervals[-1][1], 0} & _whole(exponent.value)):
         for number in numbers:
             description, expected = f"{name} {number} by {power}", float(value.scaled_by(power).in_unit(number))
-            reading = Call(from_raw, (_literal(value, number), _literal(exponent.value, power), address_of(_QUANTITY)))
+            reading = Call(
+                from_raw,
+                (literal(value.encoding, number), literal(exponent.value.encoding, power), address_of(_QUANTITY)),
+            )
             if value.sentinel(number) is not None:
                 yield expect_equal(description, reading, out_of_range)
                 continue
@@ -126,16 +129,20 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
             yield expect(at_least(_QUANTITY, double(expected - tolerance)), description)
             yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
             if exact:
-                arguments = (_QUANTITY, _literal(exponent.value, power), address_of(_RAW))
+                arguments = (_QUANTITY, literal(exponent.value.encoding, power), address_of(_RAW))
                 yield expect_equal(f"{description} back", Call(to_raw, arguments), ok)
-                yield expect_equal(f"{description} back", _RAW, _literal(value, number))
+                yield expect_equal(f"{description} back", _RAW, literal(value.encoding, number))
     excessive = ranges.high + 1
-    if excessive <= exponent.value.type.high:
-        refused: tuple[Expression, ...] = (whole_double(0), _literal(exponent.value, excessive), address_of(_RAW))
+    if excessive <= bounds_of(exponent.value.encoding)[1]:
+        refused: tuple[Expression, ...] = (
+            whole_double(0),
+            literal(exponent.value.encoding, excessive),
+            address_of(_RAW),
+        )
         yield expect_equal(f"{name} by {excessive}", Call(to_raw, refused), out_of_range)
     high = float(value.scaled_by(ranges.low).in_unit(4 * value.high + 4))
     if high < _GREATEST:
-        refused = (double(high), _literal(exponent.value, ranges.low), address_of(_RAW))
+        refused = (double(high), literal(exponent.value.encoding, ranges.low), address_of(_RAW))
         yield expect_equal(f"{name} beyond", Call(to_raw, refused), out_of_range)
 
 
@@ -145,5 +152,12 @@ def _whole(exponent: Value) -> set[int]:
     return {number for low, high in intervals for number in range(low, high + 1)}
 
 
-def _literal(value: Value, number: int) -> Expression:
-    return integer(number, value.type.container, value.type.signed)
+def _neighbour_bounds(value: Value) -> tuple[int, int]:
+    """The bounds of the whole numbers of which C has each one in the type of a value."""
+    match value.encoding:
+        case Real():
+            return 1 - _WHOLE_FLOATS, _WHOLE_FLOATS - 1
+        case Whole() | Digits() | Truth() | Text() | Octets():
+            return bounds_of(value.encoding)
+        case _:
+            assert_never(value.encoding)

@@ -7,16 +7,19 @@ from fractions import Fraction
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import bounds_of, is_count
 from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Conversion, Kind, Value
+from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal
 from fieldspec.targets.c.conversions import count_bounds, count_type
 from fieldspec.targets.c.enums import available_members, code_tables, enum_type
 from fieldspec.targets.c.expressions import (
     FALSE,
+    INT64,
     NULL,
     TRUE,
+    UINT64,
     ZERO,
     Call,
     Cast,
@@ -40,10 +43,11 @@ from fieldspec.targets.c.expressions import (
     unsigned,
     whole_double,
 )
-from fieldspec.targets.c.flags import named_bits
+from fieldspec.targets.c.flags import named_bits, number_of_bit
+from fieldspec.targets.c.machine import literal, machine
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.parameters import wire_number_type
-from fieldspec.targets.c.quantities import EXACT_BYTES
+from fieldspec.targets.c.quantities import keeps_counts
 from fieldspec.targets.c.sample_values import legal_numbers, lone_values, value_bytes
 from fieldspec.targets.c.statements import Block, CompileIf, Statement, Variable, assign, discard
 from fieldspec.targets.c.values import accessed_type, type_name
@@ -73,10 +77,10 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
     for name, bit in named_bits(word):
         ones = hexadecimal(sum(1 << number for number in range(bit.first, bit.last + 1)), size)
         mask, get = naming.macro("bit", word.name, name, "mask"), naming.function("bit", word.name, name)
-        other_bits = Cast(f"uint{8 * word.type.container}_t", Unary("~", ones))
+        other_bits = Cast(machine(word.type.encoding).word, Unary("~", ones))
         wide = bit.width > 1
         yield _expect_constant(mask, ones)
-        all_ones = integer(-1, max(size, 4)) if bit.signed else integer((1 << bit.width) - 1, size, False)
+        all_ones = integer(-1 if bit.signed else (1 << bit.width) - 1, number_of_bit(word, bit))
         yield expect_equal(get, Call(get, (ones,)), all_ones if wide else TRUE)
         yield expect_equal(get, Call(get, (other_bits,)), ZERO if wide else FALSE)
     if word.states:
@@ -88,7 +92,7 @@ def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
     bits = {bit.name: bit.mask for bit in word.bits}
     words = [sum(bits[name] for name in state.set) for state in word.states]
     function = naming.function("word", word.name, "state_of")
-    for number in sorted({0, word.type.high, *words}):
+    for number in sorted({0, bounds_of(word.type.encoding)[1], *words}):
         matches = [
             state
             for state in word.states
@@ -112,23 +116,23 @@ def _test_enum(naming: Naming, enum: Enum) -> Iterator[Statement]:
     if not enum.open:
         known = naming.function("enum", enum.name, "known")
         for member in members:
-            yield expect_equal(known, Call(known, (integer(member.value, 8, not wide),)), TRUE)
+            yield expect_equal(known, Call(known, (integer(member.value, UINT64 if wide else INT64),)), TRUE)
         if largest + 1 < 2**63:
-            yield expect_equal(known, Call(known, (integer(largest + 1, 8),)), FALSE)
+            yield expect_equal(known, Call(known, (integer(largest + 1, INT64),)), FALSE)
 
 
 def _test_code_texts(naming: Naming, enum: Enum) -> Iterator[Statement]:
     """The names of codes, and that a code which there is not has no texts."""
     function = naming.function("enum", enum.name, "text")
     for member in [member for member in enum.members if member.value < 2**63]:
-        result = Call(function, (integer(member.value, 8),))
-        number = integer(-1 if member.number is None else member.number, 8)
+        result = Call(function, (integer(member.value, INT64),))
+        number = integer(-1 if member.number is None else member.number, INT64)
         tests: list[Expression] = [different(result, NULL), equal(PointerMember(result, "number"), number)]
         for text, name in ((member.name, "name"), (member.printed_name, "printed")):
             tests.append(Call("same_text", (PointerMember(result, name), string(text))))
         yield expect(all_of(tests), function)
     unknown = next(code for code in range(len(enum.members) + 1) if enum.member(code) is None)
-    yield expect_equal(function, Call(function, (integer(unknown, 8),)), NULL)
+    yield expect_equal(function, Call(function, (integer(unknown, INT64),)), NULL)
 
 
 def _test_messages(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
@@ -206,7 +210,7 @@ def _test_value(
     size: int,
     trigger: bool,
 ) -> Iterator[list[Statement]]:
-    if value.type.kind is not Kind.INTEGER:
+    if not is_count(value.encoding):
         return
     encode, decode = naming.function(noun, *names, "encode"), naming.function(noun, *names, "decode")
     ok, label = naming.status("ok"), ".".join(names)
@@ -223,9 +227,9 @@ def _test_value(
             expect_equal(label, Call(encode, (_BYTES,)), ok),
             expect_bytes(f"{label} bytes", _BYTES, data),
             expect_equal(label, Call(decode, (_BYTES, _OUT_POINTER)), ok),
-            expect_equal(label, _OUT, integer(value.const, value.size, value.type.signed)),
+            expect_equal(label, _OUT, literal(value.encoding, value.const)),
             expect_equal(f"{label} {other}", Call(decode, (_OTHER, _OUT_POINTER)), ok),
-            expect_equal(f"{label} {other}", _OUT, integer(other, value.size, value.type.signed)),
+            expect_equal(f"{label} {other}", _OUT, literal(value.encoding, other)),
         ]
         return
     numbers = sorted(set(legal_numbers(device, value)))
@@ -254,7 +258,7 @@ def _constants(naming: Naming, device: Device, value: Value, numbers: list[int])
     """Numbers of a value as C constants: the names of its enum where they have its type."""
     enum = enum_type(device, value)
     if enum is None:
-        return {number: integer(number, value.type.size, value.type.signed) for number in numbers}
+        return {number: literal(value.encoding, number) for number in numbers}
     names = {member.value: member.name for member in available_members(enum)}
     return {number: Identifier(naming.macro("enum", enum.name, names[number])) for number in numbers}
 
@@ -267,7 +271,7 @@ def test_conversions(layout: DeviceLayout, naming: Naming) -> Iterator[list[Stat
 
 
 def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> list[Statement]:
-    size, signed = conversion.type.size, conversion.type.signed
+    encoding = conversion.type.encoding
     from_raw = naming.function("conversion", conversion.name, "from_raw")
     to_raw = naming.function("conversion", conversion.name, "to_raw")
     ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
@@ -276,18 +280,18 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
     body: list[Statement] = [Variable(Type(count_type(conversion)), "raw", value=ZERO)]
     counts = {low, 0, 1, conversion.full_scale, high}
     for number in sorted(count for count in counts if low <= count <= high):
-        literal, description = integer(number, size, signed), f"{conversion.name} {number}"
+        count, description = literal(encoding, number), f"{conversion.name} {number}"
         expected = float(conversion.quantity(number, Fraction(_REFERENCE)))
         tolerance = max(abs(expected) * 1e-12, 1e-12)
-        quantity = Call(from_raw, (literal, reference))
+        quantity = Call(from_raw, (count, reference))
         body += [
             expect(at_least(quantity, double(expected - tolerance)), description),
             expect(at_most(quantity, double(expected + tolerance)), description),
         ]
-        if size <= EXACT_BYTES:
+        if keeps_counts(encoding):
             body += [
                 expect_equal(f"{description} back", Call(to_raw, (quantity, reference, raw)), ok),
-                expect_equal(f"{description} back", _RAW, literal),
+                expect_equal(f"{description} back", _RAW, count),
             ]
     if conversion.full_scale & (conversion.full_scale - 1) == 0 and low <= 0 and high > 2:
         # A reference as large as the full scale makes halves of counts exact.
@@ -298,7 +302,7 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
             arguments: tuple[Expression, ...] = (double(half), double(float(exact)), raw)
             body += [
                 expect_equal(description, Call(to_raw, arguments), ok),
-                expect_equal(description, _RAW, integer(even, size, signed)),
+                expect_equal(description, _RAW, literal(encoding, even)),
             ]
     excessive = double(float(conversion.quantity(2 * high + 2 - low, Fraction(1))))
     unit = whole_double(1)

@@ -11,6 +11,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import stem
 from fieldspec.language.model.access import readable, writable
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parameters
@@ -178,7 +179,7 @@ class _Usages:
 
     def _sample(self, value: Value) -> str:
         """An expression that may be written; empty where there is none."""
-        suffix = "" if value.type.signed else "u"
+        suffix = "" if is_signed(value.encoding) else "u"
         return sample_text(
             value,
             self.layout.device,

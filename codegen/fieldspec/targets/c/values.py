@@ -2,59 +2,65 @@
 
 from __future__ import annotations
 
+from fieldspec.codec.layout.accepted import (
+    REASONS,
+    Equals,
+    Fits,
+    HasCharacters,
+    HasDigits,
+    IsBit,
+    Known,
+    PartWithin,
+    RealWithin,
+    Test,
+    Within,
+    accepted,
+)
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import PRIMITIVES, Kind, Value
-from fieldspec.targets.c.bit_ranges import refused_bits_tests
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    bounds_of,
+    is_array,
+)
+from fieldspec.language.model.value import Value
+from fieldspec.targets.c.conditions import refused_number
 from fieldspec.targets.c.digits import digits_call, digits_test, load_digits
 from fieldspec.targets.c.encoded_texts import load_text, store_text, text_bytes_test, text_capacity, text_test
-from fieldspec.targets.c.enums import enum_implies_range, enum_type, unknown_value_test
+from fieldspec.targets.c.enums import enum_type
 from fieldspec.targets.c.expressions import (
     IN,
     OUT,
     VALUE,
-    ZERO,
     Call,
     Cast,
-    Conditional,
     Element,
     Expression,
-    Group,
     Identifier,
     Literal,
     Type,
-    all_of,
-    any_of,
-    at_least,
-    at_most,
     decimal,
     dereference,
     different,
-    equal,
-    greater,
-    integer,
-    less,
     negate,
-    real,
     unsigned,
 )
+from fieldspec.targets.c.machine import fixed_bits, literal, machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
 
-_TYPES = {
-    **{
-        name: f"{'' if primitive.signed else 'u'}int{8 * primitive.container}_t"
-        for name, primitive in PRIMITIVES.items()
-        if primitive.kind is Kind.INTEGER
-    },
-    "f32": "float",
-    "f64": "double",
-    "bool8": "bool",
-    "bool16": "bool",
-    "bit": "bool",
-}
+if TYPE_CHECKING:
+    from fieldspec.codec.layout.accepted import Reason
+
 _NUL = Literal("'\\0'")
 
 
@@ -67,9 +73,9 @@ class WireValue:
     swapped: bool
 
     @property
-    def kind(self) -> Kind:
-        """The kind of its type: an integer, a float, a text..."""
-        return self.value.type.kind
+    def encoding(self) -> Encoding:
+        """How it is on the wire."""
+        return self.value.encoding
 
     @property
     def size(self) -> int:
@@ -79,7 +85,7 @@ class WireValue:
     @property
     def is_array(self) -> bool:
         """Whether C has it as an array: a text or bytes."""
-        return self.kind in (Kind.TEXT, Kind.BYTES)
+        return is_array(self.encoding)
 
     @property
     def access(self) -> str:
@@ -95,20 +101,25 @@ def field_value(field: FieldLayout | CaseLayout) -> WireValue:
 
 def type_name(value: Value) -> str:
     """The type of an element of a value: `uint16_t`, and `char` of a text."""
-    kind = value.type.kind
-    if kind is Kind.TEXT:
-        return "char"
-    return "uint8_t" if kind is Kind.BYTES else _TYPES[value.type.name]
+    return machine(value.encoding).type
 
 
 def declare_value(wire: WireValue, name: str, count: int | None = None, const: bool = False) -> Variable:
     """The member, parameter or variable that has a value, or `count` of them: `char name[count][33]`"""
     dimensions = (decimal(count),) if count is not None else ()
-    if wire.kind is Kind.TEXT:
-        dimensions = (*dimensions, decimal(text_capacity(wire.value) + 1))
-    elif wire.kind is Kind.BYTES:
-        dimensions = (*dimensions, decimal(wire.size))
-    return Variable(Type(type_name(wire.value), const=const), name, dimensions)
+    return Variable(Type(type_name(wire.value), const=const), name, (*dimensions, *_own_dimensions(wire)))
+
+
+def _own_dimensions(wire: WireValue) -> tuple[Expression, ...]:
+    match wire.encoding:
+        case Text():
+            return (decimal(text_capacity(wire.value) + 1),)
+        case Octets():
+            return (decimal(wire.size),)
+        case Whole() | Real() | Truth() | Digits():
+            return ()
+        case _:
+            assert_never(wire.encoding)
 
 
 def accessed_type(naming: Naming, device: Device, value: Value) -> str:
@@ -126,19 +137,21 @@ def access_name(size: int, order: str, swapped: bool) -> str:
     return f"u{8 * size}_{first}{second}"
 
 
-def real_functions(size: int) -> tuple[str, str]:
-    """The functions from the bits of a floating-point number to the number, and back."""
-    return ("float_of", "bits_of") if size == 4 else ("double_of", "bits_of_double")
+def load_bits(naming: Naming, wire: WireValue, source: Expression) -> Expression:
+    """`load_u16_be(in + 4)`: the bits at `source`, a pointer to the first byte."""
+    return Call(naming.own(f"load_{wire.access}"), (source,))
 
 
 def load(naming: Naming, wire: WireValue, source: Expression) -> Expression:
-    """`load_u16_be(in + 4)`: the number at `source`, a pointer to its first byte."""
-    number = Call(naming.own(f"load_{wire.access}"), (source,))
-    if wire.value.digits:
-        return load_digits(naming, wire.value, source, number)
-    if wire.kind is Kind.INTEGER and wire.value.type.signed:
-        return Call(naming.own(f"signed_{8 * wire.size}"), (number,))
-    return number
+    """`signed_16(load_u16_be(in + 4))`: the number at `source`, a pointer to its first byte."""
+    encoding, bits = wire.encoding, load_bits(naming, wire, source)
+    match encoding:
+        case Digits():
+            return load_digits(naming, wire.value, source, bits)
+        case Whole() | Real() | Truth() | Text() | Octets():
+            return of_bits(naming, encoding, bits)
+        case _:
+            assert_never(encoding)
 
 
 def store(naming: Naming, access: str, target: Expression, number: Expression) -> Evaluation:
@@ -171,92 +184,54 @@ def refuse(naming: Naming, test: Expression, error: str) -> Body:
     return (return_if(test, naming.status(error)),)
 
 
-def out_of_range_test(value: Value, number: Expression) -> Expression | None:
-    """`!(value >= 1u && value <= 12u)`: whether a number may not be written; None where all of its type may be.
-
-    Bounds that are those of the type are left out: compilers warn of comparisons that are always true. A sentinel
-    beside the range is taken.
-    """
-    kind = value.type
-    ranges = value.writable_ranges
-    if ranges is None and kind.is_odd:
-        ranges = Ranges(((kind.low, kind.high),))
-    if ranges is None:
-        return None
-    if kind.kind is Kind.FLOAT:
-        return _float_out_of_range_test(value, ranges, number)
-    tests: list[Expression] = []
-    for low, high in sorted(ranges.intervals):
-        minimum, maximum = integer(low, kind.size, kind.signed), integer(high, kind.size, kind.signed)
-        if low == high:
-            tests.append(equal(number, minimum))
-            continue
-        bounds: list[Expression] = []
-        if low > kind.low or (kind.is_odd and kind.signed):
-            bounds.append(at_least(number, minimum))
-        if high < kind.high or kind.is_odd:
-            bounds.append(at_most(number, maximum))
-        if not bounds:
-            return None
-        tests.append(all_of(bounds))
-    tests += [
-        equal(number, integer(sentinel.value, kind.size, kind.signed))
-        for sentinel in value.sentinels
-        if sentinel.value not in ranges
-    ]
-    return negate(tests[0] if len(tests) == 1 else any_of([Group(test) for test in tests]))
-
-
-def _float_out_of_range_test(value: Value, ranges: Ranges, number: Expression) -> Expression:
-    """`!(value >= -5.0f && value <= 5.0f)`, of which a NaN is out of range, as no comparison holds of it.
-
-    Where a NaN stands for an absent value: `(value < -5.0f || value > 5.0f)`, in which none is.
-    """
-    sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
-    size = value.size
-    bounds = [(real(low, size), real(high, size)) for low, high in sorted([*ranges.intervals, *sentinels])]
-    if value.absent_nan:
-        return all_of([Group(any_of([less(number, low), greater(number, high)])) for low, high in bounds])
-    return negate(any_of([Group(all_of([at_least(number, low), at_most(number, high)])) for low, high in bounds]))
-
-
 # Reading
 
 
 def load_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
     """`target = load_u16_be(in + 4);`: moves the value at `source` to `target` without a check."""
-    if wire.value.text_form is not None:
-        return (load_text(naming, wire.value, wire.order, source, target),)
-    if wire.kind is Kind.TEXT:
-        end = Assignment(Element(target, decimal(wire.size)), _NUL)
-        return copy_bytes(naming, target, source, unsigned(wire.size)), end
-    if wire.kind is Kind.BYTES:
-        return (copy_bytes(naming, target, source, unsigned(wire.size)),)
-    number = load(naming, wire, source)
-    if wire.kind is Kind.FLOAT:
-        number = Call(naming.own(real_functions(wire.size)[0]), (number,))
-    elif wire.kind is Kind.BOOLEAN:
-        number = different(number, ZERO)
-    return (Assignment(target, number),)
+    encoding, size = wire.encoding, unsigned(wire.size)
+    match encoding:
+        case Text():
+            if encoding.form is not None:
+                return (load_text(naming, wire.value, wire.order, source, target),)
+            end = Assignment(Element(target, decimal(encoding.size)), _NUL)
+            return copy_bytes(naming, target, source, size), end
+        case Octets():
+            return (copy_bytes(naming, target, source, size),)
+        case Whole() | Real() | Truth() | Digits():
+            return (Assignment(target, load(naming, wire, source)),)
+        case _:
+            assert_never(encoding)
 
 
 def check_loaded(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
     """Refuses what was loaded from `source` to `target`: a wrong constant, or a value that the type does not have."""
-    if wire.value.const is not None:
-        return check_constant(naming, wire, source)
-    if wire.value.text_form is not None:
-        return refuse(naming, negate(text_bytes_test(naming, wire.value, wire.order, source)), "err_unknown_value")
-    if wire.kind is Kind.TEXT:
-        ascii_test = Call(naming.own("is_ascii"), (source, unsigned(wire.size)))
-        return refuse(naming, negate(ascii_test), "err_unknown_value")
-    if wire.kind is Kind.BOOLEAN:
-        return refuse(naming, greater(load(naming, wire, source), unsigned(1)), "err_unknown_value")
-    tests: Body = ()
-    if wire.value.digits:
-        number = Call(naming.own(f"load_{wire.access}"), (source,))
-        tests = refuse(naming, negate(digits_test(naming, wire.value, source, number)), "err_unknown_value")
-    unknown = unknown_value_test(naming, device, wire.value, target)
-    return (*tests, *(refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()))
+    body: Body = ()
+    for condition in accepted(device, wire.value).reading:
+        test = _refused_bytes(naming, wire, condition.test, source, target)
+        body += refuse(naming, test, f"err_{condition.reason}") if test is not None else ()
+    return body
+
+
+def _refused_bytes(
+    naming: Naming, wire: WireValue, test: Test, source: Expression, number: Expression
+) -> Expression | None:
+    """What holds for bytes that a test refuses, from which a number was loaded; that of a constant was not."""
+    match test:
+        case HasDigits():
+            return negate(digits_test(naming, wire.value, source, load_bits(naming, wire, source)))
+        case HasCharacters():
+            if test.text.form is not None:
+                return negate(text_bytes_test(naming, wire.value, wire.order, source))
+            return negate(Call(naming.own("is_ascii"), (source, unsigned(wire.size))))
+        case IsBit():
+            return refused_number(naming, wire.encoding, test, load_bits(naming, wire, source))
+        case Equals():
+            return refused_number(naming, wire.encoding, test, load(naming, wire, source))
+        case Known() | Within() | RealWithin() | PartWithin() | Fits():
+            return refused_number(naming, wire.encoding, test, number)
+        case _:
+            assert_never(test)
 
 
 def decode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
@@ -281,60 +256,55 @@ def decode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
 def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
     """`if (load_u8(in + 4) != 3u) { return ERR_WRONG_CONST; }`"""
     assert wire.value.const is not None
-    constant = integer(wire.value.const, wire.value.number_size(wire.size), wire.value.type.signed)
+    constant = literal(wire.encoding, wire.value.const)
     return refuse(naming, different(load(naming, wire, source), constant), "err_wrong_const")
 
 
 # Writing
 
 
-def check_stored(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
-    """Refuses the value `source`, which is to be written: unknown to its closed enum, or out of its range."""
-    if wire.value.text_form is not None:
-        return refuse(naming, negate(text_test(naming, wire.value, wire.order, source)), "err_unknown_value")
-    if wire.kind is Kind.TEXT:
-        ascii_test = Call(naming.own("is_text"), (source, unsigned(wire.size)))
-        return refuse(naming, negate(ascii_test), "err_unknown_value")
-    if wire.kind not in (Kind.INTEGER, Kind.FLOAT):
-        return ()
-    checks = _check_known(naming, device, wire, source) + _check_range(naming, device, wire, source)
-    return checks + _check_bits(naming, device, wire, source)
+def check_stored(
+    naming: Naming, device: Device, wire: WireValue, source: Expression, reasons: tuple[Reason, ...] = REASONS
+) -> Body:
+    """Refuses the value `source`, which is to be written, for one of some reasons."""
+    body: Body = ()
+    for condition in accepted(device, wire.value).writing:
+        test = _refused_value(naming, wire, condition.test, source) if condition.reason in reasons else None
+        body += refuse(naming, test, f"err_{condition.reason}") if test is not None else ()
+    return body
 
 
-def _check_known(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
-    unknown = unknown_value_test(naming, device, wire.value, source)
-    return refuse(naming, unknown, "err_unknown_value") if unknown is not None else ()
-
-
-def _check_range(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
-    out_of_range = None if enum_implies_range(device, wire.value) else out_of_range_test(wire.value, source)
-    return refuse(naming, out_of_range, "err_out_of_range") if out_of_range is not None else ()
-
-
-def _check_bits(naming: Naming, device: Device, wire: WireValue, source: Expression) -> Body:
-    tests = refused_bits_tests(device.flags.get(wire.value.flags), wire.size, source)
-    return tuple(statement for test in tests for statement in refuse(naming, test, "err_out_of_range"))
+def _refused_value(naming: Naming, wire: WireValue, test: Test, value: Expression) -> Expression | None:
+    """What holds for a value of C that a test refuses; None where the type of C has no such value."""
+    match test:
+        case HasCharacters():
+            if test.text.form is not None:
+                return negate(text_test(naming, wire.value, wire.order, value))
+            return negate(Call(naming.own("is_text"), (value, unsigned(wire.size))))
+        case HasDigits() | IsBit():
+            return None
+        case Equals() | Known() | Within() | RealWithin() | PartWithin() | Fits():
+            return refused_number(naming, wire.encoding, test, value)
+        case _:
+            assert_never(test)
 
 
 def store_value(naming: Naming, wire: WireValue, source: Expression, target: Expression) -> Body:
     """`store_u16_be(out + 4, in->speed);`: writes the value `source` at `target` without a check."""
-    if wire.value.text_form is not None:
-        return (store_text(naming, wire.value, wire.order, source, target),)
-    if wire.kind is Kind.TEXT:
-        return (call(naming.own("put_text"), target, source, unsigned(wire.size)),)
-    if wire.kind is Kind.BYTES:
-        return (copy_bytes(naming, target, source, unsigned(wire.size)),)
-    number_type = f"uint{8 * wire.value.type.container}_t"
-    number = source
-    if wire.kind is Kind.FLOAT:
-        number = Call(naming.own(real_functions(wire.size)[1]), (source,))
-    elif wire.kind is Kind.BOOLEAN:
-        number = Cast(number_type, Conditional(source, decimal(1), ZERO))
-    elif wire.value.type.signed:
-        number = Cast(number_type, source)
-    if wire.value.digits:
-        return (store_number(naming, wire, source, target),)
-    return (store(naming, wire.access, target, number),)
+    encoding, size = wire.encoding, unsigned(wire.size)
+    match encoding:
+        case Text():
+            if encoding.form is not None:
+                return (store_text(naming, wire.value, wire.order, source, target),)
+            return (call(naming.own("put_text"), target, source, size),)
+        case Octets():
+            return (copy_bytes(naming, target, source, size),)
+        case Digits():
+            return (store_number(naming, wire, source, target),)
+        case Whole() | Real() | Truth():
+            return (store(naming, wire.access, target, to_bits(naming, encoding, source)),)
+        case _:
+            assert_never(encoding)
 
 
 def store_number(naming: Naming, wire: WireValue, number: Expression, target: Expression) -> Evaluation:
@@ -342,8 +312,8 @@ def store_number(naming: Naming, wire: WireValue, number: Expression, target: Ex
     if wire.value.has_characters:
         function, arguments = digits_call(naming, wire.value, target, number)
         return call(function, *arguments)
-    container = next(size for size in (1, 2, 4, 8) if size >= wire.size)
-    return store(naming, wire.access, target, Cast(f"uint{8 * container}_t", Call(naming.own("to_bcd"), (number,))))
+    word = machine(Whole(8 * wire.size, Sign.NONE)).type
+    return store(naming, wire.access, target, Cast(word, Call(naming.own("to_bcd"), (number,))))
 
 
 def encode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
@@ -357,32 +327,47 @@ def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
     A range that leaves out members is tested on a variable: gcc warns of bounds that the type of the enum implies.
     """
     number = Identifier("number")
-    range_check = _check_range(naming, device, wire, number)
+    range_check = check_stored(naming, device, wire, number, ("out_of_range",))
     # No signed type that is too small for what a cast may have made of it.
-    kind = "int64_t" if wire.value.type.signed else type_name(wire.value)
+    kind = "int64_t" if bounds_of(wire.encoding)[0] < 0 else type_name(wire.value)
     return (
         *((Variable(Type(kind, const=True), number.name, value=Cast(kind, VALUE)),) if range_check else ()),
-        *_check_known(naming, device, wire, VALUE),
+        *check_stored(naming, device, wire, VALUE, ("unknown_value",)),
         *range_check,
-        _store_member(naming, wire),
+        store_whole(naming, wire, VALUE, OUT),
     )
 
 
-def _store_member(naming: Naming, wire: WireValue) -> Evaluation:
-    member = Cast(f"uint{8 * wire.value.type.container}_t", VALUE)
-    if wire.value.digits:
-        return store_number(naming, wire, Cast(type_name(wire.value), VALUE), OUT)
-    return store(naming, wire.access, OUT, member)
+def store_whole(naming: Naming, wire: WireValue, number: Expression, target: Expression) -> Evaluation:
+    """`store_u16_be(out, (uint16_t)value);`: writes a whole number that has another type of C, such as an enum.
+
+    Raises AssertionError for a value that is no whole number.
+    """
+    encoding, kind = wire.encoding, machine(wire.encoding)
+    match encoding:
+        case Digits():
+            return store_number(naming, wire, Cast(kind.type, number), target)
+        case Whole():
+            bits = to_bits(naming, encoding, Cast(kind.type, number)) if kind.to_bits else Cast(kind.word, number)
+            return store(naming, wire.access, target, bits)
+        case Real() | Truth() | Text() | Octets():
+            raise AssertionError("no whole number")
+        case _:
+            assert_never(encoding)
 
 
 def store_constant(naming: Naming, wire: WireValue, number: int, target: Expression) -> Body:
     """`store_u16_be(out + 4, 3u);`: writes a number that no user sets, a constant or that of a reserved field."""
-    if wire.is_array:
-        return (clear_bytes(naming, target, unsigned(wire.size)),)
-    if wire.value.digits:
-        return (store_number(naming, wire, integer(number, wire.value.type.size, wire.value.type.signed), target),)
-    raw = number & ((1 << (8 * wire.size)) - 1)
-    return (store(naming, wire.access, target, integer(raw, wire.size, False)),)
+    encoding = wire.encoding
+    match encoding:
+        case Text() | Octets():
+            return (clear_bytes(naming, target, unsigned(wire.size)),)
+        case Digits():
+            return (store_number(naming, wire, literal(encoding, number), target),)
+        case Whole() | Real() | Truth():
+            return (store(naming, wire.access, target, fixed_bits(encoding, number)),)
+        case _:
+            assert_never(encoding)
 
 
 def fixed_number(value: Value) -> int:

@@ -14,8 +14,10 @@ CONSTRUCTS = {
     "wide_numbers": "whole numbers of 64 bits",
     "wide_lists": "lists of whole numbers of 64 bits",
     "odd_numbers": "whole numbers of 24, 40, 48 and 56 bits",
+    "magnitudes": "whole numbers with a sign and a magnitude",
     "digits": "whole numbers that are sent as digits",
     "floats": "floating-point numbers of 32 bits",
+    "half_floats": "floating-point numbers of 16 bits",
     "wide_floats": "floating-point numbers of 64 bits",
     "absent_reals": "sentinels of floating-point numbers that are no number",
     "booleans": "booleans",
@@ -86,6 +88,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         )
         capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
         capabilities["odd_numbers"] = adapted("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
+        capabilities["magnitudes"] = adapted("of up to 32 bits are exact; wider ones are refused: plc_numbers_fit")
     capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
     capabilities["inner_lists"] = refused("there are no functions that find what is behind them: plc_lists_last")
     capabilities["formed_texts"] = refused("there are no functions that convert them: plc_texts_ascii")
@@ -98,6 +101,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["open_enums"] = adapted("are numbers with constants, because a variable of an enum holds nothing else")
     capabilities["aliases"] = adapted("have the name to write; the others are in its comment")
     capabilities["floats"] = adapted("infinity and NaN are refused, because comparing them differs between controllers")
+    capabilities["half_floats"] = adapted("are numbers of 32 bits; infinity and NaN are refused")
     capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
     capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
     capabilities["can_frames"] = refused("there are no functions for them: plc_frames_supported")

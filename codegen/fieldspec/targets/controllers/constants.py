@@ -7,14 +7,16 @@ from decimal import Decimal
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.enums import available
 from fieldspec.targets.controllers.routines.remarks import cited, count_of, member_remark, printed
 from fieldspec.targets.controllers.routines.scaling import every_value
 from fieldspec.targets.controllers.routines.world import narrowest
-from fieldspec.targets.controllers.statements.expressions import BITS, LREAL, REAL, SIGNED, UINT, UNSIGNED, Elementary
+from fieldspec.targets.controllers.statements.expressions import BITS, LREAL, REAL, UINT, Elementary
+from fieldspec.targets.controllers.statements.numbers import is_single, whole_type
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +188,7 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 
 def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for name, fact, value in _ranged(layout):
-        kind = (SIGNED if value.type.signed else UNSIGNED)[value.size]
+        kind = whole_type(value.encoding)
         unit = f"1 count = {count_of(value)}." if value.scaled or value.unit else ""
         for word, ranges in (("", value.ranges), ("write_", value.write_ranges)):
             if ranges is not None and (ranges.low, ranges.high) != (value.type.low, value.type.high):
@@ -206,7 +208,7 @@ def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
 
 
 def _narrow(name: str, fact: Fact, value: Value | None) -> Iterator[tuple[str, Fact, Value]]:
-    if value is not None and value.type.kind is Kind.INTEGER and value.const is None:
+    if value is not None and is_count(value.encoding) and value.const is None:
         yield name, fact, value
 
 
@@ -216,10 +218,10 @@ def _absent(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
         name = quantity.name if quantity.owner == quantity.name else f"{quantity.owner}_{quantity.name}"
         for sentinel in value.sentinels:
             remark = cited(f"no quantity: {sentinel.doc or sentinel.name}", fact)
-            if value.type.kind is Kind.INTEGER:
-                kind = (SIGNED if value.type.signed else UNSIGNED)[value.size]
+            if is_count(value.encoding):
+                kind = whole_type(value.encoding)
                 yield Draft(f"{name}_{sentinel.name}", kind, sentinel.value, remark, fact, derived=True)
-            elif value.type.kind is Kind.FLOAT and value.size == REAL.size and not sentinel.is_nan:
+            elif is_single(value.encoding) and not sentinel.is_nan:
                 yield Draft(f"{name}_{sentinel.name}", REAL, Decimal(sentinel.value), remark, fact, derived=True)
 
 

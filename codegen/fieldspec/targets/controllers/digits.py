@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import replace
-from fieldspec.language.model.value import PRIMITIVES, Value
+from fieldspec.language.model.primitives import PRIMITIVES
+from fieldspec.language.model.value import Value
 
 
 def without_digits(layout: DeviceLayout) -> DeviceLayout:

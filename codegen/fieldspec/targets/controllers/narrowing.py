@@ -9,17 +9,58 @@ from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.foundation.classes import replace
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    has_magnitude,
+    is_array,
+    is_odd,
+    is_real,
+    number_of,
+)
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.record import Measure
 from fieldspec.language.model.registers import Register
-from fieldspec.language.model.value import PRIMITIVES, Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.absent import stated_values
 from fieldspec.targets.controllers.dialects import Dialect
 from fieldspec.targets.controllers.routines.world import every_record
+from fieldspec.targets.controllers.statements.numbers import is_single, whole_type
 
-_HALVES = {"u64": ("u32", "u32"), "i64": ("i32", "u32")}
-"""The types of the upper and the lower half of a type."""
+
+def _upper_half(encoding: Encoding) -> Primitive | None:
+    """The type of the upper half of a whole number of 64 bits, whose lower half is a `u32`; None where it has none.
+
+    A sign and a magnitude have none: the sign of a small number would be lost in an upper half that is 0.
+    """
+    match encoding:
+        case Whole():
+            return _half_of_sign(encoding.sign) if encoding.bits == 64 else None
+        case Real() | Truth() | Digits() | Text() | Octets():
+            return None
+        case _:
+            assert_never(encoding)
+
+
+def _half_of_sign(sign: Sign) -> Primitive | None:
+    match sign:
+        case Sign.NONE:
+            return PRIMITIVES["u32"]
+        case Sign.COMPLEMENT:
+            return PRIMITIVES["i32"]
+        case Sign.MAGNITUDE:
+            return None
+        case _:
+            assert_never(sign)
 
 
 def number_refusals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
@@ -90,7 +131,7 @@ def narrowed(layout: DeviceLayout, dialect: Dialect) -> DeviceLayout:
 def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
     for record in every_record(layout):
         for field in record.fields:
-            if field.is_list and field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES):
+            if field.is_list and field.value is not None and is_array(field.value.encoding):
                 yield field
 
 
@@ -101,8 +142,7 @@ def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[F
     """
     unknown_facts: set[int] = set()
     for fact, value in stated_values(layout):
-        is_wide = value.type.is_odd and value.type.container > dialect.widest
-        if (is_wide or value.type.name == "f64") and id(fact) not in unknown_facts:
+        if _is_unknown(value.type.encoding, dialect) and id(fact) not in unknown_facts:
             unknown_facts.add(id(fact))
             yield fact, value.type
     parts = [part for link in layout.links.values() for part in (*link.request.parts, *link.response.parts)]
@@ -111,14 +151,25 @@ def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[F
         *((conversion, conversion.type) for conversion in layout.device.conversions.values()),
     ]
     for fact, kind in wholes:
-        if kind.container > dialect.widest and id(fact) not in unknown_facts:
+        if _is_wide(kind.encoding, dialect) and id(fact) not in unknown_facts:
             unknown_facts.add(id(fact))
             yield fact, kind
 
 
+def _is_unknown(encoding: Encoding, dialect: Dialect) -> bool:
+    if is_real(encoding):
+        return not is_single(encoding)
+    return (is_odd(encoding) or has_magnitude(encoding)) and _is_wide(encoding, dialect)
+
+
+def _is_wide(encoding: Encoding, dialect: Dialect) -> bool:
+    """Whether the type of a variable for a number is wider than all that a dialect has."""
+    return number_of(encoding) is not None and whole_type(encoding).size > dialect.widest
+
+
 def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Refusal:
     finding = Diagnostic(
-        "plc_reals_fit" if kind.kind is Kind.FLOAT else "plc_numbers_fit",
+        "plc_reals_fit" if is_real(kind.encoding) else "plc_numbers_fit",
         f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert",
         fact.place["type" if "type" in fact.place else "name"],
         help=LEAVE_OUT,
@@ -127,7 +178,7 @@ def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Refusal:
 
 
 def _wide(value: Value | None) -> bool:
-    return value is not None and value.type.kind is Kind.INTEGER and value.type.name in _HALVES
+    return value is not None and _upper_half(value.encoding) is not None
 
 
 def _is_split(field: FieldLayout) -> bool:
@@ -168,7 +219,9 @@ def _measuring(field: FieldLayout, measure: Measure, halves: list[FieldLayout]) 
 
 def _halves(value: Value, order: str, swapped: bool) -> list[tuple[str, Value]]:
     """The suffixes and values of the halves in the order of the wire."""
-    kinds = zip(("high", "low"), _HALVES[value.type.name], strict=True)
+    upper = _upper_half(value.encoding)
+    assert upper is not None
+    kinds = (("high", upper), ("low", PRIMITIVES["u32"]))
     const = value.const
     shifted = {"high": None if const is None else const >> 32, "low": None if const is None else const & 0xFFFFFFFF}
     halves = [
@@ -176,7 +229,7 @@ def _halves(value: Value, order: str, swapped: bool) -> list[tuple[str, Value]]:
             word,
             replace(
                 value,
-                type=PRIMITIVES[kind],
+                type=kind,
                 size=4,
                 scale=type(value.scale)(1),
                 scale_text="",

@@ -55,7 +55,7 @@ Cure: Use a shorter name.
     "plc_numbers_fit": """The dialect has a type for every number, or can split the number into two.
 
 Why: an S7-1200 has no 64-bit integers. A single one can be split, but not a list of them, and not one of 40, 48
-or 56 bits.
+or 56 bits, or whose highest bit alone is its sign.
 
 Example: a field with `type: u64, count: 4`.
 
@@ -113,7 +113,7 @@ Example: a message with `segments: {message: upload_segment, when: [segments], d
 
 Cure: Do without what is left out. Clients in Python read and write such values.
 """,
-    "plc_reals_fit": """Floating-point numbers have 32 bits.
+    "plc_reals_fit": """Floating-point numbers have 16 or 32 bits.
 
 Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.
 
@@ -128,7 +128,7 @@ then make the whole message invalid.
 
 Example: `sentinels: [{bits: 0x7FC00000, name: not_measured}]` on an `f32`.
 
-Cure: Do without what is left out, or state the value as a `u32` of bits.
+Cure: Do without what is left out, or state the value as a `u32` of bits, that of an `f16` as a `u16`.
 """,
     "plc_telegrams_fit": """The process data of a telegram fits into a frame of the fieldbus.
 

@@ -6,19 +6,33 @@ from collections.abc import Iterator
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    has_magnitude,
+    is_odd,
+    is_real,
+)
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
     BYTE,
+    LREAL,
     REAL,
-    SIGNED,
-    UNSIGNED,
+    WORD,
     Elementary,
     Type,
     sequence,
 )
+from fieldspec.targets.controllers.statements.numbers import whole_type
 
 
 def places(size: int, order: str, swapped: bool) -> list[int]:
@@ -68,17 +82,43 @@ class Struct:
 def wire_type(value: Value) -> Type:
     """The type with as many bytes as a value has on the wire: whole numbers for numbers, bit strings for bits.
 
-    A number of a width that no type has is its bytes, and so is one that is sent as digits.
+    A number of a width that no type has is its bytes, and so is one that is sent as digits. A number that no type has
+    as it is sent is its bits.
     """
-    kind = value.type.kind
-    if kind in (Kind.TEXT, Kind.BYTES) or value.type.is_odd or value.digits:
-        return sequence(value.size, BYTE)
-    if kind is Kind.FLOAT:
-        return REAL
-    if value.flags or kind is Kind.BOOLEAN:
-        return BITS[value.size]
-    elementary: Elementary = (SIGNED if value.type.signed else UNSIGNED)[value.size]
-    return elementary
+    encoding = value.encoding
+    match encoding:
+        case Text() | Octets() | Digits():
+            return sequence(value.size, BYTE)
+        case Whole():
+            if is_odd(encoding):
+                return sequence(value.size, BYTE)
+            return BITS[value.size] if value.flags or has_magnitude(encoding) else whole_type(encoding)
+        case Real():
+            return _real_type(encoding.precision)
+        case Truth():
+            return BITS[value.size]
+        case _:
+            assert_never(encoding)
+
+
+def _real_type(precision: Precision) -> Elementary:
+    match precision:
+        case Precision.HALF:
+            return WORD
+        case Precision.SINGLE:
+            return REAL
+        case Precision.DOUBLE:
+            return LREAL
+        case _:
+            assert_never(precision)
+
+
+def bits_remark(value: Value | None) -> str:
+    """What a comment says of a member of an image that has the bits of a number and not the number; else nothing."""
+    if value is None or is_odd(value.encoding) or value.flags:
+        return ""
+    is_bits = is_real(value.encoding) or has_magnitude(value.encoding)
+    return f"The bits of a number: {value.type.name}." if is_bits and wire_type(value) in BITS.values() else ""
 
 
 def elements(field: FieldLayout) -> int:

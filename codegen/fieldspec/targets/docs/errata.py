@@ -9,6 +9,7 @@ from decimal import Decimal
 from fieldspec.codec.explain.values import decimal_text, range_in_unit
 from fieldspec.language.model.enums import Bit, Enum, Member
 from fieldspec.language.model.fact import Claim
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.registers import PrintedElement, Register, Table
@@ -139,6 +140,8 @@ def _value_text(value: object) -> str:
         return f"{value:f}"
     if isinstance(value, Ranges):
         return value.text()
+    if isinstance(value, Primitive):
+        return value.name
     if isinstance(value, bytes):
         return value.hex(" ").upper()
     if isinstance(value, Mapping):

@@ -8,7 +8,8 @@ from collections.abc import Iterator, Sequence
 from fieldspec.codec.explain.values import in_unit
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import is_array, is_count, is_real
+from fieldspec.language.model.value import Value
 from fieldspec.targets import OUTPUTS
 from fieldspec.targets.docs.changes import Step, page_name
 
@@ -112,7 +113,7 @@ def _fields(record: RecordLayout) -> Iterator[FieldLayout]:
 
 def _wire(value: Value, order: str, swapped: bool) -> str:
     """The significance of the bytes in the order in which they are sent: `3210`, or `1032` with the low word first."""
-    if not value.type.is_number or not 1 < value.size <= 8:
+    if is_array(value.encoding) or not 1 < value.size <= 8:
         return ""
     numbers = list(range(value.size))
     if order == "big":
@@ -125,7 +126,7 @@ def _wire(value: Value, order: str, swapped: bool) -> str:
 
 def _quantities(value: Value) -> tuple[tuple[int, str], ...]:
     """The raw values of round quantities: 1 or 100 of the unit, and the ends of the range."""
-    if not value.scaled or value.type.kind not in (Kind.INTEGER, Kind.FLOAT):
+    if not value.scaled or not (is_count(value.encoding) or is_real(value.encoding)):
         return ()
     ends = [] if value.ranges is None else [value.ranges.low, value.ranges.high]
     raws = [0, *_round(value), *ends]

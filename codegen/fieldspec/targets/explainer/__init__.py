@@ -1,13 +1,12 @@
 """The explainer as JavaScript: what it knows of a device as data, and the modules that read these."""
 
-SHARED = ("checksums", "error", "escapes", "encodings", "lists", "widths")
+SHARED = ("checksums", "error", "escapes", "encodings", "digit_texts", "number_bits", "lists", "widths")
 """The modules that generated codecs use too."""
 
 RUNTIME = (
     "numbers",
     "texts",
     "device",
-    "digits",
     "values",
     "rows",
     "frames",

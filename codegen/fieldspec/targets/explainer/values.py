@@ -15,6 +15,7 @@ from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import encoding_title, text_form_title
 from fieldspec.language.model.value import Value
 from fieldspec.targets.explainer.literals import Data
+from fieldspec.targets.runtime_values import kind_of, sign_data
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -50,9 +51,9 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
     parameter = value.parameter
     return stated(
         {
-            "kind": value.type.kind.value,
+            "kind": kind_of(value.encoding),
             "size": value.size,
-            "signed": value.type.signed,
+            "signed": sign_data(value.encoding),
             "order": order if value.size > 1 and (value.type.is_number or value.text_form is not None) else "",
             "swapped": swapped,
             **_digits(value),

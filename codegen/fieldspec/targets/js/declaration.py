@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass, field
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole
+from fieldspec.language.model.value import Value
 from fieldspec.targets.js.naming import Scope
+from fieldspec.targets.runtime_values import is_wide
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,16 +31,22 @@ class Names:
     messages: dict[str, str] = field(default_factory=dict)
     registers: dict[str, str] = field(default_factory=dict)
 
-    def type_of(self, value: Value, size: int) -> str:
-        """The type of a value in TypeScript, in `size` bytes."""
-        kind = value.type.kind
-        if kind is Kind.BOOLEAN:
-            return "boolean"
-        if kind is Kind.TEXT:
-            return "string"
-        if kind is Kind.BYTES:
-            return "Uint8Array"
-        enum = self.layout.device.enums.get(value.enum)
-        if enum is not None and not enum.open and not value.sentinels:
-            return self.enums[enum.name]
-        return "bigint" if kind is Kind.INTEGER and value.number_size(size) > 6 else "number"
+    def type_of(self, value: Value) -> str:
+        """The type of a value in TypeScript."""
+        encoding = value.encoding
+        match encoding:
+            case Truth():
+                return "boolean"
+            case Text():
+                return "string"
+            case Octets():
+                return "Uint8Array"
+            case Real():
+                return "number"
+            case Whole() | Digits():
+                enum = self.layout.device.enums.get(value.enum)
+                if enum is not None and not enum.open and not value.sentinels:
+                    return self.enums[enum.name]
+                return "bigint" if is_wide(encoding) else "number"
+            case _:
+                assert_never(encoding)

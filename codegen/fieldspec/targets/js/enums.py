@@ -11,7 +11,8 @@ from fieldspec.targets.fact_texts import described, sentence
 from fieldspec.targets.js.declaration import Declaration
 from fieldspec.targets.js.naming import Scope, property_scope
 from fieldspec.targets.js.text import comment, literal
-from fieldspec.targets.js.units import unit_of
+from fieldspec.targets.js.units import unit_of_bits
+from fieldspec.targets.runtime_values import is_wide
 
 
 def member_keys(enum: Enum) -> dict[str, str]:
@@ -64,7 +65,7 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
     """
     scope = property_scope()
     bits = [(scope.take(Name.of(bit.name).camel()), bit) for bit in flags.bits if not bit.reserved]
-    wide = flags.type.size > 6
+    wide = is_wide(flags.type.encoding)
     code = [f"export const {name} = /* @__PURE__ */ Object.freeze({{"]
     code.append("  of: (raw) => ({")
     code += [f"    {key}: {_bit(bit, wide)}," for key, bit in bits]
@@ -82,7 +83,7 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
         )
         initial = f"initialWord({literal(flags.name)}, bits, {initial}, [{rows}])"
     code.append(f"  raw: (bits, raw = {initial}) => setBits({arguments}),")
-    units = {key: unit_of(bit.as_value, 4) for key, bit in bits if bit.is_number and unit_of(bit.as_value, 4)}
+    units = {key: unit for key, bit in bits if bit.is_number and (unit := unit_of_bits(bit))}
     if units:
         code.append("  units: /* @__PURE__ */ Object.freeze({")
         code += [f"    {key}: {unit}," for key, unit in units.items()]
@@ -99,7 +100,7 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
             meanings.append(f"{bit.default} where it is left out.")
         if reason := bit.reason_to_give(enums.get(bit.enum)):
             meanings.append(f"It has to be given: its {sentence(reason)}")
-        if bit.is_number and unit_of(bit.as_value, 4):
+        if key in units:
             meanings.append(f"A count of `units.{key}`.")
         types += comment(described(f"{Name.of(bit.name).title()}, {number}", bit, *meanings), 2)
         types.append(f"  readonly {key}: {'boolean' if bit.width == 1 else 'number'};")

@@ -13,6 +13,7 @@ from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.language.model.link import LARGEST_SET
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.text import flag, literal, object_of
+from fieldspec.targets.js.values import sign_literal
 
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
@@ -104,7 +105,7 @@ def _part_number(part: PartLayout) -> str:
         "offset": str(part.offset),
         "size": str(part.size),
         "order": literal(part.order or "big"),
-        "signed": flag(bool(part.value and part.value.type.signed)),
+        "signed": sign_literal(part.value) if part.value is not None else flag(False),
         "unitSize": str(part.unit_size),
         "base": str(part.base),
     }

@@ -17,6 +17,8 @@ from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.framing import framer
 from fieldspec.targets.js.naming import property_scope
 from fieldspec.targets.js.text import PURE, comment, flag, literal, object_of
+from fieldspec.targets.js.values import sign_literal
+from fieldspec.targets.runtime_values import is_wide
 
 SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
 """The functions of `checksums.js` by the names of the algorithms that have one of their own."""
@@ -160,7 +162,7 @@ def _header_type(frame: FrameLayout) -> str:
 
 def _is_wide(part: PartLayout) -> bool:
     """Whether the number of a part is a bigint."""
-    return (part.value.number_size(part.size) if part.value is not None else part.size) > WIDE
+    return is_wide(part.value.encoding) if part.value is not None else part.size > WIDE
 
 
 def argument_keys(parts: Sequence[PartLayout]) -> list[str]:
@@ -188,7 +190,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "offset": str(part.offset),
             "size": str(part.size),
             "order": literal(part.order or "big"),
-            "signed": flag(bool(part.value and part.value.type.signed)),
+            "signed": sign_literal(part.value) if part.value is not None else flag(False),
             "wide": flag(wide),
             "low": _integer_literal(low, wide),
             "high": _integer_literal(high, wide),

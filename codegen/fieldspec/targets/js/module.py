@@ -40,6 +40,7 @@ IMPORTS = {
         "doubleOf",
         "encodedTextOf",
         "floatOf",
+        "halfBitsOf",
         "listLength",
         "numberOf",
         "putBytes",
@@ -51,6 +52,7 @@ IMPORTS = {
         "textOf",
         "within",
     ),
+    "number_bits": ("halfOf", "magnitudeBits", "magnitudeOf"),
     "lists": ("elementBytes", "elementsLength", "readAround", "sentOfImage"),
     "widths": ("narrowedImage", "readImage"),
 }

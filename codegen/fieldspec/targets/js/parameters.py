@@ -5,15 +5,17 @@ from __future__ import annotations
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.registers import Parameter, ParameterSet, Subindex
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.members import members_of
 from fieldspec.targets.js.naming import property_scope
-from fieldspec.targets.js.text import PURE, comment, flag, literal, object_of
+from fieldspec.targets.js.text import PURE, comment, literal, object_of
 from fieldspec.targets.js.units import absent_of, unit_of
-from fieldspec.targets.js.values import Slot
+from fieldspec.targets.js.values import Slot, sign_literal
+from fieldspec.targets.runtime_values import kind_of
 
 _ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
 
@@ -38,7 +40,7 @@ def declare_parameters(parameter_set: ParameterSet, names: Names) -> Declaration
     types.append(f"export declare const {name}: ParameterSet<{{")
     for key, row in rows:
         types += comment(described(Name.of(row.name).title(), row, _facts(row, parameter_set)), 2)
-        kind = f"Parameter<{_type(row, names)}, {'Unit' if unit_of(row.value, row.value.size) else 'null'}>"
+        kind = f"Parameter<{_type(row, names)}, {'Unit' if unit_of(row.value) else 'null'}>"
         types.append(f"  readonly {key}: {kind if row.count == 1 else f'readonly {kind}[]'};")
     types += [*(["}> & {", *_VALUE_IN, "};"] if carried else ["}>;"]), ""]
     return Declaration(code, types)
@@ -68,17 +70,16 @@ def _carrier(parameter_set: ParameterSet, layout: DeviceLayout) -> FieldLayout |
         if part is None or part.set not in (parameter_set.name, parameter_set.space):
             continue
         if part.part in ("value", "values"):
-            return field if field.primitive.kind is Kind.INTEGER else None
+            return field if field.value is not None and is_count(field.value.encoding) else None
     return None
 
 
 def _carried_signed(row: Parameter, carrier: FieldLayout | None) -> str:
-    """Whether the number in a message has a sign, where the value has as many bytes and is the other way."""
-    kind = row.value.type
-    if carrier is None or row.subindices or kind.kind is not Kind.INTEGER or carrier.size != row.value.size:
+    """The sign of the number in a message, where the value has as many bytes and another sign."""
+    if carrier is None or carrier.value is None or row.subindices or carrier.size != row.value.size:
         return ""
-    own = carrier.primitive.signed
-    return flag(own) if own != kind.signed else ""
+    sign = sign_literal(carrier.value)
+    return sign if is_count(row.value.encoding) and sign != sign_literal(row.value) else ""
 
 
 def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrier: FieldLayout | None) -> str:
@@ -88,13 +89,13 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrie
         "type": literal(row.value.type.name),
         "kind": _kind(row.value),
         "size": str(row.value.size),
-        "signed": flag(row.value.type.signed),
+        "signed": sign_literal(row.value),
         "carriedSigned": _carried_signed(row, carrier),
         "places": _places(row.value, names),
         "default": "" if default is None else literal(default) if isinstance(default, str) else str(default),
         "elements": "" if row.elements is None else str(row.elements),
-        "units": unit_of(row.value, row.value.size),
-        "absent": absent_of(row.value, row.value.size),
+        "units": unit_of(row.value),
+        "absent": absent_of(row.value),
         "subindices": ", ".join(_subindex(row, subindex, names) for subindex in row.subindices),
         "printedName": literal(row.printed_name or parameter_set.number_text(row.number)) if row.count == 1 else "",
     }
@@ -109,13 +110,13 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrie
 def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
     """The object of an element, or of a run of them, with a meaning of its own."""
     read, write = _functions(f"{row.name}.{subindex.name}", subindex.value, row.trigger, names)
-    absent = absent_of(subindex.value, subindex.value.size)
+    absent = absent_of(subindex.value)
     return object_of(
         {
             "name": literal(subindex.name),
             "indices": f"[{', '.join(f'[{low}, {high}]' for low, high in subindex.indices.intervals)}]",
             "size": str(subindex.value.size),
-            "signed": flag(subindex.value.type.signed),
+            "signed": sign_literal(subindex.value),
             "places": _places(subindex.value, names),
             "kind": _kind(subindex.value),
             **({"access": literal(subindex.access)} if subindex.access else {}),
@@ -145,12 +146,12 @@ def _places(value: Value, names: Names) -> str:
 
 
 def _kind(value: Value) -> str:
-    return literal(value.type.kind.value)
+    return literal(kind_of(value.encoding))
 
 
 def _type(row: Parameter, names: Names) -> str:
-    kinds = [names.type_of(row.value.as_answer(row.trigger), row.value.size)]
-    kinds += [names.type_of(subindex.value.as_answer(row.trigger), subindex.value.size) for subindex in row.subindices]
+    kinds = [names.type_of(row.value.as_answer(row.trigger))]
+    kinds += [names.type_of(subindex.value.as_answer(row.trigger)) for subindex in row.subindices]
     return " | ".join(dict.fromkeys(kinds))
 
 

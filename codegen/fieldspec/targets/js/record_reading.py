@@ -7,8 +7,9 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import Member, members_of, most_bytes, shapes_of, slot_of
+from fieldspec.targets.js.number_bytes import place
 from fieldspec.targets.js.text import literal, plus
-from fieldspec.targets.js.values import place, throw_wrong_number
+from fieldspec.targets.js.values import throw_wrong_number
 
 CHOOSES_NOTHING = "which chooses nothing that may follow"
 

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.language.model.value import Kind
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole
 from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.inner_lists import list_length, write_lists
 from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
+from fieldspec.targets.js.number_bytes import place
 from fieldspec.targets.js.record_reading import CHOOSES_NOTHING
 from fieldspec.targets.js.text import literal, plus
-from fieldspec.targets.js.values import place, throw_wrong_number
+from fieldspec.targets.js.values import throw_wrong_number
 from fieldspec.targets.js.widths import write_widths
 
 
@@ -97,12 +99,19 @@ def _write_implied(record: RecordLayout, member: Member, names: Names, keys: Map
     number = slot.value.const
     if number is None:
         number = slot.value.default if isinstance(slot.value.default, int) else 0
-    if slot.value.type.kind in (Kind.TEXT, Kind.BYTES) or not number:
+    if not number:
         return []
-    if slot.value.type.kind is Kind.FLOAT:
-        return [f"const {member.variable} = {number};", *slot.write(member.variable, "o", field.offset)]
-    elements = range(field.count or 1)
-    return [line for index in elements for line in slot.constant(number, "o", field.offset + index * field.size)]
+    encoding = slot.value.encoding
+    match encoding:
+        case Text() | Octets():
+            return []
+        case Real():
+            return [f"const {member.variable} = {number};", *slot.write(member.variable, "o", field.offset)]
+        case Whole() | Truth() | Digits():
+            offsets = (field.offset + index * field.size for index in range(field.count or 1))
+            return [line for offset in offsets for line in slot.constant(number, "o", offset)]
+        case _:
+            assert_never(encoding)
 
 
 def _count_bytes(record: RecordLayout, name: str) -> list[str]:

@@ -65,17 +65,17 @@ def _unit(record: RecordLayout, field: FieldLayout, names: Names) -> tuple[str, 
         return None
     exponent = exponent_of(field.value, names.layout.registers, record)
     if exponent is not None:
-        return power_unit_of(field.value, exponent.value, field.size), POWER_UNIT
-    call = unit_of(field.value, field.size)
+        return power_unit_of(field.value, exponent.value), POWER_UNIT
+    call = unit_of(field.value)
     return (call, "Unit") if call else None
 
 
 def _absent(field: FieldLayout) -> tuple[str, str] | None:
     """The values of a field that stand for a state, and their type; by the name of the type where it has several."""
     if field.value is not None:
-        table = absent_of(field.value, field.size)
+        table = absent_of(field.value)
         return (table, ABSENT_VALUES) if table else None
-    tables = {case.name: table for case in field.cases if (table := absent_of(case.value, case.value.size))}
+    tables = {case.name: table for case in field.cases if (table := absent_of(case.value))}
     kinds = " ".join(f"readonly {name}: {ABSENT_VALUES};" for name in tables)
     return (object_of(tables), f"{{ {kinds} }}") if tables else None
 
@@ -86,10 +86,10 @@ def _property(member: Member, names: Names) -> Iterator[str]:
     if field.record is not None:
         kinds = [names.records[field.record.record.name]]
     elif field.cases:
-        kinds = list(dict.fromkeys(names.type_of(case.value, case.value.size) for case in field.cases))
+        kinds = list(dict.fromkeys(names.type_of(case.value) for case in field.cases))
     else:
         assert field.value is not None
-        kinds = [names.type_of(field.value, field.size)]
+        kinds = [names.type_of(field.value)]
     kind = " | ".join(f"readonly {kind}[]" for kind in kinds) if field.is_list else " | ".join(kinds)
     facts = [_facts(field.value)] if field.value is not None else []
     yield from comment(described(Name.of(field.name).title(), field.field, *facts), 2)

@@ -40,11 +40,11 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     properties += ["unitSize: 1"] if register.unit_size == 1 else []
     exponent = device.register(register.value.scale_by) if register.value.scale_by else None
     if exponent is not None:
-        units, unit_type = power_unit_of(register.value, exponent.value, size), POWER_UNIT
+        units, unit_type = power_unit_of(register.value, exponent.value), POWER_UNIT
     else:
-        units, unit_type = unit_of(register.value, size), "Unit"
+        units, unit_type = unit_of(register.value), "Unit"
     properties += [f"units: {units}"] if units else []
-    absent = absent_of(register.value, size)
+    absent = absent_of(register.value)
     properties += [f"absent: {absent}"] if absent else []
     arguments = [
         literal(layout.name),
@@ -55,8 +55,8 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
         f"(value, b, o) => {{ {write} }}",
         *([f"{{ {', '.join(properties)} }}"] if properties else []),
     ]
-    kinds = [names.type_of(answer, size), unit_type if units else "null"]
-    kinds += [writable] if (writable := names.type_of(register.value, size)) != kinds[0] else []
+    kinds = [names.type_of(answer), unit_type if units else "null"]
+    kinds += [writable] if (writable := names.type_of(register.value)) != kinds[0] else []
     unit = "word" if register.unit_size > 1 else "byte"
     words = "a bit" if register.value.type.name == BIT else f"{layout.words} {unit}{'s' if layout.words > 1 else ''}"
     facts = [f"Address 0x{layout.address:04X}, {words}."]

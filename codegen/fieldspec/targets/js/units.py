@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.value import Conversion, Kind, Sentinel, Value
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole
+from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.value import Conversion, Sentinel, Value
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.text import comment, literal
+from fieldspec.targets.js.text import comment, flag, literal
+from fieldspec.targets.runtime_values import is_wide
 
 POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
 """The type of units with an exponent, which few modules need."""
@@ -16,11 +20,27 @@ ABSENT_VALUES = 'import("../runtime/index.js").AbsentValues'
 """The type of the values that stand for a state, by name."""
 
 
-def unit_of(value: Value, size: int) -> str:
-    """The call that makes the `Unit` of a value in `size` bytes; empty where its counts have neither scale nor unit."""
-    if value.type.kind is Kind.FLOAT:
-        return _real_unit(value) if value.sentinels else ""
-    if value.type.kind is not Kind.INTEGER or not (value.unit or value.scaled) or value.flags or value.enum:
+def unit_of(value: Value) -> str:
+    """The call that makes the `Unit` of a value; empty where its counts have neither scale nor unit."""
+    encoding = value.encoding
+    match encoding:
+        case Real():
+            return _real_unit(value) if value.sentinels else ""
+        case Whole() | Digits():
+            return "" if value.flags or value.enum else _count_unit(value, is_wide(encoding))
+        case Truth() | Text() | Octets():
+            return ""
+        case _:
+            assert_never(encoding)
+
+
+def unit_of_bits(bit: Bit) -> str:
+    """The same for a field of bits of a word, whose number is never a bigint."""
+    return "" if bit.enum else _count_unit(bit.as_value, False)
+
+
+def _count_unit(value: Value, wide: bool) -> str:
+    if not (value.unit or value.scaled):
         return ""
     scale, offset = Fraction(value.scale), Fraction(value.offset)
     divisor = scale.denominator * offset.denominator // _common(scale.denominator, offset.denominator)
@@ -33,7 +53,7 @@ def unit_of(value: Value, size: int) -> str:
         f"divisor: {divisor}n",
         f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
         f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
-        f"wide: {'true' if value.number_size(size) > 6 else 'false'}",
+        f"wide: {flag(wide)}",
     ]
     return f"/* @__PURE__ */ unit({{ {', '.join(rows)} }})"
 
@@ -50,11 +70,11 @@ def _real_unit(value: Value) -> str:
     return f"/* @__PURE__ */ realUnit({{ {', '.join(rows)} }})"
 
 
-def absent_of(value: Value, size: int) -> str:
-    """The call that makes the `AbsentValues` of a value in `size` bytes; empty where no value stands for a state."""
+def absent_of(value: Value) -> str:
+    """The call that makes the `AbsentValues` of a value; empty where no value stands for a state."""
     if not value.sentinels:
         return ""
-    wide = value.type.kind is Kind.INTEGER and value.number_size(size) > 6
+    wide = is_wide(value.encoding)
     rows = [f"{s.name}: {_sentinel_number(value, s)}{'n' if wide else ''}" for s in value.sentinels]
     return f"/* @__PURE__ */ absentValues({{ __proto__: null, {', '.join(rows)} }})"
 
@@ -63,8 +83,8 @@ def _sentinel_number(value: Value, sentinel: Sentinel) -> str:
     return "NaN" if sentinel.is_nan else str(sentinel.value)
 
 
-def power_unit_of(value: Value, exponent: Value, size: int) -> str:
-    """The call that makes the `PowerUnit` of a value in `size` bytes, by the value with the exponent of its scale."""
+def power_unit_of(value: Value, exponent: Value) -> str:
+    """The call that makes the `PowerUnit` of a value, by the value with the exponent of its scale."""
     ranges = value.writable_ranges
     intervals = ranges.intervals if ranges is not None else ((value.low, value.high),)
     exponents = exponent.ranges.intervals if exponent.ranges is not None else ()
@@ -74,7 +94,7 @@ def power_unit_of(value: Value, exponent: Value, size: int) -> str:
         f"unknown: [{', '.join(str(sentinel.value) for sentinel in exponent.sentinels)}]",
         f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
         f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
-        f"wide: {'true' if value.number_size(size) > 6 else 'false'}",
+        f"wide: {flag(is_wide(value.encoding))}",
     ]
     return f"/* @__PURE__ */ powerUnit({{ {', '.join(rows)} }})"
 

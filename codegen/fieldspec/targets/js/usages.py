@@ -20,6 +20,7 @@ from fieldspec.targets.js.module import declarations
 from fieldspec.targets.js.naming import module_scope
 from fieldspec.targets.js.registers import Access, accesses
 from fieldspec.targets.js.units import unit_of
+from fieldspec.targets.runtime_values import is_wide
 from fieldspec.targets.usages import Usage, VersionUsages, sample_text
 
 _IMPORT = 'import * as device from "fieldspec-devices/@folder@/@module@.js";\n'
@@ -92,9 +93,9 @@ class _Usages:
             read = self._access(known, space, "read", layout.words)
             if read is not None and readable(register.access):
                 text += "\n" + _READ + self._exchange(read[1], "message", "data") + _VALUE
-                has_quantity = unit_of(value, layout.size) and not value.scale_by
+                has_quantity = unit_of(value) and not value.scale_by
                 text += "const quantity = device.@0@.units.inUnit(value);\n" if has_quantity else ""
-            write, sample = self._access(known, space, "write", layout.words), self._sample(value, layout.size)
+            write, sample = self._access(known, space, "write", layout.words), self._sample(value)
             if write is not None and sample and (writable(register.access) or register.trigger):
                 link = write[1]
                 text += _WRITE.format(value="@1@", link=self.links[link.name], header=self._header(link))
@@ -120,7 +121,7 @@ class _Usages:
                     f"{start}const value = record.@1@;\n",
                     [f"{name}.at({layout.table.index_from})", member.key],
                 )
-                sample = self._sample(field.value, field.size)
+                sample = self._sample(field.value)
                 if write is not None and sample and writable(layout.access(field.field)):
                     link = write[1]
                     back = _WRITE.format(value="record", link=self.links[link.name], header=self._header(link))
@@ -172,7 +173,7 @@ class _Usages:
                 text, arguments = f"{_IMPORT}\nconst parameter = device.@0@.parameters.@1@;\n", [name, key]
                 if readable(row.access):
                     text += "const value = parameter.decode(bytes);  // the bytes of the value in an answer\n"
-                sample = self._sample(row.value, row.value.size)
+                sample = self._sample(row.value)
                 if sample and writable(row.access):
                     text += "const bytesToWrite = parameter.encode(@2@);\n"
                     arguments.append(sample)
@@ -211,13 +212,13 @@ class _Usages:
 
     def _member(self, member: Member) -> str:
         field = member.field
-        return "" if field.value is None or field.is_list or field.cases else self._sample(field.value, field.size)
+        return "" if field.value is None or field.is_list or field.cases else self._sample(field.value)
 
-    def _sample(self, value: Value, size: int) -> str:
+    def _sample(self, value: Value) -> str:
         """An expression that may be written; empty where there is none."""
         return sample_text(
             value,
             self.layout.device,
             lambda enum, row: f"device.{self.names.enums[enum.name]}.{member_keys(enum)[row.name]}",
-            lambda count: f"{count}n" if value.number_size(size) > 6 else str(count),
+            lambda count: f"{count}n" if is_wide(value.encoding) else str(count),
         )

@@ -2,16 +2,39 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import has_sign
+from fieldspec.language.model.digits import BCD, digits_letters, has_sign, is_complement
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    number_of,
+    sign_of,
+    whole_bits,
+)
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.text_form import UTF_16
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.text_form import UTF_16, TextForm
+from fieldspec.language.model.value import Value
+from fieldspec.targets.js.number_bytes import (
+    BYTES_OF_OPERATOR,
+    byte,
+    place,
+    real_functions,
+    stored_bits,
+    whole_number,
+)
 from fieldspec.targets.js.text import flag, literal
+from fieldspec.targets.runtime_values import is_wide, sign_data
 
 INLINE = 6
 """The number of intervals up to which a test is written out; more are looked up in an array."""
@@ -40,7 +63,7 @@ class Slot:
     @property
     def wide(self) -> bool:
         """Whether its numbers are bigints."""
-        return self.value.type.kind is Kind.INTEGER and self.value.number_size(self.size) > 6
+        return is_wide(self.value.encoding)
 
     @property
     def places(self) -> tuple[int, ...]:
@@ -54,76 +77,73 @@ class Slot:
         return tuple(places)
 
     def number(self, base: str, offset: int) -> str:
-        """The expression of the raw number at `base` + `offset`."""
-        if self.value.has_characters:
-            return self._digits(place(base, offset))
-        if self.value.digits:
-            return self._of_bcd(base, offset)
-        return self._binary(base, offset)
+        """The expression of the raw number at `base` + `offset`. Raises AssertionError for a text and for bytes."""
+        encoding = self.value.encoding
+        match encoding:
+            case Whole():
+                return whole_number(encoding.sign, self._bytes(base, offset))
+            case Real() | Truth():
+                return whole_number(Sign.NONE, self._bytes(base, offset))
+            case Digits():
+                return self._digits(encoding, base, offset)
+            case Text() | Octets():
+                raise AssertionError("a text or bytes are no number")
+            case _:
+                assert_never(encoding)
 
-    def _binary(self, base: str, offset: int) -> str:
-        """The expression of the binary number."""
-        byte_terms = [byte(base, offset + place) for place in self.places]
-        signed = self.value.type.signed and self.value.type.kind is Kind.INTEGER
-        if self.size == 1:
-            return f"({byte_terms[0]} << 24) >> 24" if signed else byte_terms[0]
-        if self.size <= 4:
-            terms = [_shifted(term, 8 * (self.size - 1 - place)) for place, term in enumerate(byte_terms)]
-            joined = " | ".join(terms)
-            if signed:
-                return (
-                    f"({joined})" if self.size == 4 else f"(({joined}) << {32 - 8 * self.size}) >> {32 - 8 * self.size}"
-                )
-            return f"(({joined}) >>> 0)" if self.size == 4 else f"({joined})"
-        high, low = _unsigned(byte_terms[:-4]), _unsigned(byte_terms[-4:])
-        if self.size <= 6:
-            number = f"{high} * 4294967296 + {low}"
-            return f"signed48({number}, {8 * self.size})" if signed else f"({number})"
-        joined = f"(BigInt({high}) << 32n) | BigInt({low})"
-        return f"BigInt.asIntN({8 * self.size}, {joined})" if signed else f"({joined})"
+    def _bytes(self, base: str, offset: int) -> list[str]:
+        """Its bytes, the most significant one first."""
+        return [byte(base, offset + index) for index in self.places]
 
-    def _digits(self, position: str) -> str:
-        """The expression of the number of characters."""
-        function = "blankDigitsOf" if self.value.has_blanks else "digitsOf"
-        return f"{function}({literal(self.name)}, b, {position}, {self._form}, {flag(self.wide)})"
+    def _digits(self, digits: Digits, base: str, offset: int) -> str:
+        """The expression of the number of characters, or of two decimal digits in each byte."""
+        name, wide, position = literal(self.name), flag(self.wide), place(base, offset)
+        if digits.form == BCD:
+            listing = ", ".join(self._bytes(base, offset))
+            return f"bcdOf({name}, [{listing}], {position}, {wide})"
+        function = "blankDigitsOf" if digits.has_blanks else "digitsOf"
+        return f"{function}({name}, b, {position}, {self._form(digits)}, {wide})"
 
-    def _of_bcd(self, base: str, offset: int) -> str:
-        """The expression of the number of two decimal digits in each byte."""
-        listing = ", ".join(byte(base, offset + place) for place in self.places)
-        return f"bcdOf({literal(self.name)}, [{listing}], {place(base, offset)}, {flag(self.wide)})"
-
-    @property
-    def _form(self) -> str:
+    def _form(self, digits: Digits) -> str:
         """The arguments for digits: bytes, characters that they may be, places, whether there is a sign, and bits.
 
         Behind blanks, digits are decimal: bytes, places, and whether there may be a sign.
         """
-        if self.value.has_blanks:
-            return f"{self.size}, {self.value.places}, {flag(self.value.type.signed)}"
-        letters = {"upper_hex": "ABCDEF", "lower_hex": "abcdef"}.get(self.value.digits, "")
-        bits = 8 * self.value.type.size if letters and self.value.type.signed else 0
-        return f'{self.size}, "0123456789{letters}", {self.value.places}, {flag(has_sign(self.value))}, {bits}'
+        if digits.has_blanks:
+            return f"{digits.size}, {digits.places}, {flag(digits.number.sign.is_signed)}"
+        letters = digits_letters(self.value).decode("ascii")
+        bits = digits.number.bits if is_complement(self.value) else 0
+        return f'{digits.size}, "{letters}", {digits.places}, {flag(has_sign(self.value))}, {bits}'
 
     def stored(self, number: str, base: str, offset: int) -> list[str]:
-        """The statements that write a number, given by the name of a variable."""
-        if self.value.has_characters:
-            function = "putBlankDigits" if self.value.has_blanks else "putDigits"
-            return [f"{function}({number}, b, {place(base, offset)}, {self._form});"]
-        if self.value.digits:
-            places = ", ".join(place(base, offset + index) for index in self.places)
-            return [f"putBcd({number}, b, [{places}]);"]
-        targets = [byte(base, offset + place) for place in reversed(self.places)]
-        if self.size > 6:
-            return [
-                f"{target} = Number({number if not k else f'({number} >> {8 * k}n)'} & 255n);"
-                for k, target in enumerate(targets)
-            ]
-        if self.size > 4:
-            return [
-                f"{target} = {number if not k else f'Math.floor({number} / {256**k})'} % 256;"
-                for k, target in enumerate(targets)
-            ]
-        return [f"{target} = {number if not k else f'{number} >>> {8 * k}'};" for k, target in enumerate(targets)]
+        """The statements that write a number, given by the name of a variable. Raises AssertionError like `number`."""
+        encoding = self.value.encoding
+        match encoding:
+            case Whole():
+                return self._stored_whole(encoding, number, base, offset)
+            case Real() | Truth():
+                return stored_bits(number, self._bytes(base, offset))
+            case Digits():
+                if encoding.form == BCD:
+                    places = ", ".join(place(base, offset + index) for index in self.places)
+                    return [f"putBcd({number}, b, [{places}]);"]
+                function = "putBlankDigits" if encoding.has_blanks else "putDigits"
+                return [f"{function}({number}, b, {place(base, offset)}, {self._form(encoding)});"]
+            case Text() | Octets():
+                raise AssertionError("a text or bytes are no number")
+            case _:
+                assert_never(encoding)
+
+    def _stored_whole(self, whole: Whole, number: str, base: str, offset: int) -> list[str]:
+        match whole.sign:
+            case Sign.NONE | Sign.COMPLEMENT:
+                return stored_bits(number, self._bytes(base, offset))
+            case Sign.MAGNITUDE:
+                bits = f"{number}Bits"
+                stored = stored_bits(bits, self._bytes(base, offset))
+                return [f"const {bits} = magnitudeBits({number}, {whole.bits});", *stored]
+            case _:
+                assert_never(whole.sign)
 
     @property
     def known(self) -> list[int] | None:
@@ -170,74 +190,76 @@ class Slot:
 
     def whole(self, number: str) -> str:
         """The condition that a value of any type is a number of the type of the slot."""
-        signed, size, low, high = (
-            self.value.type.signed,
-            self.value.type.size,
-            self.value.type.low,
-            self.value.type.high,
-        )
+        low, high, whole = self.value.type.low, self.value.type.high, number_of(self.value.encoding)
+        assert whole is not None
         if self.wide:
             return f'typeof {number} === "bigint" && {number} >= {low}n && {number} <= {high}n'
-        if size == 4:
-            return f"({number} | 0) === {number}" if signed else f"({number} >>> 0) === {number}"
-        if size < 4:
-            bounds = f" && {number} >= {low} && {number} <= {high}" if signed else f" && {number} <= {high}"
-            return (f"({number} | 0) === {number}" if signed else f"({number} >>> 0) === {number}") + bounds
-        return f"Number.isInteger({number}) && {number} >= {low} && {number} <= {high}"
+        if whole.bits > 8 * BYTES_OF_OPERATOR:
+            return f"Number.isInteger({number}) && {number} >= {low} && {number} <= {high}"
+        operator, widest = ("|", Whole(32, Sign.COMPLEMENT)) if whole.sign.is_signed else (">>>", Whole(32, Sign.NONE))
+        lowest, highest = widest.bounds
+        bounds = [f"{number} >= {low}"] * (low > lowest) + [f"{number} <= {high}"] * (high < highest)
+        return " && ".join([f"({number} {operator} 0) === {number}", *bounds])
 
     def read(self, variable: str, base: str, offset: int) -> Reading:
         """How the value at `base` + `offset` is read into a variable."""
-        kind, name = self.value.type.kind, literal(self.name)
+        encoding, name = self.value.encoding, literal(self.name)
         position = place(base, offset)
-        if kind is Kind.TEXT:
-            if self.value.text_form is not None:
-                call = f"encodedTextOf({name}, b, {position}, {self.value.size}, {self._text_form})"
+        match encoding:
+            case Text():
+                if encoding.form is None:
+                    return Reading((), f"textOf({name}, b, {position}, {self.size})", throws=True)
+                call = f"encodedTextOf({name}, b, {position}, {encoding.size}, {self._text_form(encoding.form)})"
                 return Reading((), call, throws=True)
-            return Reading((), f"textOf({name}, b, {position}, {self.size})", throws=True)
-        if kind is Kind.BYTES:
-            return Reading((), f"b.slice({position}, {place(base, offset + self.size)})")
-        number = self.number(base, offset)
-        if kind is Kind.FLOAT:
-            return Reading((), f"{'doubleOf' if self.size == 8 else 'floatOf'}({number})")
-        if kind is Kind.BOOLEAN:
-            return Reading((), f"booleanOf({name}, {number}, {position})", throws=True)
-        checks = list(self._checks(variable, position))
-        if self.value.digits and not checks:
-            return Reading((), number, throws=True)
-        return Reading((f"const {variable} = {number};", *checks), variable) if checks else Reading((), number)
+            case Octets():
+                return Reading((), f"b.slice({position}, {place(base, offset + self.size)})")
+            case Real():
+                return Reading((), f"{real_functions(encoding.precision)[0]}({self.number(base, offset)})")
+            case Truth():
+                return Reading((), f"booleanOf({name}, {self.number(base, offset)}, {position})", throws=True)
+            case Whole() | Digits():
+                return self._read_count(variable, base, offset)
+            case _:
+                assert_never(encoding)
+
+    def _read_count(self, variable: str, base: str, offset: int) -> Reading:
+        number, checks = self.number(base, offset), list(self._checks(variable, place(base, offset)))
+        if checks:
+            return Reading((f"const {variable} = {number};", *checks), variable)
+        return Reading((), number, throws=bool(self.value.digits))
 
     def _checks(self, variable: str, position: str) -> Iterator[str]:
         """The statements that refuse a number that was received."""
         const, known = self.value.const, self.known
-        low, high = self.value.type.low, self.value.type.high
         if const is not None:
             wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), position)
             yield f"if ({variable} !== {self.digits(const)}) {wrong}"
-        if self.size > self.value.size:
-            wrong = throw_wrong_number("unknown_value", self.name, variable, literal(f"not in {low}..{high}"), position)
-            yield f"if ({variable} < {low} || {variable} > {high}) {wrong}"
         if known is not None and (test := self.test(variable, merged((number, number) for number in known))):
             text = literal(f"which {self.value.enum} does not list")
             yield f"if (!({test})) {throw_wrong_number('unknown_value', self.name, variable, text, position)}"
 
     def write(self, variable: str, base: str, offset: int) -> list[str]:
         """The statements that check a value, given by the name of a variable, and write it."""
-        kind, name = self.value.type.kind, literal(self.name)
-        position = place(base, offset)
-        if kind is Kind.TEXT:
-            if self.value.text_form is not None:
-                return [f"putEncodedText({name}, {variable}, b, {position}, {self.value.size}, {self._text_form});"]
-            return [f"putText({name}, {variable}, b, {position}, {self.size});"]
-        if kind is Kind.BYTES:
-            return [f"putBytes({name}, {variable}, b, {position}, {self.size});"]
-        raw = f"{variable}Raw"
-        if kind is Kind.BOOLEAN:
-            return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
-        if kind is Kind.FLOAT:
-            arguments = f"{name}, {variable}, {self._float_ranges()}"
-            function = "doubleBitsOf" if self.size == 8 else "bitsOf"
-            return [f"const {raw} = {function}({arguments});", *self.stored(raw, base, offset)]
-        return [*self.refusals(variable), *self.stored(variable, base, offset)]
+        encoding, name = self.value.encoding, literal(self.name)
+        position, raw = place(base, offset), f"{variable}Raw"
+        match encoding:
+            case Text():
+                if encoding.form is None:
+                    return [f"putText({name}, {variable}, b, {position}, {self.size});"]
+                form = self._text_form(encoding.form)
+                return [f"putEncodedText({name}, {variable}, b, {position}, {encoding.size}, {form});"]
+            case Octets():
+                return [f"putBytes({name}, {variable}, b, {position}, {self.size});"]
+            case Truth():
+                return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
+            case Real():
+                function = real_functions(encoding.precision)[1]
+                call = f"{function}({name}, {variable}, {self._float_ranges()})"
+                return [f"const {raw} = {call};", *self.stored(raw, base, offset)]
+            case Whole() | Digits():
+                return [*self.refusals(variable), *self.stored(variable, base, offset)]
+            case _:
+                assert_never(encoding)
 
     def _float_ranges(self) -> str:
         """The ranges of a floating-point number, and the numbers beside them that stand for no value."""
@@ -264,7 +286,7 @@ class Slot:
     def _bit_test(self, number: str, bit: Bit) -> str:
         """The condition that a field of bits of a word is in its range."""
         masked = f"({number} & {bit.mask}n)" if self.wide else f"(({number} & {bit.mask}) >>> 0)"
-        if self.value.size > 4 and not self.wide:
+        if self.value.size > BYTES_OF_OPERATOR and not self.wide:
             # `&` has 32 bits, so the bits of a number of five or six bytes are divided out.
             first = bit.mask & -bit.mask
             masked = f"(Math.floor({number} / {first}) % {bit.mask // first + 1} * {first})"
@@ -295,11 +317,8 @@ class Slot:
         arguments = f"{name}, {variable}, {self.digits(low)}, {self.digits(high)}, {allowed}"
         yield f"if (!({' && '.join(tests)})) throw refusedNumber({arguments});"
 
-    @property
-    def _text_form(self) -> str:
+    def _text_form(self, form: TextForm) -> str:
         """The form of a text: `{ encoding: "utf_16", padding: 32, little: true }`"""
-        form = self.value.text_form
-        assert form is not None
         parts = [f"encoding: {literal(form.encoding)}"]
         parts += [f"padding: {form.padding}"] if form.padding else []
         parts += ["isRight: true"] if form.is_right else []
@@ -310,32 +329,17 @@ class Slot:
 
     def constant(self, number: int, base: str, offset: int) -> list[str]:
         """The statements that write a number that is known."""
-        data = (number & ((1 << (8 * self.size)) - 1)).to_bytes(self.size, "big")
+        data = whole_bits(Whole(8 * self.size, sign_of(self.value.encoding)), number).to_bytes(self.size, "big")
         return [
             f"{byte(base, offset + index)} = {value};" for index, value in zip(self.places, data, strict=True) if value
         ]
 
 
-def byte(base: str, offset: int) -> str:
-    """The byte at `base` + `offset` of the array `b`."""
-    return f"b[{place(base, offset)}]"
-
-
-def place(base: str, offset: int) -> str:
-    """The expression of an offset from the start of the data: `o + 4`, or `o` for 0."""
-    return f"{base} + {offset}" if offset else base
+def sign_literal(value: Value) -> str:
+    """How the number of a value shows that it is below zero, as the runtime knows it."""
+    return json.dumps(sign_data(value.encoding))
 
 
 def throw_wrong_number(reason: str, name: str, number: str, detail: str, position: str) -> str:
     """The statement that refuses a number; `number`, `detail` and `position` are expressions."""
     return f"throw wrongNumber({literal(reason)}, {literal(name)}, {number}, {detail}, {position});"
-
-
-def _shifted(term: str, shift: int) -> str:
-    return f"({term} << {shift})" if shift else term
-
-
-def _unsigned(terms: list[str]) -> str:
-    """The number of up to four bytes, without a sign."""
-    joined = " | ".join(_shifted(term, 8 * (len(terms) - 1 - index)) for index, term in enumerate(terms))
-    return f"(({joined}) >>> 0)" if len(terms) == 4 else f"({joined})"

@@ -91,6 +91,8 @@ _TABLE = "are in the table, for people; KV STUDIO imports comments alone"
 _NOT_EXACT = {
     "wide_numbers": adapted("are words; no instruction of the KV takes them"),
     "wide_lists": adapted("are words; no instruction of the KV takes them"),
+    "magnitudes": adapted("are words; the ladder makes numbers of them"),
+    "half_floats": adapted("are words; the ladder makes numbers of them"),
     "bits": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
     "escaped_frames": refused("have other bytes than their parts: output_frames_words"),
     "hex_frames": refused("have two characters for each byte: output_frames_words"),

@@ -9,7 +9,20 @@ from typing import TypeAlias
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.omissions import Omission
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    has_magnitude,
+    is_array,
+)
 from fieldspec.language.model.enums import Bit, Enum, Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
@@ -80,7 +93,7 @@ def meanings(device: Device, area: Area) -> list[Enum | Flags]:
 def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dialect: WordDialect) -> Iterator[Cells]:
     value = placed_value.value
     word = placed_value.start // area.unit
-    number = value is None or value.type.is_number
+    number = value is None or not is_array(value.encoding)
     places = bits(placed_value.start, placed_value.size, placed_value.order, placed_value.swapped, area.unit)
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:
@@ -144,6 +157,37 @@ def _place_cells(area: Area, placed_value: PlacedValue) -> Cells:
 
 
 def _in_memory(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str:
+    """What is to be done before an instruction reads a number: its words are rearranged, and its bits converted."""
+    rearranged = _rearrangement(text, placed_value, dialect)
+    if placed_value.value is None or _has_instruction(placed_value.value.encoding):
+        return rearranged
+    return "convert" if rearranged == "direct" else f"{rearranged}, convert"
+
+
+def _has_instruction(encoding: Encoding) -> bool:
+    """Whether an instruction may read such a number, if it is not too wide."""
+    match encoding:
+        case Real():
+            return _is_read(encoding.precision)
+        case Whole():
+            return not has_magnitude(encoding)
+        case Truth() | Digits() | Text() | Octets():
+            return True
+        case _:
+            assert_never(encoding)
+
+
+def _is_read(precision: Precision) -> bool:
+    match precision:
+        case Precision.HALF:
+            return False
+        case Precision.SINGLE | Precision.DOUBLE:
+            return True
+        case _:
+            assert_never(precision)
+
+
+def _rearrangement(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str:
     """The rearrangement of words before an instruction reads them as a number of that size."""
     if text in ("15..0", "7..0") or text == _native(dialect):
         return "direct"

@@ -34,6 +34,7 @@ RUNTIME = (
     "_client_tasks",
     "_choices",
     "_codes",
+    "_columns",
     "_conversions",
     "_digits",
     "_end_framer",

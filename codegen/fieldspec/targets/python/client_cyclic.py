@@ -13,6 +13,7 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.operand import Operand, Operands
+from fieldspec.language.model.raw_numbers import bytes_of_number
 from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.watches import LASTING, STARTING, before_effect, watches
 from fieldspec.targets.fact_texts import described
@@ -98,7 +99,7 @@ def initial_bytes(device: Device, record: RecordLayout) -> bytes:
             if field.swapped:
                 raise NoTask(f"{field.name} has exchanged words")
             order = "big" if field.order == "big" else "little"
-            raw = number.to_bytes(field.size, "big", signed=value.type.signed)
+            raw = bytes_of_number(value, number)
             data[field.offset : field.offset + field.size] = raw if order == "big" else raw[::-1]
     return bytes(data)
 

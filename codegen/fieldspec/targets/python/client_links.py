@@ -10,10 +10,10 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.repeated_parts import repeated_fields
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link, Serial
 from fieldspec.language.model.operand import Operands
 from fieldspec.language.model.texts import Limit
-from fieldspec.language.model.value import Kind
 from fieldspec.targets.python.client_names import CODEC, ClientNames
 from fieldspec.targets.python.frames import PartView, head_arguments
 from fieldspec.targets.python.links import LinkView
@@ -41,7 +41,7 @@ class ClientLinkView:
 
 def _is_exact(field: FieldLayout) -> bool:
     """Whether a number comes back as it was given: no fraction is rounded on the way."""
-    return field.value is not None and field.value.type.kind is Kind.INTEGER and not field.value.scaled
+    return field.value is not None and is_count(field.value.encoding) and not field.value.scaled
 
 
 def is_framed(link: LinkLayout) -> bool:

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.fact import Fact, ScalarValue
 from fieldspec.language.model.operand import Operand
 from fieldspec.language.model.registers import Parameter, Register, Subindex
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 from fieldspec.targets.python.links import Exchange
 from fieldspec.targets.python.records import RecordView
@@ -103,8 +104,7 @@ class ClientNames:
 
 def is_scaled(value: Value) -> bool:
     """Whether the count of a value is another number than its quantity."""
-    number = value.type.kind in (Kind.INTEGER, Kind.BOOLEAN)
-    return number and value.scaled and not value.enum and not value.flags
+    return is_exact(value.encoding) and value.scaled and not value.enum and not value.flags
 
 
 def wanted(layout: DeviceLayout, operand: Operand, value: Value | None, stated: ScalarValue) -> tuple[str, str]:

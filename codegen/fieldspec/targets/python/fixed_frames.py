@@ -8,6 +8,7 @@ from fieldspec.codec.layout.checksums import checksum
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.targets.python.frames import greatest_part, is_simple, letter, variable
 from fieldspec.targets.python.reading import local, targets
 from fieldspec.targets.python.record_shape import RecordShape
@@ -217,13 +218,13 @@ def _crc_terms(
             known = number.to_bytes(part.size, "little" if part.order == "little" else "big")
             base[part.offset : part.offset + part.size] = known
         else:
-            signed = part.value is not None and part.value.type.signed
+            signed = part.value is not None and is_signed(part.value.encoding)
             varying.append((part.offset, part.size, signed, greatest_part(link, part), variable(part)))
     for field in shaped.fields:
         offset = frame.header_size + field.field.offset
         if field.stored:
             flags = raw if field.value.flags and not field.deferred else ""
-            signed, maximum = field.value.type.signed, greatest(field)
+            signed, maximum = is_signed(field.value.encoding), greatest(field)
             varying.append((offset, field.field.size, signed, maximum, local(field) + flags))
         elif field.constant:
             base[offset : offset + field.field.size] = field.bytes_of(field.constant)

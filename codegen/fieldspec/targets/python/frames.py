@@ -6,7 +6,9 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.checksums import SIMPLE, Checksum, checksum_named
+from fieldspec.language.model.encoding import Sign, number_of, struct_letter
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.slots import Words
@@ -38,7 +40,7 @@ def variable(part: PartLayout) -> str:
 def letter(part: PartLayout) -> str:
     """The letter of a header part in its Struct."""
     assert part.value is not None
-    return part.value.type.letter
+    return struct_letter(part.value.encoding)
 
 
 def _argument_view(part: PartLayout, place: int, words: Words) -> PartView:
@@ -99,16 +101,16 @@ def is_simple(frame: FrameLayout) -> bool:
         frame.escape is None
         and len(frame.lengths) < 2
         and len({part.order for part in frame.header if part.size > 1}) <= 1
-        and not any(part.reserved or part.form or _is_odd(part) for part in frame.header)
+        and not any(part.reserved or part.form or _has_no_letter(part) for part in frame.header)
         and frame.trailer == (() if check is None else (check,))
         and (check is None or _is_usual(check))
         and (length is None or (length.unit_size, length.base) == (1, 0))
     )
 
 
-def _is_odd(part: PartLayout) -> bool:
+def _has_no_letter(part: PartLayout) -> bool:
     """Whether a part is a number that no letter of a Struct stands for."""
-    return part.value is not None and part.value.type.is_odd
+    return part.value is not None and not struct_letter(part.value.encoding)
 
 
 def _is_usual(check: PartLayout) -> bool:
@@ -176,8 +178,18 @@ def part_rows(parts: tuple[PartLayout, ...]) -> str:
     return tuple_of(rows) if rows else "()"
 
 
-def _signed(part: PartLayout) -> bool:
-    return part.value is not None and part.value.type.signed
+def _signed(part: PartLayout) -> str:
+    """Whether a part has a sign: `True` in two's complement, `None` for one that is a bit of its own."""
+    whole = number_of(part.value.encoding) if part.value is not None else None
+    match Sign.NONE if whole is None else whole.sign:
+        case Sign.NONE:
+            return "False"
+        case Sign.COMPLEMENT:
+            return "True"
+        case Sign.MAGNITUDE:
+            return "None"
+        case unknown:
+            assert_never(unknown)
 
 
 def head_arguments(frame: FrameLayout) -> list[PartLayout]:
@@ -258,7 +270,7 @@ def head_tests(link: LinkLayout, frame: FrameLayout, request: MessageLayout | No
         intervals, singles = _allowed(link, frame, part)
         if intervals:
             assert part.value is not None
-            tests.append(within(variable(part), Ranges(intervals), singles, packed(part.value.type)))
+            tests.append(within(variable(part), Ranges(intervals), singles, packed(part.value.encoding)))
         if part.role == "unit_address" and barred is not None:
             tests.append(f"{variable(part)} != {barred}")
     return [test for test in tests if test]
@@ -268,7 +280,7 @@ def greatest_part(link: LinkLayout, part: PartLayout) -> int:
     """The greatest number that the conditions of an unsigned header part accept."""
     assert part.value is not None
     intervals, singles = _allowed(link, link.request, part)
-    return max((*(high for _, high in intervals), *singles), default=packed(part.value.type)[1])
+    return max((*(high for _, high in intervals), *singles), default=packed(part.value.encoding)[1])
 
 
 def head_refusals(

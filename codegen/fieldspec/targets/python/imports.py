@@ -61,8 +61,8 @@ _SHARED = {
     "_can": "CanFrame CanIdentifier",
     "_codes": "by_number by_printed_name",
     "_conversions": (
-        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of members new"
-        " packing text texts turned"
+        "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of magnitude_bytes"
+        " magnitude_of members new packing text texts turned"
     ),
     "_digits": "digits",
     "_end_framer": "EndFramer",
@@ -77,11 +77,11 @@ _SHARED = {
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",
     "_quantities": "Conversion PowerUnit",
-    "_reals": "Double Float",
+    "_reals": "Double Float Half",
     "_record": "Record",
     "_refusals": (
         "refused_bits refused_broadcast refused_bytes refused_code refused_double refused_flags refused_float"
-        " refused_list refused_number refused_record refused_text unfit"
+        " refused_half refused_list refused_number refused_record refused_text unfit"
     ),
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_subcodes": "Answers Subcodes",

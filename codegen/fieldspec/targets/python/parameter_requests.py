@@ -8,7 +8,8 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import CaseLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import BIT
-from fieldspec.language.model.value import PRIMITIVES, Kind, Primitive
+from fieldspec.language.model.encoding import is_truth
+from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.targets.python.links import Exchange
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.record_shape import RecordShape
@@ -245,6 +246,6 @@ def _formats(shaped: RecordShape, selector: Slots, layout: DeviceLayout, words: 
 def _case(cases: Sequence[CaseLayout], primitive: Primitive) -> CaseLayout | None:
     """The case that carries a type: one of the same type, or of whole numbers of the same size without a sign."""
     same = next((case for case in cases if case.value.type is primitive), None)
-    if same is not None or primitive.kind is not Kind.BOOLEAN:
+    if same is not None or not is_truth(primitive.encoding):
         return same
     return next((case for case in cases if case.value.type.name == f"u{8 * primitive.size}"), None)

@@ -8,6 +8,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.encoding import struct_letter
 from fieldspec.language.model.registers import Parameter, ParameterSet, Subindex
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import described, places
@@ -251,7 +252,7 @@ def _letters(row: Parameter, carrier: FieldLayout | None, big: bool) -> str:
     kind = carrier.value.type if carrier.size == row.value.size else row.value.type
     if row.subindices or not kind.is_number or carrier.carries_bytes:
         return ""
-    return f"{'>' if big else '<'}{kind.letter or kind.name}"
+    return f"{'>' if big else '<'}{struct_letter(kind.encoding) or kind.name}"
 
 
 def _default(row: Parameter) -> str:

@@ -7,8 +7,9 @@ from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Conversion, Kind, Value
+from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.fact_texts import described, sentence, unit_word
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.registers import absent_states, value_expression
@@ -157,7 +158,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
     """The properties of all fields with a scale."""
     views = []
     for field in stored:
-        if field.kind is Kind.FLOAT and field.value.sentinels:
+        if field.encoding is not None and is_real(field.encoding) and field.value.sentinels:
             views.append(_of_float(field, scope))
         if not field.whole or not field.value.scaled or field.value.enum or field.value.flags:
             continue

@@ -6,11 +6,23 @@ from collections.abc import Sequence
 
 from fieldspec.codec.layout.record import CaseLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.language.model.value import Kind
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    is_text,
+    is_truth,
+    struct_letter,
+)
 from fieldspec.targets.python.registers import value_expression
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal
-from fieldspec.targets.python.writing import digits_form, text_form, tuple_of
+from fieldspec.targets.python.writing import digits_form, real_letters, sent_order, text_form, tuple_of
 
 
 def local(field: Slots) -> str:
@@ -109,7 +121,7 @@ def reading(field: Slots, owner: str, offset: int, bound: bool) -> list[str]:
             f"if {raw} != {field.constant}:",
             f"    raise _wrong_const({title}, {raw}, {field.constant}, {offset})",
         ]
-    if field.kind is Kind.BOOLEAN:
+    if is_truth(field.value.encoding):
         if field.is_list:
             return [*lines, f"{owner}.{field.name} = _booleans({title}, {raw}, {offset}, {size})"]
         return [
@@ -118,11 +130,11 @@ def reading(field: Slots, owner: str, offset: int, bound: bool) -> list[str]:
             f"    raise _no_boolean({title}, {raw}, {offset})",
             f"{owner}.{field.name} = {raw} == 1",
         ]
-    if field.kind is Kind.TEXT and field.value.text_form is not None:
+    if field.value.text_form is not None:
         function = "texts" if field.is_list else "text"
         form = text_form(field.value, field.field.order)
         return [f"{owner}.{field.name} = {form}.{function}({title}, {raw}, {offset})"]
-    if field.kind is Kind.TEXT:
+    if is_text(field.value.encoding):
         call = f"_texts({title}, {raw}, {offset}, {size})" if field.is_list else f"_text({title}, {raw}, {offset})"
         return [f"{owner}.{field.name} = {call}"]
     if field.value.flags:
@@ -183,12 +195,31 @@ def _accepted(field: Slots) -> str:
 
 
 def _from_bytes(field: Slots, raw: str) -> str:
-    turned = field.field.swapped
-    order = "big" if (field.field.order == "big") != turned else "little"
-    if field.kind is Kind.FLOAT:
-        return f'_float_of({raw}, "{">" if order == "big" else "<"}{field.value.type.letter}", {turned})'
-    signed = ", signed=True" if field.value.type.signed else ""
-    return f'_int_of({f"_turned({raw})" if turned else raw}, "{order}"{signed})'
+    encoding = field.value.encoding
+    match encoding:
+        case Real():
+            return f"_float_of({raw}, {real_letters(field, encoding)}, {field.field.swapped})"
+        case Whole():
+            return _whole_of_bytes(field, raw, encoding.sign)
+        case Truth():
+            return _whole_of_bytes(field, raw, Sign.NONE)
+        case Digits() | Text() | Octets():
+            raise AssertionError("characters and bytes are no number in another order")
+        case _:
+            assert_never(encoding)
+
+
+def _whole_of_bytes(field: Slots, raw: str, sign: Sign) -> str:
+    arguments = f'{f"_turned({raw})" if field.field.swapped else raw}, "{sent_order(field)}"'
+    match sign:
+        case Sign.NONE:
+            return f"_int_of({arguments})"
+        case Sign.COMPLEMENT:
+            return f"_int_of({arguments}, signed=True)"
+        case Sign.MAGNITUDE:
+            return f"_magnitude_of({arguments})"
+        case _:
+            assert_never(sign)
 
 
 def _member(field: Slots, owner: str, raw: str, offset: int) -> list[str]:
@@ -249,7 +280,7 @@ def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], l
 
 def _case(case: CaseLayout, order: str, decided: Slots) -> str:
     native = case.value.size == 1 or (case.order == order and not case.swapped)
-    letters = case.value.type.letter.strip("s") if native else ""
+    letters = struct_letter(case.value.encoding).strip("s") if native else ""
     letters = letters or f"{case.value.size}s"
     value = value_expression(case.value, case.order, case.swapped, decided.words)
     return f"({tuple_of(sorted(case.numbers))}, {literal(letters)}, {value})"

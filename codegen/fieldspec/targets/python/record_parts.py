@@ -5,8 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import (
+    MACHINE_BITS,
+    Digits,
+    Encoding,
+    Octets,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    has_magnitude,
+    is_array,
+    is_odd,
+    is_text,
+    is_truth,
+    struct_letter,
+)
 from fieldspec.language.model.ranges import Ranges, merged
-from fieldspec.language.model.value import Kind, Primitive
 from fieldspec.targets.fact_texts import availability, described, printed, sentence
 from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.registers import value_facts
@@ -48,11 +65,14 @@ def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
     if layout.record is not None:
         yield from (literal(""), str(layout.offset), f"record={field.element_type}", f"size={layout.size}")
     else:
-        yield from (literal(column_letter(field.value.type)), str(layout.offset))
-        if field.value.type.letter in ("", "s"):
+        encoding = field.value.encoding
+        yield from (literal(column_letter(encoding)), str(layout.offset))
+        if is_odd(encoding) or is_array(encoding):
             yield f"size={layout.size}"
-        if field.kind is Kind.TEXT:
+        if is_text(encoding):
             yield "text=True"
+        if has_magnitude(encoding):
+            yield "magnitude=True"
     if field.is_list:
         yield f"count={field.count}"
     if layout.order == "little" and layout.size > 1 and layout.record is None:
@@ -68,10 +88,16 @@ def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
             yield f"absent={tuple_of(field.sentinels)}"
 
 
-def column_letter(type: Primitive) -> str:
-    """The letter of the narrowest column that has all values of a type."""
-    letter = {4: "i", 8: "q"}.get(type.container, "")
-    return type.letter or (letter if type.signed else letter.upper())
+def column_letter(encoding: Encoding) -> str:
+    """The letter of the narrowest column that has all values of an encoding."""
+    match encoding:
+        case Whole():
+            bits = next(bits for bits in MACHINE_BITS if bits >= encoding.bits)
+            return struct_letter(Whole(bits, Sign.COMPLEMENT if encoding.sign.is_signed else Sign.NONE))
+        case Real() | Truth() | Digits() | Text() | Octets():
+            return struct_letter(encoding)
+        case _:
+            assert_never(encoding)
 
 
 def _tests(shaped: RecordShape, field: Slots) -> str:
@@ -83,7 +109,7 @@ def _tests(shaped: RecordShape, field: Slots) -> str:
         return pairs(Ranges(((size, size),)))
     if field.constant is not None:
         return pairs(Ranges(((field.constant, field.constant),)))
-    if field.kind is Kind.BOOLEAN:
+    if field.encoding is not None and is_truth(field.encoding):
         return pairs(Ranges(((0, 1),)))
     if field.field.value is not None and field.enum is not None and not field.enum.open:
         known = [(value, value) for value in (*field.enum.values, *field.sentinels)]

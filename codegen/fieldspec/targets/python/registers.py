@@ -7,19 +7,22 @@ from collections.abc import Callable, Mapping
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of, struct_letter
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.text_form import text_form_title
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.scaling import quantity, ratio
 from fieldspec.targets.python.slots import Words
 from fieldspec.targets.python.text import docstring, literal
-from fieldspec.targets.python.writing import bounded_bits, digits_letters, pairs, text_letters, tuple_of
+from fieldspec.targets.python.writing import bounded_bits, digits_letters, pairs, real_word, text_letters, tuple_of
 
 
 def register_value(value: Value, order: str, swapped: bool, words: Words, trigger: bool) -> str:
@@ -36,25 +39,40 @@ def value_expression(value: Value, order: str, swapped: bool, words: Words) -> s
 
 
 def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
-    if value.type.kind in (Kind.TEXT, Kind.BYTES):
-        if value.text_form is not None:
-            return f'_FormedText("{value.size}s", {value.size}, {literal(text_letters(value, order))})'
-        kind = "_Text" if value.type.kind is Kind.TEXT else "_Bytes"
-        return f'{kind}("{value.size}s", {value.size})'
-    letter = "H" if value.type.name == BIT else value.type.letter or value.type.name
-    letters = literal((">" if (order == "big") != swapped else "<") + letter)
-    if value.digits:
-        letters = literal(digits_letters(value, order, swapped))
+    encoding = value.encoding
+    letters = (">" if (order == "big") != swapped else "<") + number_letter(value.type)
     arguments = ["swapped=True"] if swapped else []
-    if value.type.kind is Kind.BOOLEAN:
-        return _call("_Boolean", letters, arguments)
-    if value.type.kind is Kind.FLOAT:
-        arguments += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
-        arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
-        arguments += (
-            [f"unit={literal(value.unit)}"] if value.unit and (value.sentinels or value.ranges is not None) else []
-        )
-        return _call("_Float" if value.size == 4 else "_Double", letters, arguments)
+    match encoding:
+        case Text():
+            if value.text_form is not None:
+                return f'_FormedText("{value.size}s", {value.size}, {literal(text_letters(value, order))})'
+            return f'_Text("{value.size}s", {value.size})'
+        case Octets():
+            return f'_Bytes("{value.size}s", {value.size})'
+        case Truth():
+            return _call("_Boolean", literal(letters), arguments)
+        case Real():
+            arguments += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
+            arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
+            arguments += (
+                [f"unit={literal(value.unit)}"] if value.unit and (value.sentinels or value.ranges is not None) else []
+            )
+            return _call(f"_{real_word(encoding.precision).title()}", literal(letters), arguments)
+        case Whole():
+            return _count(value, literal(letters), arguments, words, any_answer)
+        case Digits():
+            return _count(value, literal(digits_letters(value, order, swapped)), arguments, words, any_answer)
+        case _:
+            assert_never(encoding)
+
+
+def number_letter(type: Primitive) -> str:
+    """The letter of `struct` for a number, or the name of its type where it has none."""
+    return "H" if type.name == BIT else struct_letter(type.encoding) or type.name
+
+
+def _count(value: Value, letters: str, arguments: list[str], words: Words, any_answer: bool) -> str:
+    """The `Value` of a whole number."""
     if value.const is not None:
         if not any_answer:
             return _call("_Constant", letters, [str(value.const), *arguments])
@@ -103,7 +121,7 @@ def _call(name: str, letters: str, arguments: list[str]) -> str:
 
 def _ranges(value: Value) -> Ranges | None:
     ranges = value.writable_ranges
-    return None if ranges is None or ranges.intervals == ((value.type.low, value.type.high),) else ranges
+    return None if ranges is None or ranges.intervals == (bounds_of(value.encoding),) else ranges
 
 
 def value_facts(value: Value) -> list[str]:

@@ -12,9 +12,28 @@ from typing import Literal
 
 from fieldspec.codec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    bounds_of,
+    is_array,
+    is_exact,
+    is_real,
+    is_text,
+    is_truth,
+    struct_letter,
+)
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.raw_numbers import bytes_of_number
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.enums import EnumView
 
 
@@ -66,9 +85,9 @@ class Slots:
         return self.field.value
 
     @property
-    def kind(self) -> Kind | None:
-        """The kind of its value; None for a record, and where another field decides the type."""
-        return self.field.value.type.kind if self.field.value else None
+    def encoding(self) -> Encoding | None:
+        """The encoding of its value; None for a record, and where another field decides the type."""
+        return self.field.value.encoding if self.field.value else None
 
     @property
     def is_list(self) -> bool:
@@ -93,7 +112,7 @@ class Slots:
     @property
     def whole(self) -> bool:
         """Whether it is a whole number on the wire."""
-        return self.kind in (Kind.INTEGER, Kind.BOOLEAN)
+        return self.encoding is not None and is_exact(self.encoding)
 
     @property
     def parted(self) -> int:
@@ -103,7 +122,7 @@ class Slots:
     @property
     def foreign(self) -> bool:
         """Whether it is a number that its Struct packs as bytes."""
-        return self.kind in (Kind.INTEGER, Kind.BOOLEAN, Kind.FLOAT) and self.letters.endswith("s")
+        return self.encoding is not None and not is_array(self.encoding) and self.letters.endswith("s")
 
     @property
     def order(self) -> Literal["big", "little"]:
@@ -112,8 +131,9 @@ class Slots:
 
     def bytes_of(self, number: int) -> bytes:
         """The bytes of a number."""
-        order: Literal["big", "little"] = "big" if (self.order == "big") != self.field.swapped else "little"
-        data = number.to_bytes(self.field.size, order, signed=self.value.type.signed)
+        data = bytes_of_number(self.value, number)
+        if (self.order == "big") == self.field.swapped:
+            data = data[::-1]
         if not self.field.swapped:
             return data
         return b"".join(data[index : index + 2][::-1] for index in range(0, len(data), 2))
@@ -136,7 +156,7 @@ class Slots:
     @property
     def is_raw(self) -> bool:
         """Whether the raw value is the value."""
-        if self.field.value is None or self.parted or self.foreign or self.kind in (Kind.BOOLEAN, Kind.TEXT):
+        if self.encoding is None or self.parted or self.foreign or is_truth(self.encoding) or is_text(self.encoding):
             return False
         return not (self.value.enum or self.value.flags)
 
@@ -175,9 +195,9 @@ class Slots:
     def ranges(self) -> Ranges | None:
         """The ranges for writing, where they are narrower than the type."""
         ranges = self.field.value.writable_ranges if self.field.value is not None else None
-        if ranges is None or self.kind is Kind.FLOAT:
+        if ranges is None or is_real(self.value.encoding):
             return ranges
-        full = ranges.intervals == ((self.value.type.low, self.value.type.high),)
+        full = ranges.intervals == (bounds_of(self.value.encoding),)
         return None if full or not self.whole else ranges
 
 
@@ -188,16 +208,26 @@ def value_type(value: Value, words: Words) -> str:
     if value.enum and value.const is None:
         enum = words.enums[value.enum]
         return f"{enum.name} | int" if value.sentinels else enum.type
-    return _TYPES[value.type.kind]
-
-
-_TYPES = {Kind.INTEGER: "int", Kind.FLOAT: "float", Kind.BOOLEAN: "bool", Kind.TEXT: "str", Kind.BYTES: "bytes"}
+    encoding = value.encoding
+    match encoding:
+        case Whole() | Digits():
+            return "int"
+        case Real():
+            return "float"
+        case Truth():
+            return "bool"
+        case Text():
+            return "str"
+        case Octets():
+            return "bytes"
+        case _:
+            assert_never(encoding)
 
 
 def native_order(fields: tuple[FieldLayout, ...]) -> str:
     """The byte order of a Struct that holds some fields: that of the first number of several bytes."""
     for field in fields:
-        if field.value is not None and field.value.type.letter != "s" and field.size > 1 and not field.value.digits:
+        if field.value is not None and field.size > 1 and struct_letter(field.value.encoding) != "s":
             return field.order
         if field.cases:
             return next((case.order for case in field.cases if case.value.size > 1), "big")
@@ -219,15 +249,34 @@ def _letters(field: FieldLayout, order: str) -> str:
     reserved = field.field.reserved and not field.field.measures
     if reserved and not value.const and not (isinstance(value.default, int) and value.default):
         return f"{field.size}x"
-    if value.type.letter == "s" or value.digits:
-        return f"{field.size}s"
-    if not value.type.letter and (field.is_list or not field.swapped or field.order != order):
-        return f"{field.size}s"
-    if field.size == 1 or (field.order == order and not field.swapped):
-        return value.type.letter
-    if field.order == order and not field.is_list and value.type.kind is Kind.INTEGER:
-        parts = field.size // 2 - 1
-        last = "h" if value.type.signed else "H"
-        # The words are in the other order than the bytes: the least significant word first where bytes are big endian.
-        return "H" * parts + last if order == "big" else last + "H" * parts
-    return f"{field.size}s"
+    encoding = value.encoding
+    is_native = field.size == 1 or (field.order == order and not field.swapped)
+    letters = struct_letter(encoding) if is_native else ""
+    match encoding:
+        case Digits() | Text() | Octets():
+            letters = ""
+        case Whole():
+            if field.swapped and field.order == order and not field.is_list:
+                letters = _word_letters(encoding, order)
+        case Real() | Truth():
+            pass
+        case _:
+            assert_never(encoding)
+    return letters or f"{field.size}s"
+
+
+def _word_letters(whole: Whole, order: str) -> str:
+    """The letters of the words of a number in the other order than its bytes: where these are big-endian, the least
+    significant word comes first. Empty for a number that is read from its bytes.
+    """
+    match whole.sign:
+        case Sign.NONE:
+            last = "H"
+        case Sign.COMPLEMENT:
+            last = "h"
+        case Sign.MAGNITUDE:
+            return ""
+        case _:
+            assert_never(whole.sign)
+    lower = "H" * (whole.bits // 16 - 1)
+    return lower + last if order == "big" else last + lower

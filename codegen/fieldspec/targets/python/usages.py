@@ -9,7 +9,8 @@ from typing import Any
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.access import readable, writable
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import is_real, is_truth
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.device import device_view
 from fieldspec.targets.python.enums import EnumView
 from fieldspec.targets.python.links import Exchange, LinkView
@@ -224,10 +225,9 @@ class _Usages:
         """An expression that may be written; empty where there is none."""
         if value.const is not None:
             return ""
-        kind = value.type.kind
-        if kind is Kind.FLOAT:
+        if is_real(value.encoding):
             return "0.0" if value.ranges is None or 0 in value.ranges else str(float(value.ranges.low))
-        if kind is Kind.BOOLEAN:
+        if is_truth(value.encoding):
             return "True" if value.ranges is None or 1 in value.ranges else "False"
         count = sample_count(value, self.layout.device)
         if count is None:

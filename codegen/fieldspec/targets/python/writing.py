@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Precision,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    bounds_of,
+    is_truth,
+    struct_letter,
+)
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import Ranges, merged
-from fieldspec.language.model.value import Kind, Primitive, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.enums import EnumView
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal
@@ -41,14 +56,12 @@ def fixed(field: Slots) -> list[str]:
         return []
     number = field.constant if field.constant is not None else field.value.default
     assert isinstance(number, int)
-    data = number.to_bytes(field.field.size, field.order, signed=field.value.type.signed)
     if field.parted:
+        data = field.bytes_of(number)
         words = [data[index : index + 2] for index in range(0, len(data), 2)]
-        halves = words[::-1] if field.field.swapped else words
-        signed = field.value.type.signed
         return [
-            str(int.from_bytes(half, field.order, signed=signed and letter == "h"))
-            for half, letter in zip(halves, field.letters, strict=True)
+            str(int.from_bytes(word, field.order, signed=letter == "h"))
+            for word, letter in zip(words, field.letters, strict=True)
         ]
     if field.foreign:
         return [_bytes_literal(field.bytes_of(number))] * max(field.count, 1)
@@ -79,25 +92,34 @@ def conditions(field: Slots, value: str) -> list[str]:
 def _element_lines(field: Slots, value: str) -> list[str]:
     if field.field.record is not None:
         return []
-    size = field.field.size
-    if field.kind is Kind.TEXT and field.value.text_form is not None:
-        return [f"{text_form(field.value, field.field.order)}.fits({value})"]
-    if field.kind is Kind.TEXT:
-        # A zero ends the text where it is read.
-        return [f"len({value}) <= {size}", f'"\\0" not in {value}']
-    if field.kind is Kind.BYTES:
-        return [f"len({value}) == {size}"]
-    if field.kind is Kind.FLOAT:
-        return _float_tests(field, value)
+    size, encoding = field.field.size, field.value.encoding
+    match encoding:
+        case Text():
+            if encoding.form is not None:
+                return [f"{text_form(field.value, field.field.order)}.fits({value})"]
+            # A zero ends the text where it is read.
+            return [f"len({value}) <= {size}", f'"\\0" not in {value}']
+        case Octets():
+            return [f"len({value}) == {size}"]
+        case Real():
+            return _float_tests(field, value)
+        case Whole() | Digits() | Truth():
+            return _number_tests(field, value)
+        case _:
+            assert_never(encoding)
+
+
+def _number_tests(field: Slots, value: str) -> list[str]:
+    """The conditions on a whole number, a truth value, a word of bits or a member of an enum."""
     tests: list[str] = []
     raw = f"{value}.raw" if field.value.flags and not field.deferred else value
     enum = field.enum
     if enum is not None and not enum.open:
         tests.append(_member_test(enum, field, value))
-    elif field.kind is Kind.BOOLEAN:
+    elif is_truth(field.value.encoding):
         tests.append(f"{value} <= 1")
     elif field.ranges is not None:
-        tests.append(within(raw, field.ranges, field.sentinels, packed(field.value.type)))
+        tests.append(within(raw, field.ranges, field.sentinels, packed(field.value.encoding)))
     bounded = field.words.bounded.get(field.value.flags, ())
     tests += [within(f"({raw} & {bit.mask:#x})", Ranges(bit.images), (), (0, bit.mask)) for bit in bounded]
     return [test for test in tests if test]
@@ -113,20 +135,26 @@ def _float_tests(field: Slots, value: str) -> list[str]:
     return [parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"]
 
 
-def packed(type: Primitive) -> tuple[int, int]:
-    """The least and the greatest number that `pack` accepts for a type; for a boolean these are more than 0 and 1."""
-    return type.low, (1 << (8 * type.size - type.signed)) - 1
+def packed(encoding: Encoding) -> tuple[int, int]:
+    """The least and the greatest number that `pack` accepts; for a truth value these are more than 0 and 1."""
+    match encoding:
+        case Truth():
+            return Whole(encoding.bits, Sign.NONE).bounds
+        case Whole() | Digits() | Real() | Text() | Octets():
+            return bounds_of(encoding)
+        case _:
+            assert_never(encoding)
 
 
 def greatest(field: Slots) -> int:
     """The greatest number that the conditions of an unsigned field accept."""
-    if field.kind is Kind.BOOLEAN:
+    if is_truth(field.value.encoding):
         return 1
     if field.enum is not None and not field.enum.open:
         members = [value for value in field.enum.values if field.ranges is None or value in field.ranges]
         return max([*members, *field.sentinels], default=0)
     if field.ranges is None:
-        return packed(field.value.type)[1]
+        return packed(field.value.encoding)[1]
     return max([high for _, high in field.ranges.intervals] + [*field.sentinels])
 
 
@@ -136,7 +164,7 @@ def _member_test(enum: EnumView, field: Slots, number: str) -> str:
     Two comparisons are faster than a look-up, so a table is used only where the members are far apart.
     """
     members = [value for value in enum.values if field.ranges is None or value in field.ranges]
-    limits = packed(field.value.type)
+    limits = packed(field.value.encoding)
     test = (
         within(number, Ranges(tuple((value, value) for value in members)), field.sentinels, limits) if members else ""
     )
@@ -167,22 +195,63 @@ def values(field: Slots, expression: str) -> list[str]:
 def _item(field: Slots, expression: str) -> str:
     if field.field.record is not None:
         return f"{expression}.encode()"
-    if field.kind is Kind.TEXT and field.value.text_form is not None:
-        return f"{text_form(field.value, field.field.order)}.data({expression})"
-    if field.kind is Kind.TEXT:
-        return f'{expression}.encode("ascii")'
     raw = f"{expression}.raw" if field.value.flags and not field.deferred else expression
-    if not field.foreign:
-        return raw
-    turned = field.field.swapped
-    if field.value.digits:
-        return f"{digits_form(field.value, field.field.order, turned)}.data({raw}, {turned})"
-    order = "big" if (field.field.order == "big") != turned else "little"
-    if field.kind is Kind.FLOAT:
-        return f'_float_bytes({raw}, "{">" if order == "big" else "<"}{field.value.type.letter}", {turned})'
-    signed = ", signed=True" if field.value.type.signed else ""
-    data = f'{raw}.to_bytes({field.field.size}, "{order}"{signed})'
+    turned, encoding = field.field.swapped, field.value.encoding
+    match encoding:
+        case Text():
+            if encoding.form is not None:
+                return f"{text_form(field.value, field.field.order)}.data({expression})"
+            return f'{expression}.encode("ascii")'
+        case Octets():
+            return raw
+        case Digits():
+            return f"{digits_form(field.value, field.field.order, turned)}.data({raw}, {turned})"
+        case Real():
+            return f"_float_bytes({raw}, {real_letters(field, encoding)}, {turned})" if field.foreign else raw
+        case Whole():
+            return _foreign_number(field, raw, encoding.sign) if field.foreign else raw
+        case Truth():
+            return _foreign_number(field, raw, Sign.NONE) if field.foreign else raw
+        case _:
+            assert_never(encoding)
+
+
+def _foreign_number(field: Slots, raw: str, sign: Sign) -> str:
+    """The bytes of a whole number."""
+    arguments, turned = f'{field.field.size}, "{sent_order(field)}"', field.field.swapped
+    match sign:
+        case Sign.NONE:
+            data = f"{raw}.to_bytes({arguments})"
+        case Sign.COMPLEMENT:
+            data = f"{raw}.to_bytes({arguments}, signed=True)"
+        case Sign.MAGNITUDE:
+            data = f"_magnitude_bytes({raw}, {arguments})"
+        case _:
+            assert_never(sign)
     return f"_turned({data})" if turned else data
+
+
+def sent_order(field: Slots) -> str:
+    """The order of all bytes of a number, once those of each word are exchanged where its words are."""
+    return "big" if (field.field.order == "big") != field.field.swapped else "little"
+
+
+def real_letters(field: Slots, real: Real) -> str:
+    """The order and the letter of a floating-point number, as a literal."""
+    return literal(f"{'>' if sent_order(field) == 'big' else '<'}{struct_letter(real)}")
+
+
+def real_word(precision: Precision) -> str:
+    """What the runtime calls a floating-point number."""
+    match precision:
+        case Precision.HALF:
+            return "half"
+        case Precision.SINGLE:
+            return "float"
+        case Precision.DOUBLE:
+            return "double"
+        case _:
+            assert_never(precision)
 
 
 def digits_letters(value: Value, order: str, swapped: bool) -> str:
@@ -244,29 +313,38 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
     """The function that explains the refusal of one element, and its arguments after name and value."""
     if field.field.record is not None:
         return "_refused_record", [field.element_type]
-    size, primitive = str(field.field.size), field.value.type
-    if field.kind is Kind.TEXT and field.value.text_form is not None:
-        return f"{text_form(field.value, field.field.order)}.refused", []
-    if field.kind is Kind.TEXT:
-        return "_refused_text", [size]
-    if field.kind is Kind.BYTES:
-        return "_refused_bytes", [size]
-    if field.kind is Kind.FLOAT:
-        function = "_refused_float" if size == "4" else "_refused_double"
-        if field.ranges is None:
-            return function, []
-        absent_numbers = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
-        return function, [pairs(field.ranges), *([tuple_of(absent_numbers)] if absent_numbers else [])]
+    size, encoding = str(field.field.size), field.value.encoding
+    match encoding:
+        case Text():
+            if encoding.form is not None:
+                return f"{text_form(field.value, field.field.order)}.refused", []
+            return "_refused_text", [size]
+        case Octets():
+            return "_refused_bytes", [size]
+        case Real():
+            function = f"_refused_{real_word(encoding.precision)}"
+            if field.ranges is None:
+                return function, []
+            absent_numbers = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
+            return function, [pairs(field.ranges), *([tuple_of(absent_numbers)] if absent_numbers else [])]
+        case Whole() | Digits() | Truth():
+            return _refusing_number(field, *bounds_of(encoding))
+        case _:
+            assert_never(encoding)
+
+
+def _refusing_number(field: Slots, low: int, high: int) -> tuple[str, list[str]]:
+    """The function that explains the refusal of a whole number from `low` to `high`."""
     ranges = pairs(field.ranges)
     if field.value.flags:
         bits = bounded_bits(field.words.bounded.get(field.value.flags, ()))
-        return "_refused_flags", [str(primitive.high), *([ranges or "()"] if ranges or bits else []), *bits]
+        return "_refused_flags", [str(high), *([ranges or "()"] if ranges or bits else []), *bits]
     arguments = [ranges or "()", tuple_of(field.sentinels)]
     if field.enum is not None and not field.enum.open:
         arguments += [field.enum.table, literal(field.enum.title)]
     while arguments and arguments[-1] == "()":
         arguments.pop()
-    return "_refused_number", [str(primitive.low), str(primitive.high), *arguments]
+    return "_refused_number", [str(low), str(high), *arguments]
 
 
 def bounded_bits(bits: tuple[Bit, ...]) -> list[str]:

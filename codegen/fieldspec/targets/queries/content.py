@@ -7,7 +7,8 @@ from itertools import groupby
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import is_count, sign_of
+from fieldspec.language.model.value import Value
 from fieldspec.targets.queries.dialect import Body, Dialect, Slot
 from fieldspec.targets.queries.values import Reader, ValueQuery
 
@@ -149,7 +150,7 @@ class Content:
     ) -> None:
         """A value at an offset of the data, or of each element of a list in it."""
         if reserved:
-            if query.value.type.kind is Kind.INTEGER:
+            if is_count(query.value.encoding):
                 self._find(name, "reserved_bits", query, self._nonzero(query), data, offset, enclosing)
             return
         for column in query.columns():
@@ -272,7 +273,7 @@ class Content:
 
 
 def _slot(own: FieldLayout, value: Value) -> Slot:
-    return Slot(own.offset, own.size, own.order, own.swapped, value.type.kind is Kind.INTEGER and value.type.signed)
+    return Slot(own.offset, own.size, own.order, own.swapped, sign_of(value.encoding))
 
 
 def _points(numbers: list[int]) -> list[tuple[int, int]]:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Protocol, TypeAlias
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import Precision, Sign
 
 Body: TypeAlias = Callable[[str], str]
 """The expression of something about the bytes of one element."""
@@ -21,7 +22,7 @@ class Slot:
     size: int
     order: str
     swapped: bool
-    signed: bool = False
+    sign: Sign = Sign.NONE
 
     @property
     def places(self) -> tuple[int, ...]:
@@ -66,8 +67,8 @@ class Dialect(Protocol):
     def whole(self, data: str, slot: Slot) -> str:
         """The literal of a whole number."""
 
-    def real(self, data: str, slot: Slot) -> str:
-        """A floating-point number of 4 or 8 bytes."""
+    def real(self, data: str, slot: Slot, precision: Precision) -> str:
+        """The expression of a floating-point number."""
 
     def bits(self, word: str, first: int, width: int, signed: bool) -> str:
         """The number in some bits of an unsigned number."""

@@ -7,6 +7,8 @@ from fractions import Fraction
 from math import lcm
 
 from fieldspec.foundation.classes import dataclass, field
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import MACHINE_BITS, Precision, Sign
 from fieldspec.targets.queries.dialect import Body, DecimalScale, Slot
 
 ELEMENT = "_pl.element()"
@@ -32,11 +34,29 @@ class Polars:
 
     def whole(self, data: str, slot: Slot) -> str:
         """The literal of a whole number."""
-        return self._bound_number(data, f"_whole({{}}, {slot.offset}, {slot.size}, {_order(slot)}, {slot.signed})")
+        place = f"{{}}, {slot.offset}, {slot.size}, {_order(slot)}"
+        match slot.sign:
+            case Sign.NONE:
+                return self._bound_number(data, f"_whole({place}, False)")
+            case Sign.COMPLEMENT:
+                return self._bound_number(data, f"_whole({place}, True)")
+            case Sign.MAGNITUDE:
+                width = 8 * slot.size
+                kind = f"_pl.Int{next(bits for bits in MACHINE_BITS if bits >= width)}"
+                return self._bound_number(data, f"_magnitude(_whole({place}, False), {width}, {kind})")
+            case _:
+                assert_never(slot.sign)
 
-    def real(self, data: str, slot: Slot) -> str:
-        """A floating-point number of 4 or 8 bytes."""
-        return self._bound_number(data, f"_real({{}}, {slot.offset}, {slot.size}, {_order(slot)})")
+    def real(self, data: str, slot: Slot, precision: Precision) -> str:
+        """The expression of a floating-point number."""
+        place = f"{{}}, {slot.offset}, {slot.size}, {_order(slot)}"
+        match precision:
+            case Precision.HALF:
+                return self._bound_number(data, f"_half(_whole({place}, False))")
+            case Precision.SINGLE | Precision.DOUBLE:
+                return self._bound_number(data, f"_real({place})")
+            case _:
+                assert_never(precision)
 
     def _bound_number(self, data: str, call: str) -> str:
         expression = call.format(data)

@@ -20,6 +20,9 @@ _HEAD = '''"""{title}
 """
 '''
 
+_FURTHER = {"reals": ("_power(", "_is_within("), "halves": ("_half(",), "magnitudes": ("_magnitude(",)}
+"""The parts of the program that only some modules need, with the functions that they have."""
+
 
 def polars_text(layout: DeviceLayout, omissions: Sequence[Omission] = ()) -> str:
     """The module of a version, whose docstring says what it leaves out."""
@@ -42,8 +45,9 @@ def polars_text(layout: DeviceLayout, omissions: Sequence[Omission] = ()) -> str
         lines += [f"{enums[enum.name]} = {{", *(f"    {n}: {own!r}," for n, own in names_of(enum).items()), "}"]
     for query in queries(layout, names, enums, lambda cuts: Polars()):
         lines += _functions(query)
-    if any("_power(" in line or "_is_within(" in line for line in lines[1:]):
-        lines[0] += text("targets/queries/runtime/reals.py").partition("import polars as _pl\n")[2] + "\n"
+    for name, functions in _FURTHER.items():
+        if any(function in line for line in lines[1:] for function in functions):
+            lines[0] += text(f"targets/queries/runtime/{name}.py").partition("import polars as _pl\n")[2] + "\n"
     return "\n".join([*lines, ""])
 
 

@@ -8,6 +8,8 @@ from fractions import Fraction
 from math import lcm
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Precision, Sign
 from fieldspec.targets.queries.dialect import Body, DecimalScale, Slot
 
 _TYPES = {1: "TINYINT", 2: "SMALLINT", 4: "INTEGER", 8: "BIGINT"}
@@ -33,6 +35,16 @@ def decimal_text(number: Decimal) -> str:
 def type_of(size: int, signed: bool) -> str:
     """The narrowest type of whole numbers with so many bytes."""
     return ("" if signed else "U") + _TYPES[next(width for width in _TYPES if width >= size)]
+
+
+def _half(bits: str) -> str:
+    """The number of half precision of 16 bits, of which DuckDB has no type.
+
+    Its bits are put where a number of 32 bits has them, which makes it 2^112 times too small, but for infinity and NaN.
+    """
+    infinite = f"(({bits} & 31744) + 1024 >> 15) * 2139095040"
+    single = f"(({bits} & 32768) << 16) | (({bits} & 32767) << 13) | ({infinite})"
+    return f"(({single})::UINTEGER::BIT::FLOAT * {2.0**112!r}::FLOAT)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,11 +95,23 @@ class Sql:
 
     def whole(self, data: str, slot: Slot) -> str:
         """The literal of a whole number."""
-        kind = type_of(slot.size, slot.signed)
+        match slot.sign:
+            case Sign.NONE | Sign.COMPLEMENT:
+                return self._of_complement(data, slot, slot.sign.is_signed)
+            case Sign.MAGNITUDE:
+                number, highest = self._of_complement(data, slot, False), 8 * slot.size - 1
+                size = f"({number} & {(1 << highest) - 1})::BIGINT"
+                return f"({size} * (1 - 2 * ({number} >> {highest})::BIGINT))::{type_of(slot.size, True)}"
+            case _:
+                assert_never(slot.sign)
+
+    def _of_complement(self, data: str, slot: Slot, signed: bool) -> str:
+        """A whole number without a sign, or with that of two's complement."""
+        kind = type_of(slot.size, signed)
         if data != self.windowed and len(slot.runs) == 1 and slot.size in _TYPES:
             return f"{self.piece(data, slot.offset, slot.size)}::BIT::{kind}"
         number = self._unsigned(data, slot)
-        if not slot.signed:
+        if not signed:
             return f"{number}::{kind}"
         if slot.size == _WINDOW:
             return f"{number}::UBIGINT::BIT::BIGINT"
@@ -113,9 +137,20 @@ class Sql:
         shifted = f"({window.column} >> {shift})" if shift else window.column
         return shifted if start == window.start else f"({shifted} & {(1 << 8 * size) - 1})"
 
-    def real(self, data: str, slot: Slot) -> str:
-        """A floating-point number of 4 or 8 bytes."""
-        kind = "FLOAT" if slot.size == 4 else "DOUBLE"
+    def real(self, data: str, slot: Slot, precision: Precision) -> str:
+        """The expression of a floating-point number."""
+        match precision:
+            case Precision.HALF:
+                return _half(f"{self._of_complement(data, slot, False)}::BIGINT")
+            case Precision.SINGLE:
+                return self._of_bits(data, slot, "FLOAT")
+            case Precision.DOUBLE:
+                return self._of_bits(data, slot, "DOUBLE")
+            case _:
+                assert_never(precision)
+
+    def _of_bits(self, data: str, slot: Slot, kind: str) -> str:
+        """A floating-point number of a type of DuckDB."""
         if len(slot.runs) == 1:
             return f"{self.piece(data, slot.offset, slot.size)}::BIT::{kind}"
         return f"{self._unsigned(data, slot)}::{type_of(slot.size, False)}::BIT::{kind}"

@@ -7,9 +7,23 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    bounds_of,
+    is_array,
+    is_count,
+    is_real,
+    sign_of,
+)
 from fieldspec.language.model.enums import Bit
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 from fieldspec.targets.queries.dialect import DecimalScale, Dialect, Slot
 
@@ -54,10 +68,18 @@ class ValueQuery:
     exponents: tuple[tuple[int, int], ...] = ()
 
     def number(self, data: str, offset: int) -> str:
-        """The expression of the raw number at an offset of the data."""
-        kind = self.value.type.kind
-        slot = Slot(offset, self.value.size, self.order, self.swapped, kind is Kind.INTEGER and self.value.type.signed)
-        return self.dialect.real(data, slot) if kind is Kind.FLOAT else self.dialect.whole(data, slot)
+        """The expression of the raw number at an offset of the data. Raises AssertionError for a text and for bytes."""
+        encoding = self.value.encoding
+        slot = Slot(offset, self.value.size, self.order, self.swapped, sign_of(encoding))
+        match encoding:
+            case Real():
+                return self.dialect.real(data, slot, encoding.precision)
+            case Whole() | Truth() | Digits():
+                return self.dialect.whole(data, slot)
+            case Text() | Octets():
+                raise AssertionError("a text or bytes are no number")
+            case _:
+                assert_never(encoding)
 
     def word(self, data: str, offset: int) -> str:
         """The expression of the raw number as a word without a sign."""
@@ -65,59 +87,79 @@ class ValueQuery:
 
     def raw(self, data: str, offset: int) -> str:
         """The raw number as a text; texts and bytes as they are."""
-        if self.value.type.is_number:
-            return self.dialect.as_text(self.number(data, offset))
-        return ""
+        return "" if is_array(self.value.encoding) else self.dialect.as_text(self.number(data, offset))
 
     def columns(self) -> Iterator[ValueColumn]:
         """The columns: the value as people read it, the raw number where it differs, and the state of a sentinel."""
-        kind, value, dialect = self.value.type.kind, self.value, self.dialect
-        if kind is Kind.TEXT:
-            yield ValueColumn("", lambda data, offset: dialect.text(dialect.piece(data, offset, value.size)))
-        elif kind is Kind.BYTES:
-            yield ValueColumn("", lambda data, offset: dialect.piece(data, offset, value.size))
-        elif value.enum:
+        encoding, value, dialect = self.value.encoding, self.value, self.dialect
+        match encoding:
+            case Text():
+                yield ValueColumn("", lambda data, offset: dialect.text(dialect.piece(data, offset, value.size)))
+            case Octets():
+                yield ValueColumn("", lambda data, offset: dialect.piece(data, offset, value.size))
+            case Truth() if not value.enum:
+                yield ValueColumn("", lambda data, offset: dialect.truth(self.number(data, offset)))
+            case Whole() | Digits() | Truth():
+                yield from self._count_columns()
+            case Real():
+                yield from self._number_columns()
+            case _:
+                assert_never(encoding)
+        if value.sentinels:
+            yield ValueColumn("state", self._state)
+
+    def _count_columns(self) -> Iterator[ValueColumn]:
+        """The columns of a whole number."""
+        value, dialect = self.value, self.dialect
+        if value.enum:
             yield ValueColumn(
                 "", lambda data, offset: dialect.member(self.number(data, offset), self.enums[value.enum])
             )
             yield ValueColumn("raw", self.number)
-        elif kind is Kind.BOOLEAN:
-            yield ValueColumn("", lambda data, offset: dialect.truth(self.number(data, offset)))
         elif value.flags:
             yield ValueColumn("", self.word)
             yield from self._bits()
-        elif kind is Kind.INTEGER and (value.scaled or self.exponent is not None):
+        elif value.scaled or self.exponent is not None:
             yield ValueColumn(unit_word(value.quantity_unit), self._quantity)
             yield ValueColumn("raw", self.number)
-        elif value.sentinels:
+        else:
+            yield from self._number_columns()
+
+    def _number_columns(self) -> Iterator[ValueColumn]:
+        """The column of a number without names and scale, and the raw number where some stand for a state."""
+        if self.value.sentinels:
             yield ValueColumn("", lambda data, offset: self._absent(self.number(data, offset), data, offset))
             yield ValueColumn("raw", self.number)
         else:
             yield ValueColumn("", self.number)
-        if value.sentinels:
-            yield ValueColumn("state", self._state)
 
     def faults(self) -> Iterator[ValueRule]:
         """The reasons for which a codec refuses the value, in the order of its tests."""
-        kind, value, dialect = self.value.type.kind, self.value, self.dialect
-        if kind is Kind.BOOLEAN:
-            yield ValueRule(
-                "unknown_value",
-                lambda data, offset: dialect.negated(dialect.is_in(self.number(data, offset), [(0, 1)])),
-            )
-            return
-        if kind is Kind.TEXT:
-            yield ValueRule(
-                "unknown_value", lambda data, offset: dialect.not_ascii(dialect.piece(data, offset, value.size))
-            )
-        if not value.type.is_number:
-            return
-        const = value.const
+        encoding, value, dialect = self.value.encoding, self.value, self.dialect
+        match encoding:
+            case Truth():
+                yield ValueRule(
+                    "unknown_value",
+                    lambda data, offset: dialect.negated(dialect.is_in(self.number(data, offset), [(0, 1)])),
+                )
+            case Text():
+                yield ValueRule(
+                    "unknown_value", lambda data, offset: dialect.not_ascii(dialect.piece(data, offset, value.size))
+                )
+            case Whole() | Digits():
+                yield from self._count_faults()
+            case Real() | Octets():
+                return
+            case _:
+                assert_never(encoding)
+
+    def _count_faults(self) -> Iterator[ValueRule]:
+        dialect, const = self.dialect, self.value.const
         if const is not None:
             yield ValueRule(
                 "wrong_const", lambda data, offset: dialect.compared(self.number(data, offset), "<>", str(const))
             )
-        enum = self.device.enums.get(value.enum)
+        enum = self.device.enums.get(self.value.enum)
         if enum is not None and not enum.open:
             yield ValueRule("unknown_value", lambda data, offset: dialect.negated(self._is_known(data, offset, False)))
 
@@ -126,7 +168,7 @@ class ValueQuery:
         yield from self.faults()
         value, dialect = self.value, self.dialect
         enum, flags = self.device.enums.get(value.enum), self.device.flags.get(value.flags)
-        if not value.type.is_number or value.type.kind is Kind.BOOLEAN:
+        if not (is_count(value.encoding) or is_real(value.encoding)):
             return
         if enum is not None and enum.open:
             yield ValueRule("unlisted_value", lambda data, offset: dialect.negated(self._is_known(data, offset, True)))
@@ -152,13 +194,12 @@ class ValueQuery:
     def _out_of_intervals(self, data: str, offset: int) -> str:
         """Whether a number that is no sentinel is in no range of the value."""
         value, dialect, number = self.value, self.dialect, self.number(data, offset)
-        floating = value.type.kind is Kind.FLOAT
+        floating = is_real(value.encoding)
         assert value.ranges is not None
         numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
         intervals = [*value.ranges.intervals, *((number, number) for number in numbers)]
-        if value.type.kind is Kind.INTEGER and any(
-            low <= value.type.low and high >= value.type.high for low, high in intervals
-        ):
+        lowest, highest = bounds_of(value.encoding)
+        if is_count(value.encoding) and any(low <= lowest and high >= highest for low, high in intervals):
             return ""
         condition = dialect.negated(dialect.is_in(number, intervals, floating))
         enum = self.device.enums.get(value.enum)

@@ -16,8 +16,9 @@ from fieldspec.codec.reference.records import CodecError, decoded, decoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_array
 from fieldspec.language.model.record import RegisterAccess
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,7 +209,7 @@ def _idle(device: Device, value: Value, trigger: bool = False) -> Raw:
     """The raw value at rest: 0 if writing starts something, else the initial value, else the least legal one."""
     if value.text_form is not None:
         return ""
-    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+    if is_array(value.encoding):
         return bytes(value.size)
     if trigger:
         return 0

@@ -3,15 +3,35 @@
 from __future__ import annotations
 
 from fieldspec.foundation.classes import dataclass, field
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import (
+    MACHINE_BITS,
+    Digits,
+    Encoding,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    is_count,
+    is_exact,
+)
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.wireshark.text import Data, joined, line_text
 
 _LONGEST = 200
 """The characters of a description, which Wireshark shows in its status line."""
+
+_WIDEST_SINGLE = 32
+"""The bits of the widest number that has fields of its own width; wider ones have fields of 64 bits."""
+
+_LONGEST_NAMED = 4
+"""The bytes of the widest number whose field has a table of names."""
 
 _SHORT = 0x7FFFFFFF
 """The greatest number that a table of names takes on every platform."""
@@ -57,25 +77,15 @@ class Filters:
 
     def of_value(self, names: tuple[str, ...], fact: Fact, value: Value) -> str:
         """The name of the display filter of a value."""
-        kind, size = value.type.kind, value.size
-        row: dict[str, Data] = {"title": title_of(fact), "text": description(fact)}
-        if kind is Kind.TEXT:
-            return self.take(names, {**row, "type": "STRING"})
-        if kind is Kind.BYTES:
-            return self.take(names, {**row, "type": "BYTES"})
-        if kind is Kind.FLOAT:
-            return self.take(names, {**row, "type": "DOUBLE" if size == 8 else "FLOAT"})
-        width = 8 * size if size <= 4 else 64
-        signed = kind is Kind.INTEGER and value.type.signed
-        base = "HEX" if value.flags else "DEC"
-        return self.take(
-            names,
-            {**row, "type": f"{'INT' if signed else 'UINT'}{width}", "base": base, "names": self._names(value)},
-        )
+        encoding = value.encoding
+        row: dict[str, Data] = {"title": title_of(fact), "text": description(fact), "type": _type(encoding)}
+        if is_exact(encoding):
+            row |= {"base": "HEX" if value.flags else "DEC", "names": self._names(value)}
+        return self.take(names, row)
 
     def of_quantity(self, names: tuple[str, ...], fact: Fact, value: Value) -> str | None:
         """The filter name of the quantity of a value; None where this is the raw value itself."""
-        if value.type.kind is not Kind.INTEGER or not value.scaled or value.flags:
+        if not is_count(value.encoding) or not value.scaled or value.flags:
             return None
         unit = f" in {line_text(value.unit)}" if value.unit else ""
         row: dict[str, Data] = {"title": f"{title_of(fact)}{unit}", "type": "DOUBLE", "text": description(fact)}
@@ -93,7 +103,7 @@ class Filters:
                 if bit.width == 1:
                     row |= {"type": "BOOLEAN"}
                 else:
-                    width = next(size for size in (8, 16, 32, 64) if bit.width <= size)
+                    width = next(size for size in MACHINE_BITS if bit.width <= size)
                     names_of = self._enum_names(bit.enum) if bit.enum and width < 64 and not bit.signed else None
                     row |= {"type": f"{'INT' if bit.signed else 'UINT'}{width}", "base": "DEC", "names": names_of}
                 rows[f"{self.prefix}.{name}.{bit.name}"] = row
@@ -108,12 +118,51 @@ class Filters:
         return existing is None or all(existing.get(key) == row.get(key) for key in ("type", "base", "names"))
 
     def _names(self, value: Value) -> Data:
-        if value.size > 4:
-            return None
-        if value.enum:
-            return self._enum_names(value.enum)
-        return {0: "false", 1: "true"} if value.type.kind is Kind.BOOLEAN else None
+        encoding = value.encoding
+        match encoding:
+            case Whole() | Digits():
+                return self._enum_names(value.enum) if value.enum and value.size <= _LONGEST_NAMED else None
+            case Truth():
+                return self._enum_names(value.enum) if value.enum else {0: "false", 1: "true"}
+            case Real() | Text() | Octets():
+                return None
+            case _:
+                assert_never(encoding)
 
     def _enum_names(self, name: str) -> str | None:
         members = self.device.enums[name].members
         return name if members and all(0 <= member.value <= _SHORT for member in members) else None
+
+
+def _type(encoding: Encoding) -> str:
+    """The type of the field of a value."""
+    match encoding:
+        case Text():
+            return "STRING"
+        case Octets():
+            return "BYTES"
+        case Real():
+            return _real_type(encoding.precision)
+        case Truth():
+            return f"UINT{encoding.bits}"
+        case Whole():
+            return _whole_type(encoding)
+        case Digits():
+            return _whole_type(Whole(8 * encoding.size, encoding.number.sign))
+        case _:
+            assert_never(encoding)
+
+
+def _real_type(precision: Precision) -> str:
+    match precision:
+        case Precision.HALF | Precision.SINGLE:
+            return "FLOAT"
+        case Precision.DOUBLE:
+            return "DOUBLE"
+        case _:
+            assert_never(precision)
+
+
+def _whole_type(whole: Whole) -> str:
+    width = whole.bits if whole.bits <= _WIDEST_SINGLE else MACHINE_BITS[-1]
+    return f"{'INT' if whole.sign.is_signed else 'UINT'}{width}"

@@ -15,7 +15,8 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLay
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
-from fieldspec.language.model.value import PRIMITIVES, Value
+from fieldspec.language.model.primitives import PRIMITIVES
+from fieldspec.language.model.value import Value
 
 _READER = "the dissector"
 

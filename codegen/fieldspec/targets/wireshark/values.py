@@ -8,10 +8,12 @@ from math import lcm
 
 from fieldspec.codec.explain.row import errata_at, errata_of_words
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_array, is_count, is_exact
 from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
+from fieldspec.targets import runtime_values
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.wireshark.filters import title_of
 from fieldspec.targets.wireshark.text import Data, line_text
@@ -25,19 +27,18 @@ _MOST_PLACES = 6
 
 def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
     """A value with its byte and word order."""
-    kind = value.type.kind
-    wide = is_wide(value)
+    encoding, wide = value.encoding, is_wide(value)
     data: dict[str, Data] = {
-        "kind": kind.value,
+        "kind": runtime_values.kind_of(encoding),
         "size": value.size,
         "order": order,
         "swapped": swapped,
-        "signed": kind is Kind.INTEGER and value.type.signed,
+        "signed": is_count(encoding) and runtime_values.sign_data(encoding),
         "unit": line_text(value.unit) or None,
     }
-    if kind in (Kind.TEXT, Kind.BYTES):
+    if is_array(encoding):
         return data
-    if kind in (Kind.INTEGER, Kind.BOOLEAN) and value.type.size <= 6:
+    if is_exact(encoding) and not wide:
         data |= {"low": value.type.low, "high": value.type.high}
     data |= {
         "enum": value.enum or None,
@@ -48,7 +49,7 @@ def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
         "special": {"NaN" if sentinel.is_nan else str(sentinel.value): sentinel.name for sentinel in value.sentinels}
         or None,
     }
-    if kind is Kind.INTEGER and value.scaled:
+    if is_count(encoding) and value.scaled:
         data["scale"] = scale_data(value.scale, value.offset)
     return data
 
@@ -74,7 +75,7 @@ def _places(number: Decimal | Fraction) -> int:
 
 def is_wide(value: Value | None) -> bool:
     """Whether a value is a whole number that a double cannot hold."""
-    return value is not None and value.type.kind is Kind.INTEGER and value.size > 6
+    return value is not None and runtime_values.is_wide(value.encoding)
 
 
 def bound(number: int, wide: bool) -> int | str:

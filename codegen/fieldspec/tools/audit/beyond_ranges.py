@@ -9,9 +9,10 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.behaviour.part import Behaviour, Part
 from fieldspec.language.model.access import narrowed, writable
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.audit.section import Cell, Figure, SectionTable
 
 REFUSED, UNPRINTED = "refused", "not printed"
@@ -79,7 +80,7 @@ def _bounded_values(layout: DeviceLayout) -> Iterator[Bounded]:
 
 
 def _bounded(fact: Fact, value: Value | None, links: tuple[str, ...]) -> Iterator[Bounded]:
-    if value is None or value.type.kind is not Kind.INTEGER or value.const is not None:
+    if value is None or not is_count(value.encoding) or value.const is not None:
         return
     ranges = value.writable_ranges
     if ranges is not None and (ranges.low > value.low or ranges.high < value.high or len(ranges.intervals) > 1):

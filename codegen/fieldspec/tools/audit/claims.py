@@ -11,11 +11,12 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import Span
 from fieldspec.language.checks.facts import facts
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.enums import Bit, Flags, Member
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import Parameter, Register, Table
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 NUMBERS = (
     "at",
@@ -199,7 +200,7 @@ def _last_elements(fact: Fact, count: int) -> Iterator[Decimal]:
 
 def _needs_sign(value: Value, device: Device) -> bool:
     """Whether the lines must print that a whole number has a sign: nothing that the spec states is below zero."""
-    if not value.type.signed or value.type.kind is not Kind.INTEGER:
+    if not is_signed(value.encoding) or not is_count(value.encoding):
         return False
     enum = device.enums.get(value.enum)
     low = value.ranges.low if value.ranges is not None else 0

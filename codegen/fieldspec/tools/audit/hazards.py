@@ -9,6 +9,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.checks.facts import layers
 from fieldspec.language.model.access import narrowed, writable
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_array
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.fact import Citation, Fact, Place
 from fieldspec.language.model.record import Field, Message
@@ -281,7 +282,9 @@ def undivided(device: Device) -> list[Register]:
     return [
         register
         for register in device.registers()
-        if register.width > 1 and not register.atomic and register.value.type.letter != "s" and not register.reserved
+        if register.width > 1
+        and not (register.atomic or register.reserved)
+        and not (is_array(register.value.encoding) or register.value.digits)
     ]
 
 

@@ -9,13 +9,13 @@ from statistics import median_low
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.checks.facts import facts, values
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.enums import Bit, Member
 from fieldspec.language.model.fact import Citation, Fact, Place
 from fieldspec.language.model.link import Part
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.texts import Lookup, LookupRow
-from fieldspec.language.model.value import Kind
 from fieldspec.tools.audit.manual_lines import CELL, ManualIndex
 
 
@@ -129,7 +129,7 @@ def without_unit(device: Device) -> Iterator[Fact]:
     Numbers in messages are left out: they are addresses, numbers of words and their like, or signals.
     """
     for fact, value in values(device):
-        if isinstance(fact, Part) or fact.place.path.startswith("messages/") or value.type.kind is not Kind.INTEGER:
+        if isinstance(fact, Part) or fact.place.path.startswith("messages/") or not is_count(value.encoding):
             continue
         explanation = value.unit or value.enum or value.flags or value.ranges or value.parameter or value.sentinels
         if explanation or value.const is not None or fact.notes or fact.reported or getattr(fact, "reserved", False):

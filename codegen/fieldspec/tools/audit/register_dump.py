@@ -12,9 +12,10 @@ from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.checks.finding import range_key
 from fieldspec.language.diagnostics import Diagnostic, Label, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Parameter
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.language.reading.findings import bounded
 from fieldspec.tools.audit.addressed_values import Address, AddressedValue, addressed_values
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable
@@ -251,7 +252,7 @@ def _parameter(
     reserved = parameter.reserved or (element is not None and element.reserved)
     name = parameter.name + (f"[{index}]" if parameter.elements or len(entry.values) > 1 else "")
     bits = 8 * value.size
-    if value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and -(1 << (bits - 1)) <= number < 1 << bits:
+    if is_exact(value.encoding) and -(1 << (bits - 1)) <= number < 1 << bits:
         data = (number & ((1 << bits) - 1)).to_bytes(value.size, "big")
         decoded = decode_value(device, value, data, "big", False, reserved)
     else:

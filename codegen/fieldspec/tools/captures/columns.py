@@ -7,6 +7,9 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Sign
+
 Bytes: TypeAlias = npt.NDArray[np.uint8]
 Numbers: TypeAlias = npt.NDArray[np.int64]
 Mask: TypeAlias = npt.NDArray[np.bool_]
@@ -23,18 +26,33 @@ def numbers(values: object) -> Numbers:
 
 
 def number_at(
-    buffer: Bytes, offsets: Numbers, size: int, order: str = "big", signed: bool = False, swapped: bool = False
+    buffer: Bytes, offsets: Numbers, size: int, order: str = "big", sign: Sign = Sign.NONE, swapped: bool = False
 ) -> Numbers:
     """The whole numbers of `size` bytes, up to 8, at some places, modulo 2^64.
 
     With `swapped`, the order of their 16-bit words is opposite to that of the bytes in each. Places outside of the
     buffer read other bytes of it; the caller has excluded them.
     """
+    match sign:
+        case Sign.NONE | Sign.COMPLEMENT:
+            return _complement_at(buffer, offsets, size, order, sign.is_signed, swapped)
+        case Sign.MAGNITUDE:
+            bits, highest = _complement_at(buffer, offsets, size, order, False, swapped), 8 * size - 1
+            magnitude = bits & (1 << highest) - 1
+            return np.where(bits >> highest & 1, -magnitude, magnitude)
+        case _:
+            assert_never(sign)
+
+
+def _complement_at(
+    buffer: Bytes, offsets: Numbers, size: int, order: str, signed: bool, swapped: bool = False
+) -> Numbers:
+    """The same without a sign, or with that of two's complement."""
     if swapped:
         words = range(size - 2, -2, -2) if order == "big" else range(0, size, 2)
         number = np.zeros(len(offsets), np.int64)
         for word in words:
-            number = number << 16 | number_at(buffer, offsets + word, 2, order)
+            number = number << 16 | _complement_at(buffer, offsets + word, 2, order, False)
         unused = 64 - 8 * size
         return (number << unused) >> unused if signed and unused else number
     if size == 1:

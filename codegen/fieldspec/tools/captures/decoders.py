@@ -5,13 +5,30 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from fieldspec.codec.explain.values import decode_value, number_of
+from fieldspec.codec.explain.values import decode_value
+from fieldspec.codec.explain.values import number_of as number_of_bytes
 from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import digits_bytes
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Precision,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+    is_array,
+    is_octets,
+    number_of,
+    sign_of,
+)
 from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.raw_numbers import bytes_of_number
 from fieldspec.language.model.text_form import decoded_text
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Texts, number_at
 from fieldspec.tools.captures.verdicts import (
     OK,
@@ -24,6 +41,8 @@ from fieldspec.tools.captures.verdicts import (
 )
 
 UNSEEN = -2
+MOST_INDEXED = 16
+"""The bits of the widest number whose meanings are in a table, by its bits."""
 MOST_REMEMBERED = 1 << 16
 
 
@@ -83,12 +102,12 @@ class Decoder:
     ) -> None:
         self.device, self.texts, self.value = device, texts, value
         self.order, self.swapped, self.reserved, self.is_lenient = order, swapped, reserved, is_lenient
-        self.type = value.type
-        self.is_named = bool(value.enum or value.flags or self.type.kind is Kind.BOOLEAN) and not reserved
-        self.is_small = self.type.is_number and value.size <= 2 and not value.digits
-        self.has_table = self.is_small and not reserved and (self.is_named or bool(value.sentinels))
-        self.has_table = self.has_table or (self.is_small and value.const is not None and not reserved)
-        self.has_quantity = self.type.is_number and not value.enum and not value.flags
+        self.encoding = value.encoding
+        self.is_unsigned_wide = number_of(self.encoding) == Whole(64, Sign.NONE)
+        self.is_named = _is_named(value) and not reserved
+        has_meanings = self.is_named or bool(value.sentinels) or value.const is not None
+        self.has_table = has_meanings and _is_indexed(self.encoding) and not reserved
+        self.has_quantity = not is_array(self.encoding) and not value.enum and not value.flags
         scale = value.scale.as_integer_ratio()
         offset = value.offset.as_integer_ratio()
         self.factor = scale[0] * offset[1]
@@ -99,27 +118,31 @@ class Decoder:
 
     def decode(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
         """The values whose bytes begin at some places."""
-        kind = self.type.kind
-        if kind in (Kind.TEXT, Kind.BYTES):
-            return self._characters(buffer, offsets)
-        if kind is Kind.FLOAT:
-            return self._floats(buffer, offsets)
-        if self.value.digits:
-            return self._digits_of(buffer, offsets)
-        return self._integers(self._raw(buffer, offsets, self.type.signed))
+        encoding = self.encoding
+        match encoding:
+            case Text() | Octets():
+                return self._characters(buffer, offsets)
+            case Real():
+                return self._floats(reals_of(encoding.precision, self._raw(buffer, offsets)))
+            case Digits():
+                return self._digits_of(buffer, offsets)
+            case Whole() | Truth():
+                return self._integers(self._raw(buffer, offsets))
+            case _:
+                assert_never(encoding)
 
     def of_bits(self, bits: Numbers) -> ValueColumns:
         """The values of single bits, which are 0 or 1."""
         return self._integers(bits)
 
-    def _raw(self, buffer: Bytes, offsets: Numbers, signed: bool) -> Numbers:
-        return number_at(buffer, offsets, self.value.size, self.order, signed, self.swapped)
+    def _raw(self, buffer: Bytes, offsets: Numbers) -> Numbers:
+        return number_at(buffer, offsets, self.value.size, self.order, sign_of(self.encoding), self.swapped)
 
     def _integers(self, raw: Numbers) -> ValueColumns:
         result = ValueColumns.empty(len(raw))
         result.raw[:] = raw
         result.has_raw[:] = True
-        is_unsigned_high = (raw < 0) if self.type.size == 8 and not self.type.signed else None
+        is_unsigned_high = (raw < 0) if self.is_unsigned_wide else None
         wide = raw.view(np.uint64).astype(np.float64) if is_unsigned_high is not None else raw.astype(np.float64)
         if self.has_quantity:
             result.has_quantity[:] = True
@@ -154,7 +177,7 @@ class Decoder:
             size = 1 << 8 * self.value.size
             self._table = np.full(size, UNSEEN, np.int32), np.zeros(size, np.int8), np.zeros(size, np.bool_)
         texts, verdicts, quantities = self._table
-        places = raw & (len(texts) - 1)
+        places = self._bits(raw)
         numbers = texts[places]
         if (numbers == UNSEEN).any():
             for place in np.unique(places[numbers == UNSEEN]).tolist():
@@ -165,6 +188,17 @@ class Decoder:
         result.verdict[:] = verdicts[places]
         result.has_quantity[:] = quantities[places]
 
+    def _bits(self, raw: Numbers) -> Numbers:
+        """The bits of numbers, as whole numbers."""
+        sign, highest = sign_of(self.encoding), 1 << 8 * self.value.size - 1
+        match sign:
+            case Sign.NONE | Sign.COMPLEMENT:
+                return raw & 2 * highest - 1
+            case Sign.MAGNITUDE:
+                return np.where(raw < 0, highest - raw, raw)
+            case _:
+                assert_never(sign)
+
     def _by_memory(self, raw: Numbers, result: ValueColumns) -> None:
         """The same for wide values, each distinct one once."""
         distinct, places = np.unique(raw, return_inverse=True)
@@ -174,19 +208,12 @@ class Decoder:
         result.has_quantity[:] = np.array([row[2] for row in rows], np.bool_)[places]
 
     def _recalled(self, number: int) -> tuple[int, int, bool]:
-        size = self.value.size
-        data = (
-            (number & (1 << 8 * size) - 1).to_bytes(size, "big") if not self.value.digits else self._digit_data(number)
-        )
+        data = bytes_of_number(self.value, number % (1 << 64) if self.value.low == 0 else number)
         if data not in self._remembered:
             if len(self._remembered) > MOST_REMEMBERED:
                 self._remembered.clear()
             self._remembered[data] = self._meaning(data)
         return self._remembered[data]
-
-    def _digit_data(self, number: int) -> bytes:
-        """The digits of a number, the most significant one first."""
-        return digits_bytes(self.value, number % (1 << 64) if self.value.low == 0 else number)
 
     def _meaning(self, data: bytes) -> tuple[int, int, bool]:
         """The place of the text, the verdict, and whether there is a quantity, for the bytes of a value, big-endian."""
@@ -210,7 +237,7 @@ class Decoder:
     def _by_bounds(self, raw: Numbers, result: ValueColumns) -> None:
         """Verdicts of values without names, and the names of those that stand for a state."""
         value = self.value
-        unsigned = raw.view(np.uint64) if self.type.size == 8 and not self.type.signed else None
+        unsigned = raw.view(np.uint64) if self.is_unsigned_wide else None
         numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64] = raw if unsigned is None else unsigned
         if value.ranges is not None:
             result.verdict[~within(numbers, value.ranges)] = OUT_OF_RANGE
@@ -222,12 +249,8 @@ class Decoder:
         if value.const is not None:
             result.verdict[:] = np.where(numbers == numbers.dtype.type(value.const), result.verdict, WRONG_CONST)
 
-    def _floats(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
-        bits = self._raw(buffer, offsets, False)
-        single = self.value.size == 4
-        with np.errstate(invalid="ignore"):  # a signalling NaN
-            exact = bits.astype(np.uint32).view(np.float32).astype(np.float64) if single else bits.view(np.float64)
-        result = ValueColumns.empty(len(bits))
+    def _floats(self, exact: npt.NDArray[np.float64]) -> ValueColumns:
+        result = ValueColumns.empty(len(exact))
         result.quantity[:] = exact
         result.has_quantity[:] = True
         if self.reserved:
@@ -251,7 +274,7 @@ class Decoder:
         """The values of digits: the bytes that are none are a text with a verdict."""
         table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.size), len(buffer) - 1)]
         pieces = [row.tobytes() for row in table]
-        numbers = {piece: number_of(self.value, piece, self.order, self.swapped) for piece in set(pieces)}
+        numbers = {piece: number_of_bytes(self.value, piece, self.order, self.swapped) for piece in set(pieces)}
         raw = [number if isinstance(number := numbers[piece], int) else 0 for piece in pieces]
         result = self._integers(
             np.array(raw, np.uint64).view(np.int64) if self.value.low == 0 else np.array(raw, np.int64)
@@ -271,12 +294,50 @@ class Decoder:
         return result
 
     def _character_text(self, data: bytes) -> tuple[int, int]:
-        if self.type.kind is Kind.BYTES or self.reserved:
-            return self.texts.place(data.hex(" ").upper()), OK
-        text = decoded_text(self.value, self.order, data)
+        has_no_text = is_octets(self.encoding) or self.reserved
+        text = None if has_no_text else decoded_text(self.value, self.order, data)
         if text is None:
-            return self.texts.place(data.hex(" ").upper()), UNKNOWN_VALUE
+            return self.texts.place(data.hex(" ").upper()), OK if has_no_text else UNKNOWN_VALUE
         return self.texts.place(text), OK
+
+
+def _is_named(value: Value) -> bool:
+    """Whether some of its numbers have names."""
+    encoding = value.encoding
+    match encoding:
+        case Truth():
+            return True
+        case Whole() | Digits():
+            return bool(value.enum or value.flags)
+        case Real() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def _is_indexed(encoding: Encoding) -> bool:
+    """Whether it has so few numbers that a table has a row for each of them, by its bits."""
+    match encoding:
+        case Whole() | Truth():
+            return encoding.bits <= MOST_INDEXED
+        case Real() | Digits() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def reals_of(precision: Precision, bits: Numbers) -> npt.NDArray[np.float64]:
+    """The floating-point numbers of some bits."""
+    with np.errstate(invalid="ignore"):  # a signalling NaN
+        match precision:
+            case Precision.HALF:
+                return bits.astype(np.uint16).view(np.float16).astype(np.float64)
+            case Precision.SINGLE:
+                return bits.astype(np.uint32).view(np.float32).astype(np.float64)
+            case Precision.DOUBLE:
+                return bits.view(np.float64)
+            case _:
+                assert_never(precision)
 
 
 def within(numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64], ranges: Ranges) -> Mask:

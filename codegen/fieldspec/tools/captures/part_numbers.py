@@ -6,6 +6,7 @@ import numpy as np
 
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.language.model.digits import digits_letters
+from fieldspec.language.model.encoding import sign_of
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at
 
 
@@ -13,7 +14,7 @@ def part_numbers(part: PartLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers of a part at some places, modulo 2^64; any where the bytes are not its digits."""
     assert part.value is not None
     if not part.form:
-        return number_at(buffer, offsets, part.size, part.order, part.value.type.signed)
+        return number_at(buffer, offsets, part.size, part.order, sign_of(part.value.encoding))
     letters = digits_letters(part.value)
     number = np.zeros(len(offsets), np.int64)
     for digits in _digits(part, buffer, offsets):

@@ -11,7 +11,8 @@ from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import BIT
-from fieldspec.language.model.value import PRIMITIVES, Value
+from fieldspec.language.model.primitives import PRIMITIVES
+from fieldspec.language.model.value import Value
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, numbers, runs, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
 from fieldspec.tools.captures.verdicts import PARTIAL, UNLISTED

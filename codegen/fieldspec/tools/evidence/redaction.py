@@ -18,11 +18,12 @@ from fieldspec.codec.layout.widths import Extent, Span, WidthError, data_of, ima
 from fieldspec.codec.reference.frames import Decoded, codec
 from fieldspec.codec.reference.parameters import stated_bytes
 from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.encoding import is_array, is_count, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Message, RegisterAccess
 from fieldspec.language.model.registers import Parameter
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.evidence.secrets import Secrets
 from fieldspec.tools.live.reading import all_occupants, is_bit
 from fieldspec.tools.simulator.memory import element_value, numbers_of
@@ -55,7 +56,7 @@ class Redaction:
         """Whether a value is replaced: what identifies the unit, and texts, which may."""
         if IDENTITY in fact.roles:
             return True
-        is_text = value is not None and value.type.kind in (Kind.TEXT, Kind.BYTES)
+        is_text = value is not None and is_array(value.encoding)
         return is_text and _HARMLESS not in fact.roles and fact.place.path not in self.spared
 
     def _replace(self, fact: Fact | None, data: bytes) -> None:
@@ -286,10 +287,10 @@ def _filler(value: Value | None, size: int, order: str, swapped: bool) -> bytes:
     """What stands for a value: zeros, or the least number that the spec permits; a text of the letter X."""
     if value is None or value.size != size:
         return bytes(size)
-    if value.type.kind is Kind.TEXT:
+    if is_text(value.encoding):
         return text_bytes(value, order, "X" * size)
     filler_number = min((low for low, _ in _intervals(value)), key=abs, default=0)
-    if value.type.kind is Kind.INTEGER and filler_number:
+    if is_count(value.encoding) and filler_number:
         return bytes(value_construct(value, order, swapped).build(filler_number))
     return bytes(size)
 
@@ -311,7 +312,7 @@ def _data_of(spans: tuple[Span, ...], fields: Sequence[Extent], image: bytearray
     """The data of a redacted image, in which no text is longer than it was; zeros where another size would be sent."""
     offset = 0
     for span, extent in zip(spans, fields, strict=True):
-        if span.value is not None and span.value.type.kind is Kind.TEXT:
+        if span.value is not None and is_text(span.value.encoding):
             image[offset + extent.stop - extent.start : offset + span.size] = bytes(
                 span.size - (extent.stop - extent.start)
             )

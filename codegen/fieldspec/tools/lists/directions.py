@@ -8,7 +8,8 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.language.model.encoding import is_count
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.words import folded
 
@@ -54,7 +55,7 @@ class Measured:
         if factor == 1 and any("." in str(bound) for bound in (self.low, self.high)):
             return False  # nobody writes counts with a fraction
         ends = [Fraction(bound) / factor for bound in (self.low, self.high)]
-        return kind.kind is Kind.INTEGER and all(end.denominator == 1 and kind.low <= end <= kind.high for end in ends)
+        return is_count(kind.encoding) and all(end.denominator == 1 and kind.low <= end <= kind.high for end in ends)
 
 
 def gain_direction(

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.language.model.encoding import is_real
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.shapes import BIT, Shape, shape
 from fieldspec.tools.lists.sheet import ListError
+from fieldspec.tools.lists.type_words import Loose
 
 SPACES = {REGISTERS: False, "input_registers": False, "coils": True, "discrete_inputs": True}
 """The address spaces that a list may have, and whether they are of bits."""
@@ -96,7 +98,7 @@ def _with_bits(entry: Entry, rows: Sequence[ListRow], refused: list[Refusal]) ->
     doubts = list(own_shape.doubts)
     width = own_shape.words * 16
     own_type = {1: "u16", 2: "u32", 4: "u64"}.get(own_shape.words)
-    if own_type is None or PRIMITIVES[own_shape.type].kind is Kind.FLOAT:
+    if own_type is None or is_real(PRIMITIVES[own_shape.type].encoding):
         refused += [
             Refusal(row.row, "", "", f"has a bit of row {entry.row.row}, whose type {own_shape.type} has none")
             for row in rows
@@ -128,7 +130,7 @@ def _width(row: ListRow) -> tuple[int, int]:
     assert row.bits is not None
     low, high = row.bits
     size = 0
-    if row.type is not None and row.type.kind is not Kind.BOOLEAN:
+    if row.type is not None and row.type.kind is not Loose.TRUTH:
         size = row.type.bits or (PRIMITIVES[row.type.name].size * 8 if row.type.name in ("u8", "i8") else 0)
     return (low, low + size - 1) if low == high and 1 < size < 16 else (low, high)
 

@@ -6,7 +6,9 @@ import re
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
-from fieldspec.language.model.value import MOST_PLACES, PRIMITIVES, Kind
+from fieldspec.language.model.encoding import is_count
+from fieldspec.language.model.primitives import PRIMITIVES
+from fieldspec.language.model.value import MOST_PLACES
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.words import folded
 
@@ -30,7 +32,7 @@ def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:
         for place, row in enumerate(rows)
         if (other := _named(row, places)) is not None
         and other != place
-        and PRIMITIVES[types[place]].kind is Kind.INTEGER
+        and is_count(PRIMITIVES[types[place]].encoding)
         and _named(rows[other], places) is None
         and is_exponent(rows[other], types[other])
     }
@@ -45,7 +47,7 @@ def _named(row: ListRow, places: Mapping[str, Sequence[int]]) -> int | None:
 def is_exponent(row: ListRow, type_name: str) -> bool:
     """Whether a row may have exponents: a single whole number that can be read, within the usual bounds."""
     kind = PRIMITIVES[type_name]
-    if kind.kind is not Kind.INTEGER or row.count > 1 or row.access not in ("ro", "rw"):
+    if not is_count(kind.encoding) or row.count > 1 or row.access not in ("ro", "rw"):
         return False
     if row.texts.get("scale", "1") != "1":
         return False

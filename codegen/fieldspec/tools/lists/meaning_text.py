@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.language.model.encoding import is_count, is_truth
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.entries import Bit, Entry
 from fieldspec.tools.lists.naming import fresh, snake
 from fieldspec.tools.lists.row_reading import ListRow
@@ -60,9 +61,9 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
         return Meant(keys=own_states)
     if only_states:
         return Meant(keys=(f"sentinels: [{', '.join(_members(members))}]",))
-    if kind.kind is Kind.BOOLEAN and own_type != BIT and not entry.row.is_own:
+    if is_truth(kind.encoding) and own_type != BIT and not entry.row.is_own:
         own_type, kind = unsigned, PRIMITIVES[unsigned]
-    if not (kind.kind is Kind.INTEGER or entry.row.is_own) or not all(
+    if not (is_count(kind.encoding) or entry.row.is_own) or not all(
         kind.low <= value <= kind.high for value, _ in members
     ):
         return Meant(doubts=doubt)

@@ -8,11 +8,11 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.value import Kind, exact_scale
+from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, whole
 from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
-from fieldspec.tools.lists.type_words import Typed, typed
+from fieldspec.tools.lists.type_words import Loose, Typed, typed
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
 
@@ -144,8 +144,8 @@ def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
     if signed is None:
         doubts.append(f"Sign in the list: {signed_text}.")
     elif own_type is None:
-        return Typed("", Kind.INTEGER, signed)
-    elif own_type.kind is Kind.INTEGER:
+        return Typed("", Loose.WHOLE, signed)
+    elif own_type.kind is Loose.WHOLE:
         return replace(own_type, signed=signed)
     elif own_type.name[:1] in ("u", "i") and (own_type.name[0] == "i") is not signed:
         if own_type.name[0] == "u" and folded(text) in ("word", "dword", "uint", "byte", "register", "short"):

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.type_words import Loose
 
 BIT = "bit"
 
@@ -28,7 +29,7 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
     own_type = row.type
     type_text = row.texts.get("type", "")
     if in_bits:
-        is_bit = own_type is None or own_type.kind is Kind.BOOLEAN or own_type.size <= 1
+        is_bit = own_type is None or own_type.kind is Loose.TRUTH or own_type.size <= 1
         return Shape(BIT, 1, row.count, () if is_bit else (f"The list says {type_text}, and the space is of bits.",))
     name = own_type.of_words(row.words) if own_type is not None else ""
     if not name:

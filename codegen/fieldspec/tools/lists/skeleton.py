@@ -8,7 +8,8 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.value import PRIMITIVES, Kind, Primitive
+from fieldspec.language.model.encoding import is_count, is_exact, is_octets, is_real, is_text, is_truth
+from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.entries import FIELD, PARAMETER, REGISTER, SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
@@ -184,7 +185,7 @@ class _Writer:
         parts += [f"access: {row.access}"] if row.access else []
         parts += _orders(row.order, kind)
         unit = known_unit(row.unit) or row.unit
-        if unit and kind.kind in (Kind.INTEGER, Kind.FLOAT):
+        if unit and (is_count(kind.encoding) or is_real(kind.encoding)):
             parts.append(f"unit: {quoted(unit)}")
         elif unit:
             doubts.append(f"Unit in the list: {texts.get('unit', unit)}.")
@@ -192,7 +193,7 @@ class _Writer:
         parts += [f"scale_by: {quoted(scale_by)}"] if scale_by else []
         if scale_by:
             doubts = [doubt for doubt in doubts if not doubt.startswith("Scale in the list")]
-        parts += _numbers(row, kind.kind, kind.low, kind.high, bool(scale_by), doubts)
+        parts += _numbers(row, kind, bool(scale_by), doubts)
         parts += meaning.keys
         allowed = list(self._allowed.get(row.row, ()))
         if entry.is_own:
@@ -258,14 +259,14 @@ def _orders(order: str, kind: Primitive) -> Iterator[str]:
     """The order of words and of bytes, where they are not those of the device: big, as frames have them."""
     if order in ("CDAB", "DCBA", "BADC") and kind.is_number and kind.size > 2 and kind.size % 2 == 0:
         yield f"word_order: {'big' if order == 'BADC' else 'little'}"
-    if order in ("BADC", "DCBA") and kind.kind in (Kind.INTEGER, Kind.FLOAT, Kind.TEXT):
+    if order in ("BADC", "DCBA") and not (is_truth(kind.encoding) or is_octets(kind.encoding)):
         yield "byte_order: little"
 
 
-def _numbers(row: ListRow, kind: Kind, lowest: int, highest: int, has_exponent: bool, doubts: list[str]) -> list[str]:
+def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list[str]) -> list[str]:
     """Scale, offset, range, default and constant, if they are whole counts of the type; else they become doubts."""
     texts, parts = row.texts, []
-    is_integer = kind is Kind.INTEGER
+    is_integer = is_count(primitive.encoding)
     scale = row.scale or Fraction(1)
     if scale != 1 and not has_exponent:
         if is_integer:
@@ -276,12 +277,12 @@ def _numbers(row: ListRow, kind: Kind, lowest: int, highest: int, has_exponent: 
         parts.append(f"offset: {row.offset:f}")
     elif row.offset:
         doubts.append(f"Offset in the list: {row.offset:f}.")
-    has_counts = is_integer or kind is Kind.BOOLEAN
+    has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
     low, high = (_count(bound, row) for bound in (row.low, row.high))
     if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
         parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
         lowest, highest = low, high
-    elif row.is_own and kind is Kind.FLOAT and row.low is not None and row.high is not None:
+    elif row.is_own and is_real(primitive.encoding) and row.low is not None and row.high is not None:
         parts.append(f"range: {row.low:f}..{row.high:f}")
     else:
         unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max")}
@@ -293,7 +294,7 @@ def _numbers(row: ListRow, kind: Kind, lowest: int, highest: int, has_exponent: 
         if key in texts and count is not None and has_counts and (lowest <= count <= highest or str(count) in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
             parts.append(f"{unit_key}: {_bound(number)}")
-        elif key in texts and row.is_own and kind is Kind.TEXT:
+        elif key in texts and row.is_own and is_text(primitive.encoding):
             parts.append(f"{key}: {quoted(texts[key])}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from enum import Enum
 
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.language.model.value import PRIMITIVES, Kind
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import is_count, is_signed, is_truth
+from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.tools.lists.words import folded, meaning
 
 _WORD_BITS = 16
@@ -27,6 +30,23 @@ _ORDER_WORD = re.compile(
 )
 
 
+class Loose(Enum):
+    """What a list may say of a type without naming it."""
+
+    WHOLE = "whole"
+    TRUTH = "truth"
+
+    def is_kind_of(self, primitive: Primitive) -> bool:
+        """Whether a type is one of those."""
+        match self:
+            case Loose.WHOLE:
+                return is_count(primitive.encoding)
+            case Loose.TRUTH:
+                return is_truth(primitive.encoding)
+            case _:
+                assert_never(self)
+
+
 @dataclass(frozen=True, slots=True)
 class Typed:
     """A type as a list has it: the name of a type, or its kind and perhaps whether it is signed.
@@ -36,7 +56,7 @@ class Typed:
     """
 
     name: str = ""
-    kind: Kind | None = None
+    kind: Loose | None = None
     signed: bool | None = None
     bits: int = 0
     length: int = 0
@@ -51,7 +71,8 @@ class Typed:
             return False
         if self.bits:
             return self.bits == primitive.size * 8
-        return primitive.kind is self.kind and self.signed in (None, primitive.signed)
+        alike = self.kind is not None and self.kind.is_kind_of(primitive)
+        return alike and self.signed in (None, is_signed(primitive.encoding))
 
     @property
     def size(self) -> int:
@@ -63,10 +84,8 @@ class Typed:
         """The name of the type; if the list has only its kind, that of the type with so many words."""
         if self.name:
             return self.name
-        if self.kind is Kind.BOOLEAN:
+        if self.kind is Loose.TRUTH:
             return "bool16"
-        if self.kind is Kind.FLOAT:
-            return {2: "f32", 4: "f64"}.get(words or 2, "bytes")
         letter = "i" if self.signed else "u"
         return {1: f"{letter}16", 2: f"{letter}32", 4: f"{letter}64"}.get(words or self.size or 1, "bytes")
 
@@ -99,12 +118,12 @@ def _known(text: str) -> Typed | None:
         return Typed(name)
     loose = meaning("loose_types", word)
     if loose == "boolean":
-        return Typed("", Kind.BOOLEAN)
+        return Typed("", Loose.TRUTH)
     if loose:
-        return Typed("", Kind.INTEGER, loose == "signed")
+        return Typed("", Loose.WHOLE, loose == "signed")
     if sized := _SIZED.fullmatch(text):
         unit = {"byte": 8, "bit": 1}.get(sized[2].casefold(), _WORD_BITS)
-        return Typed(kind=Kind.INTEGER, bits=int(sized[1]) * unit)
+        return Typed(kind=Loose.WHOLE, bits=int(sized[1]) * unit)
     if early := _EARLY_BITS.fullmatch(word):
         word = early[2] + early[1] if early[2] else word
         if name := meaning("types", word):

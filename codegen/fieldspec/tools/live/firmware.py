@@ -5,8 +5,8 @@ from __future__ import annotations
 from fieldspec.codec.layout.detection import detecting_value
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.sizes import sent_on
-from fieldspec.language.model.value import Kind
 from fieldspec.targets.python.runtime._firmware import UnknownFirmwareError, module_name, version_in
 from fieldspec.tools.live.client import Client
 from fieldspec.tools.live.messages import read_signals, signals
@@ -41,7 +41,7 @@ def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
     if detection is None or value is None:
         return Firmware()
     named_versions = _named(layout)
-    if value.type.kind is not Kind.TEXT and not detection.form and not named_versions:
+    if not is_text(value.encoding) and not detection.form and not named_versions:
         return Firmware()  # how a number is read is not known
     answers = _answers(client, detection.fact)
     if not answers:

@@ -16,11 +16,12 @@ from fieldspec.codec.reference.parameters import bytes_of_value, carries, number
 from fieldspec.codec.reference.records import CodecError, encoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Parameter, ParameterSet
 from fieldspec.language.model.segments import initial_number
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, UnfitAnswerError
 from fieldspec.tools.live.segments import read_pieces, write_pieces
 from fieldspec.tools.live.writing import WriteError
@@ -271,7 +272,7 @@ def _bytes_of(signal: Signal, raw: Any) -> bytes:
     """The bytes of a raw value on the wire."""
     value = signal.value
     order: Literal["big", "little"] = "big" if signal.order == "big" else "little"
-    is_binary = value.type.kind in (Kind.INTEGER, Kind.BOOLEAN) and not (signal.swapped or value.digits)
+    is_binary = is_exact(value.encoding) and not (signal.swapped or value.digits)
     if isinstance(raw, int) and is_binary:
         return (int(raw) & ((1 << 8 * value.size) - 1)).to_bytes(value.size, order)
     if isinstance(raw, str):

@@ -14,8 +14,8 @@ from fieldspec.codec.layout.segments import SegmentsLayout, segments_of
 from fieldspec.codec.reference.parameters import stated_bytes, value_of_bytes, value_of_data
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.registers import ParameterSet
-from fieldspec.language.model.value import Kind
 from fieldspec.tools.live.bases import known_bases
 from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, UnfitAnswerError
 from fieldspec.tools.live.messages import parameter_message
@@ -239,7 +239,7 @@ def _count_in_pieces(
     """The count of a value that follows in pieces; none for what is no number, and where the spec has none of it."""
     parameter = parameter_set.numbered(number - parameter_set.base)
     value = element_value(parameter, 0) if parameter is not None else None
-    if value is None or value.type.kind is not Kind.INTEGER:
+    if value is None or not is_count(value.encoding):
         return ()
     try:
         data = read_pieces(client, pieces, first, values, value.size)

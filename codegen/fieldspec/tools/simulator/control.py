@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.behaviour.part import AXIS_PROPERTIES
+from fieldspec.language.model.encoding import is_array
 from fieldspec.language.model.text_form import text_fault
 from fieldspec.tools.simulator.faults import FaultError, fault_of
 from fieldspec.tools.simulator.simulation import Simulation
@@ -66,7 +67,7 @@ def _set(simulation: Simulation, command: Mapping[str, Any]) -> dict[str, Any]:
         if not cells:
             raise CommandError(engine.cells.names.unknown(str(name)))
         for cell in cells:
-            if isinstance(value, str) and cell.value is not None and cell.value.type.letter == "s":
+            if isinstance(value, str) and cell.value is not None and is_array(cell.value.encoding):
                 fault = text_fault(cell.value, "big", value) if cell.value.text_form is not None else None
                 if fault is not None:
                     raise CommandError(f"{name} {fault[1]}")

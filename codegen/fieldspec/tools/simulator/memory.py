@@ -13,9 +13,10 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import TYPE_CHECKING, replace
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_array, is_real
 from fieldspec.language.model.registers import Parameter, ParameterSet, Register, Table
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Any, Literal, TypeAlias
@@ -38,7 +39,7 @@ def default_raw(device: Device, value: Value) -> Raw:
     That is the default, that of fields of bits, the constant, 0, or what is nearest to 0; for an enum without it the
     first available member.
     """
-    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+    if is_array(value.encoding):
         text = value.default if isinstance(value.default, str) else ""
         return text if value.text_form is not None else text_bytes(value, "big", text)
     if value.default is not None:
@@ -48,7 +49,7 @@ def default_raw(device: Device, value: Value) -> Raw:
     nearest = 0
     if value.ranges is not None and 0 not in value.ranges and value.sentinel(0) is None:
         nearest = min((bound for interval in value.ranges.intervals for bound in interval), key=abs)
-    if value.type.kind is Kind.FLOAT:
+    if is_real(value.encoding):
         return float(nearest)
     if value.flags:
         word = device.flags[value.flags]
@@ -174,7 +175,7 @@ class Memory:
             return text_bytes(value, order, raw)
         if isinstance(raw, bytes):
             return raw.ljust(value.size, b"\0")[: value.size]
-        if value.type.kind is not Kind.FLOAT and isinstance(raw, int | float | Decimal):
+        if not is_real(value.encoding) and isinstance(raw, int | float | Decimal):
             raw = min(max(round(raw), value.low), value.high)
         key = id(value)
         codec = self._constructs.get(key)

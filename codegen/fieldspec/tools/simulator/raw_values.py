@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_array, is_signed
 from fieldspec.tools.simulator.memory import default_raw
 
 if TYPE_CHECKING:
@@ -80,16 +81,24 @@ def signed(raw: Any, size: int, is_signed: bool) -> Any:
 
 def in_type(raw: Any, field: FieldLayout) -> Any:
     """A raw value as the type of a field has it."""
-    if (value := field.value) is None or not isinstance(raw, int | float) or value.type.letter in ("s", "f", "d"):
+    value = field.value
+    if value is None or not isinstance(raw, int | float):
         return raw
-    if value.type.name.startswith("bool"):
-        return bool(raw)
-    if raw < 0 and not value.type.signed:
-        raw = signed(round(raw), value.size, False)
-    return min(max(round(raw), value.low), value.high)
+    encoding = value.encoding
+    match encoding:
+        case Real() | Text() | Octets():
+            return raw
+        case Truth():
+            return bool(raw)
+        case Whole() | Digits():
+            if raw < 0 and not is_signed(encoding):
+                raw = signed(round(raw), value.size, False)
+            return min(max(round(raw), value.low), value.high)
+        case _:
+            assert_never(encoding)
 
 
 def in_case(device: Device, raw: Any, field: FieldLayout) -> Any:
     """A raw value in the type of a field; what the field has at first where it is a value of another case."""
-    is_text = field.value is not None and field.value.type.kind in (Kind.TEXT, Kind.BYTES)
+    is_text = field.value is not None and is_array(field.value.encoding)
     return in_type(raw, field) if isinstance(raw, str | bytes) == is_text else initial_value(device, field)

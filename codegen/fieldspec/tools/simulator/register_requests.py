@@ -8,8 +8,9 @@ from fieldspec.codec.explain.registers import FORBIDS, Occupant
 from fieldspec.codec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.encoding import is_array, is_truth
 from fieldspec.language.model.record import RegisterAccess
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -169,7 +170,7 @@ def _invalid(engine: Engine, occupant: Occupant, raw: Any) -> str:
 
 def invalid(engine: Engine, value: Value, raw: Any) -> str:
     """Why a raw value cannot be written; empty where it can."""
-    if value.type.kind in (Kind.TEXT, Kind.BYTES):
+    if is_array(value.encoding):
         return ""
     if value.const is not None and raw != value.const:
         return f"it is always {value.const}"
@@ -186,6 +187,6 @@ def invalid(engine: Engine, value: Value, raw: Any) -> str:
     bit = engine.layout.device.flags[value.flags].refused_bit(raw) if value.flags else None
     if bit is not None and bit.ranges is not None:
         return f"the range of {bit.name} is {bit.ranges.text()}"
-    if value.type.kind is Kind.BOOLEAN and raw not in (0, 1):
+    if is_truth(value.encoding) and raw not in (0, 1):
         return "it is neither 0 nor 1"
     return ""

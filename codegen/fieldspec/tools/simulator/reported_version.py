@@ -10,8 +10,9 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.behaviour.names import Names
 from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.text_form import text_bytes
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.python.runtime._firmware import EARLIER, UnknownFirmwareError, module_name, version_in
 
 _BASES = {"decimal": 10, "hexadecimal": 16}
@@ -65,7 +66,7 @@ def reported_version(layout: DeviceLayout, behaviour: Behaviour) -> ReportedVers
 def _candidates(version_form: VersionDetection, version: str, value: Value) -> Iterator[int | str]:
     """Values that may tell a version: those that the spec names, then those whose digits are the version."""
     yield from (item for item, named_version in version_form.named if named_version == version)
-    if value.type.kind is Kind.TEXT:
+    if is_text(value.encoding):
         yield from (version, *map(_dotted, _numbers_of(version)))
         return
     for numbers in _numbers_of(version):
@@ -105,7 +106,7 @@ def _dotted(numbers: list[int]) -> str:
 
 
 def _fits(value: Value, candidate: int | str) -> bool:
-    if value.type.kind is Kind.TEXT:
+    if is_text(value.encoding):
         room = value.size if value.text_form is None else value.text_form.room(value.size)
         return isinstance(candidate, str) and len(candidate) <= room
     in_bounds = isinstance(candidate, int) and value.low <= candidate <= value.high

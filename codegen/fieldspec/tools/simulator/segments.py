@@ -8,7 +8,8 @@ from fieldspec.codec.layout.segments import SegmentsLayout, segments_of
 from fieldspec.codec.reference.parameters import data_of_value, orders_of, value_of_data
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import is_text
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -126,9 +127,9 @@ class Transfers:
 def sent_bytes(device: Device, field: FieldLayout, value: Value, raw: Raw) -> bytes:
     """The bytes of a value that a device sends: of a text, without the zeros that fill it up."""
     data = data_of_value(value, raw, *orders_of(device, field, value))
-    return data.rstrip(b"\0") if value.type.kind is Kind.TEXT and value.text_form is None else data
+    return data.rstrip(b"\0") if is_text(value.encoding) and value.text_form is None else data
 
 
 def _fits(value: Value, size: int) -> bool:
     """Whether a value may have a number of bytes: exactly its own, or fewer for a text."""
-    return size <= value.size if value.type.kind is Kind.TEXT else size == value.size
+    return size <= value.size if is_text(value.encoding) else size == value.size

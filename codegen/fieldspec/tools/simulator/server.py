@@ -11,7 +11,7 @@ from fieldspec.codec.reference.parameters import bytes_of_value, carries, field_
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.behaviour.part import Part
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.tools.simulator import judging, parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
 from fieldspec.tools.simulator.engine import Engine
@@ -206,7 +206,7 @@ class Server:
                     raise Refusal("type_invalid", error.detail) from None
             raws = [int(item) if isinstance(item, bool) else item for item in (raw if isinstance(raw, list) else [raw])]
             if value is not None:
-                raws = [raw_values.signed(item, value.size, value.type.signed) for item in raws]
+                raws = [raw_values.signed(item, value.size, is_signed(value.encoding)) for item in raws]
             parameters.write_parameter(engine, target, raws)
             if request.selector is not None:
                 engine.memory.formats[key] = values[request.selector.name]
@@ -349,7 +349,7 @@ class Server:
         values, coded = self._head(frames, head), frames.link.request.role("code")
         for field in engine.layout.records[record.record].fields:
             value = field.value
-            if value is not None and value.const is None and value.type.kind is Kind.INTEGER and not field.is_list:
+            if value is not None and value.const is None and is_count(value.encoding) and not field.is_list:
                 is_code = coded is not None and field.field.same_as == coded.name
                 values[field.name] = code if is_code else fields.get(field.name, 0)
         values[reason_place(engine.layout, frames.link, record)[0]] = number

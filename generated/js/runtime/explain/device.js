@@ -1,4 +1,4 @@
-import { digitsBytes } from "./digits.js";
+import { digitsBytes } from "../digit_texts.js";
 import { byteText } from "./frames.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 

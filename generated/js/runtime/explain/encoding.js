@@ -1,21 +1,14 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
+import { exceedsReal, realBits } from "../number_bits.js";
 import { sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
 import { codeIn, memberOf } from "./device.js";
-import { digitsBytes } from "./digits.js";
-import { refusedBitOf, sentinelOf, turnedWords } from "./values.js";
+import { digitsBytes } from "../digit_texts.js";
+import { bytesOfNumber, isArray, refusedBitOf, sentinelOf, turnedWords } from "./values.js";
 import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
-
-const FLOATS = new DataView(new ArrayBuffer(8));
-
-function bytesOfNumber(number, size, order) {
-  const bits = BigInt.asUintN(8 * size, BigInt(number));
-  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
-  return order === "big" ? big : big.reverse();
-}
 
 function joinedBytes(series) {
   return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
@@ -33,7 +26,7 @@ function bytesOfValue(device, name, value, raw) {
     if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
     return textBytes(value.textForm, size, raw, order !== "big");
   }
-  if (kind === "text" || kind === "bytes") {
+  if (isArray(value)) {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
     if (typeof raw === "string" && /[^\x00-\x7f]/.test(raw)) throw new CodecError("unknown_value", `${name} has characters that are not ASCII`);
     if (bytes.length > size || (kind === "bytes" && bytes.length !== size)) {
@@ -42,28 +35,25 @@ function bytesOfValue(device, name, value, raw) {
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfFloat(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
+  const bytes = kind === "float" ? bytesOfReal(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
   return swapped ? turnedWords(bytes) : bytes;
 }
 
 function bytesOfWhole(value, number, order) {
-  if (!value.digits) return bytesOfNumber(number, value.size, order);
+  if (!value.digits) return bytesOfNumber(number, value.size, order, value.signed);
   const bytes = digitsBytes(value, number);
   return order === "big" ? bytes : bytes.reverse();
 }
 
-function bytesOfFloat(name, value, number, order) {
-  if (value.size === 4 && Math.abs(number) !== Infinity && Math.abs(Math.fround(number)) === Infinity) {
-    throw new CodecError("out_of_range", `${name} is ${number}, which 32 bits do not hold`);
+function bytesOfReal(name, value, number, order) {
+  if (exceedsReal(number, value.size)) {
+    throw new CodecError("out_of_range", `${name} is ${number}, which ${8 * value.size} bits do not hold`);
   }
   if (value.ranges && !isWithin(value.ranges, number) && !sentinelOf(value, number)) {
     throw new CodecError("out_of_range", `${name} is ${number}, not in ${intervalsText(value.ranges)}`);
   }
-  if (value.size === 4) FLOATS.setFloat32(0, number);
-  else FLOATS.setFloat64(0, number);
   const nan = Number.isNaN(number) && value.sentinels?.find((sentinel) => sentinel.nan);
-  const big = nan ? bytesOfNumber(nan.value, value.size, "big") : new Uint8Array(FLOATS.buffer.slice(0, value.size));
-  return order === "big" ? big : big.reverse();
+  return bytesOfNumber(nan ? nan.value : realBits(number, value.size), value.size, order, false);
 }
 
 function checkedNumber(device, name, value, raw) {
@@ -146,7 +136,7 @@ function elementsOf(field, values) {
 
 function impliedValue({ value }) {
   if (typeof value.default === "number") return value.default;
-  return value.kind === "text" || value.kind === "bytes" ? new Uint8Array(value.size) : 0;
+  return isArray(value) ? new Uint8Array(value.size) : 0;
 }
 
 function bytesOfElement(device, field, item) {
@@ -213,7 +203,7 @@ function sentBytes(shape, data) {
 
 function partBytes(part, number) {
   if (number instanceof Uint8Array) return number;
-  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big");
+  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big", part.value.signed);
 }
 
 function partNumber(link, direction, part, values, message, error) {

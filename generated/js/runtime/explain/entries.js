@@ -1,4 +1,5 @@
 import { CodecError } from "../error.js";
+import { roundedReal } from "../number_bits.js";
 import { bytesOfHex, hexOf, latinOf } from "./texts.js";
 import { floatText } from "./numbers.js";
 import { memberOf } from "./device.js";
@@ -49,8 +50,15 @@ export function entryOf(device, value, raw, inDigits = false) {
   if (typeof raw === "string") return raw;
   const sentinel = sentinelOf(value, raw);
   if (sentinel) return sentinel.name;
-  if (value.kind === "boolean") return String(raw == 1);
-  if (value.kind === "float") return floatText(raw, value.size);
+  switch (value.kind) {
+    case "boolean": return String(raw == 1);
+    case "float": return floatText(raw, value.size);
+    case "integer": return countText(device, value, raw, inDigits);
+    default: throw new RangeError(`no number has the kind ${value.kind}`);
+  }
+}
+
+function countText(device, value, raw, inDigits) {
   const member = value.enum && memberOf(device.enums.get(value.enum), raw);
   if (member) return member.name;
   if (value.flags || inDigits) {
@@ -74,11 +82,15 @@ function quantityText(value, raw) {
 export function rawOf(device, name, value, text) {
   const entered = text.trim();
   if (value.flags && COUNT.test(entered) === false) return wordOf(device, name, value, entered);
-  if (value.kind === "boolean" && /^(?:true|false|1|0)$/i.test(entered)) return /^(?:true|1)$/i.test(entered);
-  if (value.kind === "text") return text;
-  if (value.kind === "bytes") return bytesEntry(name, entered);
-  if (value.kind === "float") return floatEntry(name, value, entered);
-  return countEntry(device, name, value, entered);
+  switch (value.kind) {
+    case "boolean":
+      return /^(?:true|false|1|0)$/i.test(entered) ? /^(?:true|1)$/i.test(entered) : countEntry(device, name, value, entered);
+    case "text": return text;
+    case "bytes": return bytesEntry(name, entered);
+    case "float": return floatEntry(name, value, entered);
+    case "integer": return countEntry(device, name, value, entered);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
+  }
 }
 
 function bytesEntry(name, text) {
@@ -94,7 +106,7 @@ function floatEntry(name, value, text) {
   if (sentinel) return sentinel.nan ? NaN : Number(sentinel.value);
   const [, quantity, unit] = QUANTITY.exec(text) ?? [];
   if (unit !== undefined && unit === value.unit) {
-    const sent = value.size === 4 ? Math.fround(Number(quantity)) : Number(quantity);
+    const sent = roundedReal(Number(quantity), value.size);
     const absent = sentinelOf(value, sent);
     if (absent) throw new CodecError("out_of_range", `${name}: \`${text}\` would be sent as ${floatText(sent, value.size)}, ${meantBy(absent)}`);
     return Number(quantity);

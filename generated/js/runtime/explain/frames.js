@@ -1,5 +1,6 @@
 import { checksumBytes, crcOf, fletcherOf, followedBy, totalOf } from "../checksums.js";
 import { adding, canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
+import { wholeBounds } from "../number_bits.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
@@ -78,10 +79,11 @@ export function lengthNumber(part, length) {
 /** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
 export function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   if (digits) return [least, most];
-  if (kind === "boolean") return [0, 1];
-  const bits = BigInt(8 * size);
-  const [low, high] = signed ? [-(1n << (bits - 1n)), (1n << (bits - 1n)) - 1n] : [0n, (1n << bits) - 1n];
-  return size > 6 ? [low, high] : [Number(low), Number(high)];
+  switch (kind) {
+    case "boolean": return [0, 1];
+    case "integer": return wholeBounds(8 * size, signed).map((bound) => (size > 6 ? bound : Number(bound)));
+    default: throw new RangeError(`no whole number has the kind ${kind}`);
+  }
 }
 
 /** Bytes that are the escape of nothing; `offset` is the place of the first one. */

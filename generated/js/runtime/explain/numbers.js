@@ -1,3 +1,5 @@
+import { roundedReal } from "../number_bits.js";
+
 /** Whether a raw value is a whole number; truth values are. A floating-point number is one by its value alone. */
 export function isWhole(number) {
   return typeof number === "bigint" || typeof number === "boolean" || Number.isInteger(number);
@@ -105,24 +107,22 @@ export function decimalText(number, count = "1") {
   return inFull(short);
 }
 
-const SINGLE_DIGITS = 10;  // nine digits tell all numbers of four bytes apart
+const MOST_REAL_DIGITS = 17;  // they tell all numbers of eight bytes apart
 
-function shortestSingle(number) {
-  for (let digits = 1; digits < SINGLE_DIGITS; digits++) {
+/** The number with the fewest digits that is nearest to the same floating-point number of `size` bytes. */
+function shortestReal(number, size) {
+  for (let digits = 1; digits < MOST_REAL_DIGITS; digits++) {
     const rounded = Number(number.toPrecision(digits));
-    if (Math.fround(rounded) === number) return rounded;
+    if (roundedReal(rounded, size) === number) return rounded;
   }
   return number;
 }
 
-/**
- * The fewest digits that lead to a floating-point number of 4 or 8 bytes, with a point or an exponent: `0.1`, `25.0`,
- * `1e-07`.
- */
+/** The fewest digits that lead to a floating-point number of `size` bytes, with a point or an exponent: `25.0`, `1e-07`. */
 export function floatText(number, size = 8) {
   if (Number.isNaN(number)) return "nan";
   if (!Number.isFinite(number)) return number < 0 ? "-inf" : "inf";
-  const shown = size === 4 ? shortestSingle(number) : number;
+  const shown = size === 8 ? number : shortestReal(number, size);
   const [, sign, lead, rest = "", power] = /^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/.exec(shown.toExponential());
   const exponent = Number(power);
   const minus = sign || (Object.is(number, -0) ? "-" : "");

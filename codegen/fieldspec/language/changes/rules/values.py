@@ -12,11 +12,12 @@ from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.link import Link, Part
+from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.text_form import TextForm, text_form_title
 from fieldspec.language.model.units import DeclaredUnit
-from fieldspec.language.model.value import Conversion, Primitive, Value
+from fieldspec.language.model.value import Conversion, Value
 
 
 def type_changed(comparison: Comparison) -> Iterator[Change]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from fieldspec.language.model.enums import Bit, Cause, Enum, Flags, Member, State
-from fieldspec.language.model.value import PRIMITIVES
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.reading.building.context import Entry
 from fieldspec.language.reading.building.values import counts_of, default_of, scale_of, scale_text
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from fieldspec.language.model.address_space import WHOLE, WORD, AddressSpace
+from fieldspec.language.model.encoding import is_array, is_text
 from fieldspec.language.model.fact import Citation
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.registers import (
@@ -17,7 +18,7 @@ from fieldspec.language.model.registers import (
     Subindex,
     Table,
 )
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.language.reading.building.context import Entry, Reused, rows
 from fieldspec.language.reading.building.values import value
 from fieldspec.language.reading.nodes import Mapping
@@ -211,11 +212,11 @@ def _refuse_idle_defaults(entry: Entry, values: Sequence[Value]) -> None:
 
 
 def _is_text(value: Value) -> bool:
-    return value.type.kind is Kind.TEXT
+    return is_text(value.encoding)
 
 
 def _has_length(value: Value) -> bool:
-    return value.type.kind in (Kind.TEXT, Kind.BYTES) or bool(value.digits)
+    return is_array(value.encoding) or bool(value.digits)
 
 
 def _has_padding(value: Value) -> bool:

@@ -6,16 +6,15 @@ from decimal import Context, Decimal
 from math import ceil, floor
 
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.encoding import is_array, is_real, is_signed, is_text
 from fieldspec.language.model.fact import ScalarValue
+from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import text_form
 from fieldspec.language.model.value import (
-    PRIMITIVES,
     Conversion,
-    Kind,
     ParameterPart,
     ParameterSizes,
-    Primitive,
     Sentinel,
     Signal,
     SizeCase,
@@ -59,14 +58,14 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     varies = entry.flag("varies")
     return Value(
         type=primitive,
-        size=size + (varies and primitive.signed and digits == "decimal"),
+        size=size + (varies and is_signed(primitive.encoding) and digits == "decimal"),
         characters=entry.integer("characters"),
         byte_order=entry.text("byte_order"),
         scale=scale,
         scale_text=scale_text(entry.value("scale")),
         offset=offset,
         unit=f"{power_of_ten(scale_by)} {unit}".rstrip() if scale_by else unit,
-        ranges=_real_ranges(entry) if primitive.kind is Kind.FLOAT else counts_of(entry, scale, offset),
+        ranges=_real_ranges(entry) if is_real(primitive.encoding) else counts_of(entry, scale, offset),
         default=default_of(entry, scale, offset),
         const=entry.integer("const"),
         enum=entry.text("enum"),
@@ -85,7 +84,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
             entry.integer("terminator"),
             entry.text("byte_order"),
         )
-        if primitive.kind is Kind.TEXT
+        if is_text(primitive.encoding)
         else None,
         width=size if varies else 0,
         has_blanks=digits == "decimal" and entry.text("padding") == "space" and not varies,
@@ -137,7 +136,7 @@ def scale_text(scale: ScalarValue) -> str:
 
 
 def _size(entry: Entry, primitive: Primitive, words: int | None, digits: str) -> int:
-    if primitive.kind not in (Kind.TEXT, Kind.BYTES) and not digits:
+    if not is_array(primitive.encoding) and not digits:
         return primitive.size
     length = entry.integer("length")
     if length is None and words is not None:

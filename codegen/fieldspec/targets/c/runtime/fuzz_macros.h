@@ -73,6 +73,20 @@
         hold(encode(value, out) == DEVICE_OK && memcmp(out, data, held) == 0); \
     } while (0)
 
+/* ---- SEVERAL_FORMS ---- */
+
+/* A value that several series of bytes are, as of a zero with two signs: what is encoded of it is the same again. */
+#define SEVERAL_FORMS(type, argument, decode, encode, length) \
+    do { \
+        type value, second; \
+        uint8_t out[length]; \
+        if (size < (length) || decode(data, &value) != DEVICE_OK || (type)(argument)value != value || \
+            encode((argument)value, out) != DEVICE_OK) { \
+            break; \
+        } \
+        hold(decode(out, &second) == DEVICE_OK && second == value); \
+    } while (0)
+
 /* ---- ARRAY ---- */
 
 /* The text or the bytes of a register or a parameter. A text ends at its first zero. */

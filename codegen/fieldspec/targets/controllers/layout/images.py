@@ -8,10 +8,19 @@ from typing import Protocol
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.encoding import is_odd
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.statements.expressions import BOOL, BYTE, StructType, Type, sequence
-from fieldspec.targets.controllers.structs import Struct, StructMember, bit_names, bit_places, elements, wire_type
+from fieldspec.targets.controllers.structs import (
+    Struct,
+    StructMember,
+    bit_names,
+    bit_places,
+    bits_remark,
+    elements,
+    wire_type,
+)
 
 
 class Naming(Protocol):
@@ -70,7 +79,7 @@ class Images:
                 StructMember(
                     name,
                     kind_of,
-                    self.naming.remark(field.field, field.value),
+                    f"{self.naming.remark(field.field, field.value)} {bits_remark(field.value)}".strip(),
                     field.field,
                     field.value,
                     field.offset,
@@ -91,13 +100,13 @@ class Images:
         else:
             assert field.value is not None
             element = self._of_value(field.value, field.order, field.swapped)
-            if field.is_list and field.value.type.is_odd:
+            if field.is_list and is_odd(field.value.encoding):
                 return sequence(elements(field) * field.size, BYTE)
         return sequence(elements(field), element) if field.is_list else element
 
     def _of_value(self, value: Value, order: str, swapped: bool) -> Type:
         # A struct has an even number of bytes where bits share bytes.
-        if self.packed and value.flags and value.size % 2 == 0 and not value.type.is_odd:
+        if self.packed and value.flags and value.size % 2 == 0 and not is_odd(value.encoding):
             return StructType(self._of_bits(value, order, swapped).name)
         return wire_type(value)
 

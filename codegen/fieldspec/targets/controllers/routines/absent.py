@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_count, is_real
 from fieldspec.targets.controllers.routines.scaling import Quantity, by_name, every_value
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
@@ -20,6 +20,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     either,
     every,
 )
+from fieldspec.targets.controllers.statements.numbers import is_single
 from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Routine
 
 
@@ -31,9 +32,9 @@ def absent_values(layout: DeviceLayout) -> dict[str, list[Quantity]]:
 def _states(quantity: Quantity) -> bool:
     """Whether a value is a quantity with sentinels. A number without unit and scale is compared with the constants."""
     value = quantity.value
-    if value.type.kind is Kind.FLOAT:
-        return value.size == REAL.size and bool(value.sentinels) and not value.absent_nan
-    return value.type.kind is Kind.INTEGER and bool(value.sentinels) and (value.scaled or bool(value.unit))
+    if is_single(value.encoding):
+        return bool(value.sentinels) and not value.absent_nan
+    return is_count(value.encoding) and bool(value.sentinels) and (value.scaled or bool(value.unit))
 
 
 def absent_routines(world: World) -> Iterator[Routine]:
@@ -60,7 +61,7 @@ def absent_routines(world: World) -> Iterator[Routine]:
 
 
 def _kind(quantity: Quantity) -> Elementary:
-    return REAL if quantity.value.type.kind is Kind.FLOAT else quantity.kind
+    return REAL if is_real(quantity.value.encoding) else quantity.kind
 
 
 def _test(quantity: Quantity, number: Expression, kind: Elementary) -> Expression:

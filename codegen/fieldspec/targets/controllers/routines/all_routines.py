@@ -10,6 +10,7 @@ from fieldspec.targets.controllers.routines.checksums import checksum
 from fieldspec.targets.controllers.routines.enums import enum_routines
 from fieldspec.targets.controllers.routines.exchanges import exchange_blocks
 from fieldspec.targets.controllers.routines.frames import frame_routines
+from fieldspec.targets.controllers.routines.magnitudes import magnitude_routines
 from fieldspec.targets.controllers.routines.messages import message_routines
 from fieldspec.targets.controllers.routines.reals import real_routines
 from fieldspec.targets.controllers.routines.registers import group_routines, table_routines
@@ -40,6 +41,7 @@ def _all(world: World) -> Iterator[Routine]:
     for enum in layout.device.enums.values():
         yield from enum_routines(world, enum)
     yield from real_routines(world)
+    yield from magnitude_routines(world)
     yield from scaling_routines(world)
     yield from absent_routines(world)
     yield from table_routines(world)

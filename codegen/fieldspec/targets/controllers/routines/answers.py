@@ -9,14 +9,14 @@ from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.repeated_parts import repeated_fields, repeated_parts
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.encoding import is_truth
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.parameters import Fields, measure, parameters_of
 from fieldspec.targets.controllers.routines.records import is_user_field, members_of
 from fieldspec.targets.controllers.routines.world import World, narrowest
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     LREAL,
-    SIGNED,
     UDINT,
     UNSIGNED,
     ArrayType,
@@ -38,6 +38,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     number,
     plus,
 )
+from fieldspec.targets.controllers.statements.numbers import whole_type
 from fieldspec.targets.controllers.statements.routine import (
     Assignment,
     Condition,
@@ -224,9 +225,9 @@ def _known(
         return values[variable.name]
     if constant is None or value is None:
         return None
-    if value.type.kind is Kind.BOOLEAN:
+    if is_truth(value.encoding):
         return Truth(bool(constant))
-    return Whole(constant, (SIGNED if value.type.signed else UNSIGNED)[value.size])
+    return Whole(constant, whole_type(value.encoding))
 
 
 class _Comparison:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
+from fieldspec.language.model.encoding import is_odd
 from fieldspec.targets.controllers.routines.holders import Bytes, Holder
 from fieldspec.targets.controllers.routines.values import Wire, read, write
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
@@ -171,7 +172,7 @@ def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: 
     if part.size == 1:
         return holder.stored(part.offset, 1, part.order, False, converted(source, wire.bits))
     raw = draft.local("wRaw", wire.bits)
-    too_large = outside(source, [(0, wire.value.type.high)], wire.whole) if wire.value.type.is_odd else None
+    too_large = outside(source, [(0, wire.value.type.high)], wire.whole) if is_odd(wire.value.encoding) else None
     return [
         *([] if too_large is None else [draft.refusal(too_large, "unknown_code")]),
         Assignment(raw, converted(source, wire.bits)),

@@ -126,7 +126,7 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
     if fields.count is not None and last is not None:
         size = plus(Operation("*", (fields.count, element), INT), last.offset)
         size = plus(fields.count, last.offset) if element == number(1) else size
-    refuse_other_bit_counts(draft, record, fields.count, holder)
+    refuse_other_bit_counts(draft, world, record, fields.count, holder)
     for field in record.fields:
         if field.field.measures is not None:
             draft.add(_write_length(draft, record, field, fields, element, holder))
@@ -139,7 +139,7 @@ def _write_length(
     wire = Wire.of_field(field)
     measured = measure(record, field, fields.count, element)
     highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
-    raw = draft.local("wMeasure" if wire.value.size == 2 else f"{PREFIXES[wire.bits.name]}Measure", wire.bits)
+    raw = draft.local(f"{PREFIXES[wire.bits.name]}Measure", wire.bits)
     tests = [draft.refusal(compared(measured, ">", number(highest)), "out_of_range")] if highest < 1 << 15 else []
     if isinstance(measured, Whole):
         tests = []

@@ -1,11 +1,13 @@
-"""IEEE 754 numbers of 32 bits and their bits. Conversions between DWORD and REAL mean different things in dialects."""
+"""IEEE 754 numbers of 16 and 32 bits and their bits. Conversions of bits to REAL mean different things in dialects."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.model.value import Kind
-from fieldspec.targets.controllers.routines.world import World, values_of
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Precision, Real, significant_bits
+from fieldspec.targets.controllers.routines.world import World, encodings_of, real_words, values_of
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     DINT,
@@ -13,11 +15,16 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     REAL,
     UDINT,
+    UINT,
+    WORD,
     Conversion,
+    Elementary,
+    Expression,
     Fraction,
     Negation,
     Operation,
     Shift,
+    Variable,
     Whole,
     compared,
     either,
@@ -25,59 +32,126 @@ from fieldspec.targets.controllers.statements.expressions import (
     number,
     plus,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Loop, Routine, when
-
-_BIAS = 127
-_FRACTION_BITS = 23
+from fieldspec.targets.controllers.statements.routine import (
+    Assignment,
+    Condition,
+    Draft,
+    Loop,
+    Routine,
+    Statement,
+    when,
+)
 
 
 def real_routines(world: World) -> Iterator[Routine]:
-    """The functions that convert between REAL and its 32 bits, where the device has such numbers."""
-    if any(value.type.kind is Kind.FLOAT for value in values_of(world.layout)):
-        yield _from_bits(world)
-        yield _to_bits(world)
+    """The functions that convert between REAL and its 32 bits, or the 16 of a half, where the device has such numbers.
+
+    Numbers of 64 bits are left out before.
+    """
+    # A controller makes a REAL of 32 bits that a choice gives by itself, and none of 16.
+    singles = {value.encoding for value in values_of(world.layout)}
+    for precision, encodings in ((Precision.SINGLE, singles), (Precision.HALF, encodings_of(world.layout))):
+        if Real(precision) in encodings:
+            yield _from_bits(world, precision)
+            yield _to_bits(world, precision)
+
+
+@dataclass(frozen=True, slots=True)
+class _Form:
+    """The parts of a number: the type of its bits, that of their number, and the bits of its fraction."""
+
+    bits: Elementary
+    unsigned: Elementary
+    fraction_name: str
+    fraction: int
+    exponent: int
+
+    @property
+    def bias(self) -> int:
+        """What is added to exponents."""
+        return (1 << (self.exponent - 1)) - 1
+
+    @property
+    def last(self) -> int:
+        """The exponent of infinities, and of what is no number."""
+        return (1 << self.exponent) - 1
+
+    @property
+    def sign(self) -> Whole:
+        """The bit of numbers below zero."""
+        return self.literal(1 << (8 * self.bits.size - 1))
+
+    def literal(self, value: int) -> Whole:
+        """A bit string."""
+        return Whole(value, self.bits)
+
+
+def _form(precision: Precision) -> _Form:
+    fraction = significant_bits(precision) - 1
+    exponent = precision.value - 1 - fraction
+    match precision:
+        case Precision.HALF:
+            return _Form(WORD, UINT, "uiFraction", fraction, exponent)
+        case Precision.SINGLE:
+            return _Form(DWORD, UDINT, "udiFraction", fraction, exponent)
+        case Precision.DOUBLE:
+            raise AssertionError("functions do not convert numbers of 64 bits")
+        case _:
+            assert_never(precision)
+
+
+def outside_precision(precision: Precision, value: Expression) -> Expression | None:
+    """Whether a number of a REAL becomes infinite in a precision; None where none does."""
+    match precision:
+        case Precision.HALF:
+            # The greatest number is 65504, and what is at least half a step greater is rounded to the next one.
+            return either([compared(value, ">=", _real("65520.0")), compared(value, "<=", _real("-65520.0"))])
+        case Precision.SINGLE | Precision.DOUBLE:
+            return None
+        case _:
+            assert_never(precision)
 
 
 def _real(digits: str) -> Fraction:
     return Fraction(digits, REAL)
 
 
-def _dword(value: int) -> Whole:
-    return Whole(value, DWORD)
-
-
-def _from_bits(world: World) -> Routine:
+def _from_bits(world: World, precision: Precision) -> Routine:
+    form = _form(precision)
+    words, bits_name = real_words(precision)
     draft = Draft(
-        world.routine("real_from_bits"),
+        world.routine("real_from", *words),
         "numbers",
         world.status,
-        "The number whose 32 bits by IEEE 754 are given. Infinities, and what is no number, are refused.",
+        f"The number whose {precision.value} bits by IEEE 754 are given. Infinities, and what is no number, are"
+        " refused.",
     )
-    bits = draft.declare("dwBits", DWORD, "input")
+    bits = draft.declare(bits_name, form.bits, "input")
     value = draft.declare("rValue", REAL, "output")
     exponent, index = draft.local("iExponent"), draft.local("iAt")
-    fraction = draft.local("udiFraction", UDINT)
-    field = Operation("AND", (Shift("SHR", bits, _FRACTION_BITS, DWORD), _dword(0xFF)), DWORD)
+    fraction = draft.local(form.fraction_name, form.unsigned)
+    mask = form.literal((1 << form.fraction) - 1)
+    field = Operation("AND", (Shift("SHR", bits, form.fraction, form.bits), form.literal(form.last)), form.bits)
     draft.add(
         [
             Assignment(value, _real("0.0")),
             Assignment(exponent, Conversion(field, INT)),
-            Assignment(fraction, Conversion(Operation("AND", (bits, _dword((1 << _FRACTION_BITS) - 1)), DWORD), UDINT)),
+            Assignment(fraction, Conversion(Operation("AND", (bits, mask), form.bits), form.unsigned)),
         ]
     )
-    draft.refuse(compared(exponent, "=", number(255)), "no_number")
-    hidden = Operation("+", (fraction, Whole(1 << _FRACTION_BITS, UDINT)), UDINT)
+    draft.refuse(compared(exponent, "=", number(form.last)), "no_number")
+    hidden = Operation("+", (fraction, Whole(1 << form.fraction, form.unsigned)), form.unsigned)
     zero = compared(exponent, "=", number(0))
     draft.add(
         [
             when(zero, [Assignment(exponent, number(1))], [Assignment(fraction, hidden)]),
             Assignment(value, Conversion(fraction, REAL)),
-            Assignment(exponent, plus(exponent, -_BIAS - _FRACTION_BITS)),
+            Assignment(exponent, plus(exponent, -form.bias - form.fraction)),
             Loop(index, number(1), exponent, (Assignment(value, Operation("*", (value, _real("2.0")), REAL)),)),
             Assignment(exponent, Operation("-", (number(0), exponent), INT)),
             Loop(index, number(1), exponent, (Assignment(value, Operation("/", (value, _real("2.0")), REAL)),)),
             when(
-                compared(Operation("AND", (bits, _dword(1 << 31)), DWORD), "<>", _dword(0)),
+                compared(Operation("AND", (bits, form.sign), form.bits), "<>", form.literal(0)),
                 [Assignment(value, Operation("-", (_real("0.0"), value), REAL))],
             ),
         ]
@@ -85,15 +159,20 @@ def _from_bits(world: World) -> Routine:
     return draft.finished()
 
 
-def _to_bits(world: World) -> Routine:
+def _to_bits(world: World, precision: Precision) -> Routine:
+    form = _form(precision)
+    words, bits_name = real_words(precision)
+    exceeding = outside_precision(precision, Variable("rValue", REAL))
+    rounded = "" if exceeding is None else "rounded to the nearest, of two to the even one. "
     draft = Draft(
-        world.routine("bits_from_real"),
+        world.routine(*words, "from_real"),
         "numbers",
         world.status,
-        "The 32 bits of a number by IEEE 754. Infinities, and what is no number, are refused.",
+        f"The {precision.value} bits of a number by IEEE 754{', ' * bool(rounded)}{rounded or '. '}"
+        "Infinities, and what is no number, are refused.",
     )
     value = draft.declare("rValue", REAL, "input")
-    bits = draft.declare("dwBits", DWORD, "output")
+    bits = draft.declare(bits_name, form.bits, "output")
     rest = draft.local("rRest", REAL)
     exponent, index = draft.local("iExponent"), draft.local("iAt")
     fraction = draft.local("diFraction", DINT)
@@ -105,7 +184,7 @@ def _to_bits(world: World) -> Routine:
     half = Operation("/", (value, two), REAL)
     draft.add(
         [
-            Assignment(bits, _dword(0)),
+            Assignment(bits, form.literal(0)),
             Assignment(negative, compared(value, "<", zero)),
             Assignment(rest, value),
             when(negative, [Assignment(rest, Operation("-", (zero, value), REAL))]),
@@ -114,6 +193,8 @@ def _to_bits(world: World) -> Routine:
 
     draft.refuse(Negation(ordered), "no_number")
     draft.refuse(every([compared(rest, ">", unit), compared(half, "=", value)]), "no_number")
+    if exceeding is not None:
+        draft.refuse(exceeding, "out_of_range")
     draft.add([when(compared(rest, "=", zero), [*draft.status.give(draft.result, "ok")])])
     shrink = when(
         compared(rest, ">=", two),
@@ -123,27 +204,56 @@ def _to_bits(world: World) -> Routine:
         every([compared(rest, "<", unit), compared(exponent, ">", number(1))]),
         [Assignment(rest, Operation("*", (rest, two), REAL)), Assignment(exponent, plus(exponent, -1))],
     )
-    scaled = Operation("*", (rest, _real("8388608.0")), REAL)
+    scaled = Operation("*", (rest, _real(f"{1 << form.fraction}.0")), REAL)
+    hidden = Whole(1 << form.fraction, DINT)
     draft.add(
         [
-            Assignment(exponent, number(_BIAS)),
-            Loop(index, number(1), number(_BIAS), (shrink,)),
-            Loop(index, number(1), number(_BIAS), (grow,)),
-            Assignment(fraction, Conversion(scaled, DINT)),
+            Assignment(exponent, number(form.bias)),
+            Loop(index, number(1), number(form.bias), (shrink,)),
+            Loop(index, number(1), number(form.bias), (grow,)),
+            *([] if exceeding is None else [Assignment(rest, scaled)]),
+            Assignment(fraction, Conversion(scaled if exceeding is None else rest, DINT)),
+            *([] if exceeding is None else _to_nearest(draft, rest, fraction, exponent, hidden)),
             when(
-                compared(fraction, ">=", Whole(1 << _FRACTION_BITS, DINT)),
-                [Assignment(fraction, Operation("-", (fraction, Whole(1 << _FRACTION_BITS, DINT)), DINT))],
+                compared(fraction, ">=", hidden),
+                [Assignment(fraction, Operation("-", (fraction, hidden), DINT))],
                 [Assignment(exponent, number(0))],
             ),
             Assignment(
                 bits,
                 Operation(
                     "OR",
-                    (Shift("SHL", Conversion(exponent, DWORD), _FRACTION_BITS, DWORD), Conversion(fraction, DWORD)),
-                    DWORD,
+                    (
+                        Shift("SHL", Conversion(exponent, form.bits), form.fraction, form.bits),
+                        Conversion(fraction, form.bits),
+                    ),
+                    form.bits,
                 ),
             ),
-            when(negative, [Assignment(bits, Operation("OR", (bits, _dword(1 << 31)), DWORD))]),
+            when(negative, [Assignment(bits, Operation("OR", (bits, form.sign), form.bits))]),
         ]
     )
     return draft.finished()
+
+
+def _to_nearest(
+    draft: Draft, exact: Variable, fraction: Variable, exponent: Variable, hidden: Whole
+) -> list[Statement]:
+    """The statements that round a fraction, however the dialect converts, and carry into the exponent."""
+    rest = draft.local("rFraction", REAL)
+    odd = compared(Operation("MOD", (fraction, Whole(2, DINT)), DINT), "<>", Whole(0, DINT))
+    half, less = _real("0.5"), _real("-0.5")
+    up = either([compared(rest, ">", half), every([compared(rest, "=", half), odd])])
+    down = either([compared(rest, "<", less), every([compared(rest, "=", less), odd])])
+    unit, full = Whole(1, DINT), Whole(2 * hidden.value, DINT)
+    carried: list[Statement] = [Assignment(fraction, hidden), Assignment(exponent, plus(exponent, 1))]
+    return [
+        Assignment(rest, Operation("-", (exact, Conversion(fraction, REAL)), REAL)),
+        Condition(
+            (
+                (up, (Assignment(fraction, Operation("+", (fraction, unit), DINT)),)),
+                (down, (Assignment(fraction, Operation("-", (fraction, unit), DINT)),)),
+            )
+        ),
+        when(compared(fraction, "=", full), carried),
+    ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
-from fieldspec.language.model.value import Kind
+from fieldspec.language.model.encoding import is_truth
 from fieldspec.targets.controllers.routines.holders import Bytes, Holder
 from fieldspec.targets.controllers.routines.values import Wire, read, runs, write, write_number
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
@@ -188,7 +188,7 @@ def _shapes(field: FieldLayout) -> list[tuple[CaseLayout, frozenset[int]]]:
     """The cases that differ on the wire, each with all numbers that choose it."""
     shapes: dict[tuple[object, ...], tuple[CaseLayout, frozenset[int]]] = {}
     for case in field.cases:
-        truth = case.value.type.kind is Kind.BOOLEAN
+        truth = is_truth(case.value.encoding)
         key = (case.value.size, case.order, case.swapped, truth)
         before = shapes.get(key)
         shapes[key] = (case, case.numbers | (before[1] if before else frozenset()))
@@ -230,7 +230,7 @@ def read_choice(
         bits = Bytes(holder.array, position).number(0, case.value.size, case.order, case.swapped)
         target_element = Element(target, index, wide)
         body: list[Statement] = [Assignment(target_element, converted(bits, wide))]
-        if case.value.type.kind is Kind.BOOLEAN:
+        if is_truth(case.value.encoding):
             whole = UNSIGNED[wide.size]
             body.append(
                 draft.refusal(compared(converted(target_element, whole), ">", Whole(1, whole)), "unknown_value")
@@ -263,14 +263,14 @@ def write_choice(
     source_element = Element(source, index, wide)
     branches = []
     for case, numbers in _shapes(field):
-        highest = 1 if case.value.type.kind is Kind.BOOLEAN else (1 << (8 * case.value.size)) - 1
+        highest = 1 if is_truth(case.value.encoding) else (1 << (8 * case.value.size)) - 1
         body: list[Statement] = []
         if highest < wide.high:
             whole = UNSIGNED[wide.size]
             body.append(
                 draft.refusal(compared(converted(source_element, whole), ">", Whole(highest, whole)), "out_of_range")
             )
-        raw = draft.local("dwRaw" if wide.size == 4 else f"{PREFIXES[wide.name]}Raw", wide)
+        raw = draft.local(f"{PREFIXES[wide.name]}Raw", wide)
         body.append(Assignment(raw, source_element))
         body += Bytes(holder.array, position).stored(0, case.value.size, case.order, case.swapped, raw)
         branches.append((tuple(runs(numbers)), tuple(body)))

@@ -7,16 +7,15 @@ from fractions import Fraction as Ratio
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.encoding import bounds_of, is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Conversion as Share
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.remarks import count_of
 from fieldspec.targets.controllers.routines.world import PREFIXES, World, every_record
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     LREAL,
-    SIGNED,
-    UNSIGNED,
     Conversion,
     Elementary,
     Expression,
@@ -29,6 +28,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     every,
     outside,
 )
+from fieldspec.targets.controllers.statements.numbers import whole_type
 from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Draft, Routine
 
 # A double has no halves beyond this.
@@ -52,7 +52,7 @@ class Quantity:
     @property
     def kind(self) -> Elementary:
         """The type of the counts."""
-        return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
+        return whole_type(self.value.encoding)
 
     @property
     def key(self) -> tuple[object, ...]:
@@ -69,7 +69,7 @@ def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
 
 
 def _has_scale(value: Value) -> bool:
-    return value.scaled and value.type.kind is Kind.INTEGER and bool(_intervals(value))
+    return value.scaled and is_count(value.encoding) and bool(_intervals(value))
 
 
 def by_name(quantities: Iterable[Quantity]) -> dict[str, list[Quantity]]:
@@ -149,8 +149,7 @@ def _about(world: World, same: list[Quantity], direction: str) -> list[str]:
 
 def _intervals(value: Value) -> list[tuple[int, int]]:
     """The counts that are quantities: those in range that do not stand for something else."""
-    whole = [(value.type.low, value.type.high)]
-    intervals = list(value.ranges.intervals) if value.ranges is not None else whole
+    intervals = list(value.ranges.intervals) if value.ranges is not None else [bounds_of(value.encoding)]
     for sentinel in value.sentinels:
         intervals = [
             part
@@ -263,7 +262,7 @@ def _share_about(world: World, share: Share) -> list[str]:
 
 
 def _share_kind(share: Share) -> Elementary:
-    return (SIGNED if share.type.signed else UNSIGNED)[share.type.size]
+    return whole_type(share.type.encoding)
 
 
 def _share_from_counts(world: World, share: Share) -> Routine:

@@ -2,21 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Precision,
+    Real,
+    Sign,
+    Text,
+    bounds_of,
+    has_magnitude,
+    is_array,
+    is_odd,
+    is_text,
+    whole_bits,
+)
+from fieldspec.language.model.encoding import Truth as TruthValue
+from fieldspec.language.model.encoding import Whole as WholeNumber
+from fieldspec.language.model.encoding import number_of as number_of_encoding
 from fieldspec.language.model.ranges import Ranges, bound_text
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.holders import Holder
+from fieldspec.targets.controllers.routines.reals import outside_precision
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
     BYTE,
     REAL,
-    SIGNED,
     UNSIGNED,
     ArrayType,
     Element,
@@ -37,6 +55,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     number,
     outside,
 )
+from fieldspec.targets.controllers.statements.numbers import whole_type
 from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Draft, Loop, Statement, when
 
 
@@ -65,11 +84,6 @@ class Wire:
         return Wire(register.register.answer, register.order, register.swapped)
 
     @property
-    def kind(self) -> Kind:
-        """The kind of the value."""
-        return self.value.type.kind
-
-    @property
     def bits(self) -> Elementary:
         """The type of the bit string that holds the value."""
         return BITS[self.value.size]
@@ -77,51 +91,112 @@ class Wire:
     @property
     def whole(self) -> Elementary:
         """The type of whole numbers that holds the value."""
-        return (SIGNED if self.value.type.signed else UNSIGNED)[self.value.size]
+        return whole_type(self.value.encoding)
 
     def literal(self, number_of: int) -> Whole:
         """The literal of the bit string of a number."""
-        return Whole(number_of & ((1 << 8 * self.value.size) - 1), self.bits)
+        whole = number_of_encoding(self.value.encoding)
+        bits = number_of if whole is None else whole_bits(whole, number_of)
+        return Whole(bits & ((1 << 8 * self.value.size) - 1), self.bits)
 
-    def number(self, bits: Expression) -> Expression:
+    def number(self, world: World, bits: Expression) -> Expression:
         """The whole number in a bit string; the sign is repeated in bits that its type has beyond."""
-        if not (self.value.type.is_odd and self.value.type.signed):
+        whole = number_of_encoding(self.value.encoding)
+        if whole is None:
             return converted(bits, self.whole)
-        sign = 1 << (8 * self.value.size - 1)
-        moved = Operation("XOR", (bits, Whole(sign, self.bits)), self.bits)
-        return Operation("-", (converted(moved, self.whole), Whole(sign, self.whole)), self.whole)
+        match whole.sign:
+            case Sign.NONE:
+                return converted(bits, self.whole)
+            case Sign.COMPLEMENT:
+                if not is_odd(whole):
+                    return converted(bits, self.whole)
+                sign = 1 << (whole.bits - 1)
+                moved = Operation("XOR", (bits, Whole(sign, self.bits)), self.bits)
+                return Operation("-", (converted(moved, self.whole), Whole(sign, self.whole)), self.whole)
+            case Sign.MAGNITUDE:
+                return world.number_from_magnitude(whole, bits)
+            case _:
+                assert_never(whole.sign)
+
+    def bits_of(self, world: World, source: Expression) -> Expression:
+        """The bit string of a whole number that is within the bounds of the type."""
+        whole = number_of_encoding(self.value.encoding)
+        if whole is None or not has_magnitude(whole):
+            return converted(source, self.bits)
+        return world.magnitude_from_number(whole, converted(source, self.whole))
+
+    def differs(self, world: World, bits: Expression, const: int) -> Expression:
+        """Whether a bit string is that of another number: of a sign and a magnitude, zero has two."""
+        if has_magnitude(self.value.encoding):
+            return compared(self.number(world, bits), "<>", Whole(const, self.whole))
+        return compared(bits, "<>", self.literal(const))
 
 
 def read(
     draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None
 ) -> list[Statement]:
     """The statements that read a value into a variable; without one, they refuse anything but the constant."""
+    encoding = wire.value.encoding
+    match encoding:
+        case Text() | Octets():
+            return [] if target is None else _characters_read(draft, wire, holder, offset, target)
+        case Real():
+            return _number_read(draft, world, wire, holder, offset, target, _reading_real(encoding.precision))
+        case TruthValue():
+            return _number_read(draft, world, wire, holder, offset, target, _read_truth)
+        case WholeNumber() | Digits():
+            return _number_read(draft, world, wire, holder, offset, target, _read_count)
+        case _:
+            assert_never(encoding)
+
+
+_Reading = Callable[[Draft, World, Wire, Expression, Expression], list[Statement]]
+
+
+def _number_read(
+    draft: Draft,
+    world: World,
+    wire: Wire,
+    holder: Holder,
+    offset: int,
+    target: Expression | None,
+    reading: _Reading,
+) -> list[Statement]:
+    """The statements that refuse anything but a constant, or read what is none from its bits."""
     value = wire.value
-    if wire.kind in (Kind.TEXT, Kind.BYTES):
-        return [] if target is None else _characters_read(draft, wire, holder, offset, target)
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
-        return [draft.refusal(compared(bits, "<>", wire.literal(value.const)), "wrong_constant")]
-    if target is None:
-        return []
-    if wire.kind is Kind.FLOAT:
+        return [draft.refusal(wire.differs(world, bits, value.const), "wrong_constant")]
+    return [] if target is None else reading(draft, world, wire, bits, target)
+
+
+def _reading_real(precision: Precision) -> _Reading:
+    def reading(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
         received = _received(draft, target, "rValue")
-        call = world.real_from_bits(bits, received)
+        call = world.real_from_bits(precision, bits, received)
         refusal = draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")
         return [refusal, *_moved(target, received)]
-    if wire.kind is Kind.BOOLEAN:
-        raw = converted(bits, wire.whole)
-        return [
-            draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
-            Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
-        ]
+
+    return reading
+
+
+def _read_truth(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
+    raw = converted(bits, wire.whole)
+    return [
+        draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
+        Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
+    ]
+
+
+def _read_count(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
     if isinstance(target.type, EnumType):
-        received = _received(draft, target, f"e{Name.of(value.enum).pascal()}")
-        raw = converted(wire.number(bits), world.raw_type(value.enum))
-        refusal = draft.refusal(Negation(world.enum_from_raw(value.enum, raw, received)), "unknown_value")
+        name = wire.value.enum
+        received = _received(draft, target, f"e{Name.of(name).pascal()}")
+        raw = converted(wire.number(world, bits), world.raw_type(name))
+        refusal = draft.refusal(Negation(world.enum_from_raw(name, raw, received)), "unknown_value")
         return [refusal, *_moved(target, received)]
     assert isinstance(target.type, Elementary)
-    read_number = bits if target.type == wire.bits else converted(wire.number(bits), target.type)
+    read_number = bits if target.type == wire.bits else converted(wire.number(world, bits), target.type)
     statements: list[Statement] = [Assignment(target, read_number)]
     return [*statements, *_closed(draft, world, wire, target)]
 
@@ -144,41 +219,56 @@ def _moved(target: Expression, received: Expression) -> list[Statement]:
 
 def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
     """The statements that refuse a value that must not be sent, and store any other."""
+    value, encoding = wire.value, wire.value.encoding
+    match encoding:
+        case Text() | Octets():
+            return _write_characters(draft, wire, holder, offset, source)
+        case Real():
+            raw = draft.local(_RAW[wire.bits.name], wire.bits)
+            call = world.bits_from_real(encoding.precision, source, raw)
+            wrong = outside_precision(encoding.precision, source)
+            limits = [] if wrong is None else [draft.refusal(wrong, "out_of_range")]
+            if value.ranges is not None:
+                limits = [draft.refusal(_outside_real(value, source), "out_of_range")]
+            stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
+            return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+        case TruthValue():
+            true = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
+            zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
+            return [Condition(true.branches, tuple(zero))]
+        case WholeNumber() | Digits():
+            return _write_count(draft, world, wire, holder, offset, source)
+        case _:
+            assert_never(encoding)
+
+
+def _write_count(
+    draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression
+) -> list[Statement]:
     value = wire.value
-    if wire.kind in (Kind.TEXT, Kind.BYTES):
-        return _write_characters(draft, wire, holder, offset, source)
     raw = draft.local(_RAW[wire.bits.name], wire.bits)
-    stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
-    if wire.kind is Kind.FLOAT:
-        call = world.bits_from_real(source, raw)
-        limits = [] if value.ranges is None else [draft.refusal(_outside_real(value, source), "out_of_range")]
-        return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
-    if wire.kind is Kind.BOOLEAN:
-        true = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
-        zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
-        return [Condition(true.branches, tuple(zero))]
     if isinstance(source.type, EnumType):
         wide = world.raw_type(value.enum)
         enum_number = draft.local(_RAW[wide.name], wide)
         call = world.enum_to_raw(value.enum, source, enum_number)
         return [
             draft.refusal(Negation(call), "unknown_value"),
-            *_put(wire, holder, offset, raw, converted(enum_number, wire.whole)),
+            *_put(world, wire, holder, offset, raw, converted(enum_number, wire.whole)),
         ]
     statements = _closed(draft, world, wire, source)
     if value.const is not None:
         differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
         statements.append(draft.refusal(differs, "wrong_constant"))
-    ranges = value.writable_ranges
-    if ranges is None and value.type.is_odd:
-        ranges = Ranges(((value.type.low, value.type.high),))
+    ranges, bounds = value.writable_ranges, bounds_of(value.encoding)
+    if ranges is None and bounds != (wire.whole.low, wire.whole.high):
+        ranges = Ranges((bounds,))
     if ranges is not None:
         sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
         wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     statements += _bounded_bits(draft, world, wire, source)
-    return [*statements, *_put(wire, holder, offset, raw, source)]
+    return [*statements, *_put(world, wire, holder, offset, raw, source)]
 
 
 def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) -> Iterator[Statement]:
@@ -208,9 +298,9 @@ def _real(bound: float) -> str:
     return f"{bound}.0" if isinstance(bound, int) else bound_text(bound)
 
 
-def _put(wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:
+def _put(world: World, wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:
     """The statements that store a number, through a variable where it has several parts."""
-    value, bits = wire.value, converted(source, wire.bits)
+    value, bits = wire.value, wire.bits_of(world, source)
     direct = holder.stored(offset, value.size, wire.order, wire.swapped, bits)
     if len(direct) == 1:
         return direct
@@ -224,7 +314,7 @@ def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[St
     statements: list[Statement] = []
     for index in range(count):
         start = offset + index * wire.value.size
-        if wire.kind in (Kind.TEXT, Kind.BYTES):
+        if is_array(wire.value.encoding):
             statements += [holder.byte_stored(start + byte, Whole(0, BYTE)) for byte in range(wire.value.size)]
         else:
             statements += holder.stored(start, wire.value.size, wire.order, wire.swapped, wire.literal(number_of))
@@ -275,7 +365,7 @@ def _write_characters(draft: Draft, wire: Wire, holder: Holder, offset: int, sou
 
 def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
     """The statements that refuse a text with characters beyond ASCII."""
-    if wire.kind is not Kind.TEXT:
+    if not is_text(wire.value.encoding):
         return []
     index = draft.local("iCharacter")
     character = converted(Element(array, index, BYTE), UNSIGNED[1])
@@ -291,7 +381,7 @@ def word_order(wires: Iterable[Wire]) -> str:
     orders = {
         _FIRST[(wire.order == "big") != wire.swapped]
         for wire in wires
-        if wire.kind in (Kind.INTEGER, Kind.FLOAT) and wire.value.size > 2
+        if not is_array(wire.value.encoding) and wire.value.size > 2
     }
     return orders.pop() if len(orders) == 1 else "both_word_orders" if orders else ""
 

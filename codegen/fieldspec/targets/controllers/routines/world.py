@@ -8,12 +8,14 @@ from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.classes import dataclass, field
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.address_space import BIT as BIT_UNIT
 from fieldspec.language.model.checksums import checksum_named
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, Precision, Real, Text, Truth, Whole
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import RegisterGroup
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.cache import cached
 from fieldspec.targets.controllers.routines.remarks import of_value, source
 from fieldspec.targets.controllers.statements.expressions import (
@@ -22,8 +24,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     BYTE,
     ELEMENTARY,
     REAL,
-    SIGNED,
-    UNSIGNED,
     USINT,
     WORD,
     ArrayType,
@@ -35,6 +35,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     Type,
     sequence,
 )
+from fieldspec.targets.controllers.statements.numbers import whole_type
 from fieldspec.targets.controllers.statements.routine import Status
 
 _NARROWEST_FIRST = ("USINT", "SINT", "UINT", "INT", "UDINT", "DINT", "ULINT", "LINT")
@@ -111,7 +112,7 @@ class World:
 
     def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
         """The check of the bytes of a frame from an index on up to a length."""
-        kind = WORD if checksum_named(algorithm).size == 2 else BYTE
+        kind = BITS[checksum_named(algorithm).size]
         begin = (("iFirst", first),) if self.begins_later(algorithm) else ()
         return Call(self.routine(algorithm), (*begin, ("iLength", length), ("aFrame", frame)), (), kind)
 
@@ -136,20 +137,27 @@ class World:
 
     def type_of(self, value: Value) -> Type:
         """The type of the variable that holds a value: an enum where it is closed, bits where bits have meanings."""
-        kind = value.type.kind
-        if kind in (Kind.TEXT, Kind.BYTES):
-            return sequence(value.size, BYTE)
-        if kind is Kind.BOOLEAN:
-            return BOOL
-        if kind is Kind.FLOAT:
-            return REAL
+        encoding = value.encoding
+        match encoding:
+            case Text() | Octets():
+                return sequence(value.size, BYTE)
+            case Truth():
+                return BOOL
+            case Real():
+                return REAL
+            case Whole() | Digits():
+                return self._type_of_count(value)
+            case _:
+                assert_never(encoding)
+
+    def _type_of_count(self, value: Value) -> Elementary | EnumType:
         if value.flags:
             return BITS[value.size]
         if value.enum and not value.sentinels and not self.layout.device.enums[value.enum].open:
             enum_type = self.names.enums.get(value.enum)
             if enum_type is not None:
                 return enum_type
-        return (SIGNED if value.type.signed else UNSIGNED)[value.size]
+        return whole_type(value.encoding)
 
     def raw_type(self, enum: str) -> Elementary:
         """The narrowest type that holds every number that a value with an enum may have on the wire."""
@@ -169,13 +177,30 @@ class World:
             self.routine(enum, "to_raw"), (("eValue", source),), ((raw_name(self.raw_type(enum)), target),), BOOL
         )
 
-    def real_from_bits(self, bits: Expression, target: Expression) -> Call:
+    def real_from_bits(self, precision: Precision, bits: Expression, target: Expression) -> Call:
         """A status; the target receives the number."""
-        return Call(self.routine("real_from_bits"), (("dwBits", bits),), (("rValue", target),), self.status.type)
+        words, bits_name = real_words(precision)
+        return Call(self.routine("real_from", *words), ((bits_name, bits),), (("rValue", target),), self.status.type)
 
-    def bits_from_real(self, source: Expression, target: Expression) -> Call:
+    def bits_from_real(self, precision: Precision, source: Expression, target: Expression) -> Call:
         """A status; the target receives the bits."""
-        return Call(self.routine("bits_from_real"), (("rValue", source),), (("dwBits", target),), self.status.type)
+        words, bits_name = real_words(precision)
+        return Call(self.routine(*words, "from_real"), (("rValue", source),), ((bits_name, target),), self.status.type)
+
+    def number_from_magnitude(self, whole: Whole, bits: Expression) -> Call:
+        """The number that a sign and a magnitude are."""
+        return Call(
+            self.routine("number_from", magnitude_name(whole)), ((bits_name(whole), bits),), (), whole_type(whole)
+        )
+
+    def magnitude_from_number(self, whole: Whole, number: Expression) -> Call:
+        """The bits of a number with a sign and a magnitude."""
+        return Call(
+            self.routine(magnitude_name(whole), "from_number"),
+            ((f"{PREFIXES[whole_type(whole).name]}Value", number),),
+            (),
+            BITS[whole.bits // 8],
+        )
 
     @property
     def frame(self) -> ArrayType:
@@ -196,6 +221,32 @@ class World:
         lists = [size // 2 for size in _register_lists(self.layout)]
         tables = [table.words for table in self.layout.tables.values()]
         return sequence(max([*lists, *tables, *([] if lists else [_longest_group(self.layout)])], default=1), WORD)
+
+
+def real_words(precision: Precision) -> tuple[tuple[str, ...], str]:
+    """The words for the bits of a floating-point number in the names of functions, and the parameter for them.
+
+    Raises AssertionError for 64 bits, for which there are no functions.
+    """
+    match precision:
+        case Precision.HALF:
+            return ("half", "bits"), "wBits"
+        case Precision.SINGLE:
+            return ("bits",), "dwBits"
+        case Precision.DOUBLE:
+            raise AssertionError("functions do not convert numbers of 64 bits")
+        case _:
+            assert_never(precision)
+
+
+def magnitude_name(whole: Whole) -> str:
+    """The word for a sign and a magnitude in the names of functions."""
+    return f"sm{whole.bits}"
+
+
+def bits_name(whole: Whole) -> str:
+    """The parameter for the bits of a number."""
+    return f"{PREFIXES[BITS[whole.bits // 8].name]}Bits"
 
 
 def raw_name(kind: Elementary) -> str:
@@ -256,6 +307,12 @@ def values_of(layout: DeviceLayout) -> Iterator[Value]:
         for parameter in parameter_set.parameters:
             yield parameter.value
             yield from (inner.value for inner in parameter.subindices)
+
+
+def encodings_of(layout: DeviceLayout) -> frozenset[Encoding]:
+    """The encodings of all values of a device, and of the types that fields may have which another one decides."""
+    cases = [case.value for record in every_record(layout) for field in record.fields for case in field.cases]
+    return frozenset(value.encoding for value in (*values_of(layout), *cases))
 
 
 def every_record(layout: DeviceLayout) -> Iterator[RecordLayout]:

@@ -301,7 +301,7 @@ class MessageForm {
       const { path, value } = occupant;
       if (isWord) {
         // A word is written as it is, but not if the register cannot have it.
-        const number = value.signed && count > 0x7FFF ? count - 0x10000 : count;
+        const number = numberOfBytes(value, Uint8Array.of(count >> 8, count & 0xFF), "big", false);
         encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, number]]));
         words.push(count);
         continue;

@@ -6,7 +6,7 @@ import { checksumOf, EscapeError, lengthNumber, mostEscaped, originalPlaces, par
 import { canHeaderFault } from "../escapes.js";
 import { accessedSpan, registerRows } from "./registers.js";
 import { ExplainedBody } from "./body.js";
-import { digitsNumber } from "./digits.js";
+import { digitsNumber } from "../digit_texts.js";
 import { isWhole } from "./numbers.js";
 
 const NOTHING = new Map();

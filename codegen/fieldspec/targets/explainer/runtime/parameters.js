@@ -1,6 +1,6 @@
 import { isWhole } from "./numbers.js";
 import { typeBounds } from "./frames.js";
-import { decodeAnswer, decodeValue, forWriting, meaningOf } from "./values.js";
+import { bytesOfNumber, decodeAnswer, decodeValue, forWriting, isArray, meaningOf } from "./values.js";
 import { isWithin } from "./texts.js";
 
 /** The parameter with a number of a set. */
@@ -161,8 +161,8 @@ function parameterBytes({ value, byteOrder }, field, row, size) {
 }
 
 /** Whether a value consists of several words of 16 bits. */
-function hasWords({ kind, size }) {
-  return kind !== "text" && kind !== "bytes" && size > 2 && size % 2 === 0;
+function hasWords(value) {
+  return !isArray(value) && value.size > 2 && value.size % 2 === 0;
 }
 
 const COUNTS = ["integer", "boolean"];
@@ -170,13 +170,12 @@ const COUNTS = ["integer", "boolean"];
 /** The bytes of a row as bytes of another value, with their order; undefined if they cannot be read as it. */
 function bytesAgain(value, field, row) {
   const own = field.value;
-  const alike = own.kind === value.kind || (COUNTS.includes(own.kind) && COUNTS.includes(value.kind));
+  const areCounts = COUNTS.includes(own.kind) && COUNTS.includes(value.kind);
+  const alike = own.kind === value.kind || areCounts;
   if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
     return [row.raw, own.order ?? "big", Boolean(own.swapped)];
   }
-  const [low, high] = alike && isWhole(row.number) ? typeBounds(value) : [1, 0];
+  const [low, high] = areCounts && isWhole(row.number) ? typeBounds(value) : [1, 0];
   if (low > row.number || row.number > high) return undefined;
-  const number = BigInt.asUintN(8 * value.size, BigInt(row.number));
-  const bytes = Uint8Array.from({ length: value.size }, (_, at) => Number((number >> BigInt(8 * (value.size - 1 - at))) & 255n));
-  return [bytes, "big", false];
+  return [bytesOfNumber(row.number, value.size, "big", value.signed), "big", false];
 }

@@ -2,26 +2,36 @@ import {
   decimalOf, decimalProduct, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
 } from "./numbers.js";
 import { decodedText } from "../encodings.js";
+import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
 import { intervalsText, isWithin, sameValue, valueText } from "./texts.js";
 import { memberOf, unsignedOf } from "./device.js";
-import { digitsNumber } from "./digits.js";
+import { digitsNumber } from "../digit_texts.js";
 
-const VIEW = new DataView(new ArrayBuffer(8));
 const WIDE = 6;
 const EXACT_DIGITS = 120;
 
-/** Bytes as a whole number; a bigint if there are more than six of them. */
+/** Bytes as a whole number; a bigint if there are more than six of them. `signed` is as in `wholeOfBits`. */
 export function wholeOf(bytes, order, signed) {
-  if (bytes.length > WIDE) {
-    const number = unsignedOf(bytes, order);
-    return signed ? BigInt.asIntN(8 * bytes.length, number) : number;
+  if (bytes.length > WIDE) return wholeOfBits(unsignedOf(bytes, order), 8 * bytes.length, signed);
+  let bits = 0;
+  for (let at = 0; at < bytes.length; at++) bits = bits * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
+  return wholeOfBits(bits, 8 * bytes.length, signed);
+}
+
+/** The bytes of a whole number; `signed` is as in `bitsOfWhole`. */
+export function bytesOfNumber(number, size, order, signed) {
+  const bits = BigInt.asUintN(8 * size, bitsOfWhole(BigInt(number), 8 * size, signed));
+  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
+  return order === "big" ? big : big.reverse();
+}
+
+/** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
+export function isArray({ kind }) {
+  switch (kind) {
+    case "text": case "bytes": return true;
+    case "integer": case "float": case "boolean": return false;
+    default: throw new RangeError(`unknown kind: ${kind}`);
   }
-  let number = 0;
-  for (let at = 0; at < bytes.length; at++) {
-    number = number * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
-  }
-  const high = 2 ** (8 * bytes.length);
-  return signed && number >= high / 2 ? number - high : number;
 }
 
 /** Bytes with those of each word of 16 bits turned. */
@@ -31,13 +41,12 @@ export function turnedWords(bytes) {
 
 /** The raw value of all bytes of a value; texts and bytes are returned as bytes. */
 export function numberOfBytes(value, bytes, order, swapped) {
-  if (value.kind === "text" || value.kind === "bytes") return bytes;
+  if (isArray(value)) return bytes;
   const turned = swapped ? turnedWords(bytes) : bytes;
   const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
   if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
-  if (value.kind !== "float") return wholeOf(turned, actual, value.signed);
-  turned.forEach((byte, at) => VIEW.setUint8(at, byte));
-  return bytes.length === 4 ? VIEW.getFloat32(0, actual === "little") : VIEW.getFloat64(0, actual === "little");
+  if (value.kind === "float") return realOfBits(wholeOf(turned, actual, false), bytes.length);
+  return wholeOf(turned, actual, value.signed);
 }
 
 /** The sentinel with a raw value. */
@@ -114,15 +123,22 @@ export function decodeAnswer(device, value, ...rest) {
 export function decodeValue(device, value, bytes, order, swapped, reserved) {
   const number = numberOfBytes(value, bytes, order, swapped);
   if (reserved) return decoded(number);
-  if (value.kind === "boolean") return decodedBoolean(device, value, number);
-  if (value.kind === "text") {
-    const text = decodedText(value.textForm, bytes, order !== "big");
-    if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
-    return decoded(text);
+  switch (value.kind) {
+    case "boolean": return decodedBoolean(device, value, number);
+    case "text": return decodedCharacters(value, bytes, order);
+    case "bytes": return decoded(number);
+    case "float": return decodedFloat(value, number);
+    case "integer":
+      if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
+      return decodedWhole(device, value, number);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
   }
-  if (value.kind === "float") return decodedFloat(value, number);
-  if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
-  return value.kind === "bytes" ? decoded(number) : decodedWhole(device, value, number);
+}
+
+function decodedCharacters(value, bytes, order) {
+  const text = decodedText(value.textForm, bytes, order !== "big");
+  if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
+  return decoded(text);
 }
 
 function decodedFloat(value, number) {

@@ -1,4 +1,5 @@
 import { CodecError, printed } from "./error.js";
+import { bitsOfWhole, wholeOfBits } from "./number_bits.js";
 
 /**
  * A numbered parameter. `read(bytes, start)` and `write(value, bytes, start)` are its generated functions for `size`
@@ -79,8 +80,17 @@ export function parameter(name, number, base, access, read, write, more) {
   });
 }
 
+/** Whether the raw value of an element is a whole number of its bits. */
+function isCounted({ kind }) {
+  switch (kind) {
+    case "integer": case "boolean": return true;
+    case "float": case "text": case "bytes": return false;
+    default: throw new RangeError(`unknown kind: ${kind}`);
+  }
+}
+
 function fromRaw(element, raw) {
-  if (element.kind === "float" || element.kind === "text" || element.kind === "bytes") {
+  if (!isCounted(element)) {
     const bytes = new Uint8Array(element.size);
     element.write(raw, bytes, 0);
     return element.read(bytes, 0);
@@ -93,9 +103,10 @@ function fromRaw(element, raw) {
   if (number >= span || number < -span / 2n) {
     throw new CodecError("out_of_range", `${element.name} is ${number}, which ${element.size} bytes do not hold`);
   }
+  const bits = bitsOfWhole(number, 8 * element.size, element.carriedSigned ?? element.signed);
   const bytes = new Uint8Array(element.size);
   element.places.forEach((place, index) => {
-    bytes[place] = Number((number >> BigInt(8 * (element.size - 1 - index))) & 255n);
+    bytes[place] = Number((bits >> BigInt(8 * (element.size - 1 - index))) & 255n);
   });
   return element.read(bytes, 0);
 }
@@ -103,10 +114,10 @@ function fromRaw(element, raw) {
 function toRaw(element, value, unsigned) {
   const bytes = new Uint8Array(element.size);
   element.write(value, bytes, 0);
-  if (element.kind !== "integer" && element.kind !== "boolean") return value;
+  if (!isCounted(element)) return value;
   let number = 0n;
   for (const place of element.places) number = number * 256n + BigInt(bytes[place]);
-  if ((element.carriedSigned ?? element.signed) && !unsigned) number = BigInt.asIntN(8 * element.size, number);
+  if (!unsigned) number = wholeOfBits(number, 8 * element.size, element.carriedSigned ?? element.signed);
   return element.size > 6 ? number : Number(number);
 }
 

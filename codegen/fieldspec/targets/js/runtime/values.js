@@ -1,47 +1,36 @@
 import { decodedText, textBytes, textFault } from "./encodings.js";
 import { CodecError, printed, refusedList } from "./error.js";
-
-const FLOAT = new DataView(new ArrayBuffer(8));
-/** The bits of NaN. Engines choose others at will, also while a program runs. */
-const QUIET_NAN = 0x7fc00000;
-const QUIET_DOUBLE_NAN = 0x7ff8000000000000n;
+import { exceedsReal, realBits, realOfBits, wholeOfBits } from "./number_bits.js";
 
 /** The floating-point number of 32 bits, given as a whole number. */
 export function floatOf(bits) {
-  FLOAT.setUint32(0, bits);
-  return FLOAT.getFloat32(0);
-}
-
-/**
- * The 32 bits of a number. Throws CodecError for what is no number, for a number that 32 bits cannot hold, and for
- * one that is neither in `ranges` nor among `others`; without ranges any number is allowed.
- */
-export function bitsOf(name, value, ranges, others) {
-  checkFloat(name, value, ranges, others);
-  if (Math.abs(value) !== Infinity && Math.abs(Math.fround(value)) === Infinity) {
-    throw new CodecError("out_of_range", `${name} is ${value}, which 32 bits do not hold`);
-  }
-  if (Number.isNaN(value)) return QUIET_NAN;
-  FLOAT.setFloat32(0, value);
-  return FLOAT.getUint32(0);
+  return realOfBits(bits, 4);
 }
 
 /** The floating-point number of 64 bits, given as a bigint. */
 export function doubleOf(bits) {
-  FLOAT.setBigUint64(0, bits);
-  return FLOAT.getFloat64(0);
+  return realOfBits(bits, 8);
 }
 
-/** The 64 bits of a number, as a bigint. Throws CodecError like `bitsOf`. */
+/**
+ * The 16 bits of a number. Throws CodecError for what is no number, for a finite number that would become infinite, and
+ * for one that is neither in `ranges` nor among `others`; without ranges any number is allowed.
+ */
+export function halfBitsOf(name, value, ranges, others) {
+  return checkedBits(name, value, ranges, others, 2);
+}
+
+/** The 32 bits of a number. Throws CodecError like `halfBitsOf`. */
+export function bitsOf(name, value, ranges, others) {
+  return checkedBits(name, value, ranges, others, 4);
+}
+
+/** The 64 bits of a number, as a bigint. Throws CodecError like `halfBitsOf`. */
 export function doubleBitsOf(name, value, ranges, others) {
-  checkFloat(name, value, ranges, others);
-  if (Number.isNaN(value)) return QUIET_DOUBLE_NAN;
-  FLOAT.setFloat64(0, value);
-  return FLOAT.getBigUint64(0);
+  return checkedBits(name, value, ranges, others, 8);
 }
 
-/** Throws CodecError for what is no number, and for one that is neither in `ranges` nor among `others`. */
-function checkFloat(name, value, ranges, others) {
+function checkedBits(name, value, ranges, others, size) {
   if (typeof value !== "number") {
     if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
     throw new CodecError("wrong_type", `${name} is a number, not ${printed(value)}`);
@@ -49,6 +38,8 @@ function checkFloat(name, value, ranges, others) {
   if (ranges !== null && !within(ranges, value) && !others.some((other) => Object.is(other, value) || other === value)) {
     throw new CodecError("out_of_range", `${name} is ${value}, not in ${rangesText(ranges)}`);
   }
+  if (exceedsReal(value, size)) throw new CodecError("out_of_range", `${name} is ${value}, which ${8 * size} bits do not hold`);
+  return realBits(value, size);
 }
 
 /** Whether a number is in one of some intervals. */
@@ -133,7 +124,7 @@ export function putBytes(name, value, bytes, offset, size) {
 
 /** A number of `bits` bits with a sign, given without. */
 export function signed48(number, bits) {
-  return number >= 2 ** (bits - 1) ? number - 2 ** bits : number;
+  return wholeOfBits(number, bits, true);
 }
 
 /** Throws CodecError for what is no list of `least` to `most` elements. */

@@ -6,7 +6,7 @@ from struct import Struct
 
 from ._conversions import Repeated
 from ._error import CodecError, wrong_length
-from ._reals import Double, Float
+from ._reals import Double, Float, Half
 from ._refusals import refused_list
 from ._typing import TYPE_CHECKING
 from ._values import Number, Value
@@ -28,7 +28,7 @@ class Case:
         self.structs = Repeated(fixed, letters)
         self._native = not letters.endswith("s")
         # A Struct returns these values themselves, unless they have more bytes than their type.
-        self._direct = self._native and type(value) in (Number, Float, Double)
+        self._direct = self._native and type(value) in (Number, Half, Float, Double)
 
     def values(self, name: str, raws: Sequence[Any], at: int) -> tuple[Any, ...]:
         """The elements of a field whose first byte is byte `at`. Raises CodecError."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ._conversions import magnitude_bytes, magnitude_of
 from ._digits import digits, no_digits
 from ._error import CodecError, wrong_const
 from ._framers import LengthFramer
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
     Order = Literal["big", "little"]
     Form = Literal["decimal", "upper_hex", "lower_hex"]
-    Part = tuple[str, int, Order | Form, bool, int | None, bool]
+    Part = tuple[str, int, Order | Form, bool | None, int | None, bool]
     Check = tuple[int, Callable[[Data], int], int, int | None, str]
     Length = tuple[int, int, str, int, int, int]
 
@@ -29,10 +30,11 @@ class PartFrames(Frames):
     """The frames of one link in one direction, as rows of parts: those before the body, and those after it.
 
     A row is the name, the size in bytes, the order, whether it has a sign, the constant, and whether any other number
-    is refused. In place of an order, a part that is sent as digits has their form. `checks` are the checksums in the
-    order in which they are computed: the place in these rows, the function, the bounds of the bytes that it covers, and
-    the digits of one that is sent as characters. A length of n means that the parts have `unit` * n + `base` bytes.
-    `lengths` are the other ones: the place, the offset, the name, the greatest number, the unit and the base.
+    is refused. It is None in place of a sign that is the highest bit alone. In place of an order, a part that is sent
+    as digits has their form. `checks` are the checksums in the order in which they are computed: the place in these
+    rows, the function, the bounds of the bytes that it covers, and the digits of one that is sent as characters. A
+    length of n means that the parts have `unit` * n + `base` bytes. `lengths` are the other ones: the place, the
+    offset, the name, the greatest number, the unit and the base.
     """
 
     __slots__ = ("base", "checks", "digits", "lengths", "rows", "tail", "unit")
@@ -92,7 +94,7 @@ class PartFrames(Frames):
                 at = len(data) - self.tail_size
             _, size, order, signed, _, _ = row
             if order == "big" or order == "little":
-                number = int.from_bytes(data[at : at + size], order, signed=signed)
+                number = _whole(data[at : at + size], order, signed)
             else:
                 (digits_number,) = self.digits[place].unpack(data[at : at + size])
                 number = _NO_DIGITS if digits_number is None else digits_number
@@ -211,7 +213,7 @@ class PartFrames(Frames):
 
     def _packed(self, numbers: list[int], body: bytes) -> bytes:
         packed = [
-            number.to_bytes(size, order, signed=signed)
+            _bytes(number, size, order, signed)
             if order == "big" or order == "little"
             else self.digits[place].data(number)
             for place, (number, (_, size, order, signed, _, _)) in enumerate(
@@ -220,6 +222,14 @@ class PartFrames(Frames):
         ]
         packed.insert(len(self.rows), body)
         return b"".join(packed)
+
+
+def _whole(data: Data, order: Order, signed: bool | None) -> int:
+    return magnitude_of(data, order) if signed is None else int.from_bytes(data, order, signed=signed)
+
+
+def _bytes(number: int, size: int, order: Order, signed: bool | None) -> bytes:
+    return magnitude_bytes(number, size, order) if signed is None else number.to_bytes(size, order, signed=signed)
 
 
 def _number(checksum: int, size: int, order: Literal["big", "little"], digits: str) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ._absent import real_or_absent, state_of
 from ._error import CodecError
-from ._refusals import refused_double, refused_float
+from ._refusals import refused_double, refused_float, refused_half
 from ._typing import TYPE_CHECKING
 from ._values import Value
 
@@ -53,6 +53,15 @@ class Float(Value[float]):
         Raises CodecError out of range, for a number that stands for an absent value, and for None where several do.
         """
         return real_or_absent(name, value, self.size, self.ranges, self.absent)
+
+
+class Half(Float):
+    """A floating-point number of 16 bits."""
+
+    __slots__ = ()
+
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_half(name, value, self.ranges, self.others)
 
 
 class Double(Float):

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     BoundedBits: TypeAlias = tuple[str, int, tuple[tuple[int, int], ...], str]
 
-_F32, _F64 = Struct(">f"), Struct(">d")
+_F16, _F32, _F64 = Struct(">e"), Struct(">f"), Struct(">d")
 
 
 def refused_code(code: int, expected: int) -> CodecError | None:
@@ -77,6 +77,13 @@ def refused_flags(
     return None
 
 
+def refused_half(
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: tuple[float, ...] = ()
+) -> CodecError | None:
+    """A floating-point number of 16 bits, as `refused_float` says it of 32."""
+    return _refused_real(name, value, _F16, ranges, others)
+
+
 def refused_float(
     name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: tuple[float, ...] = ()
 ) -> CodecError | None:
@@ -97,7 +104,8 @@ def _refused_real(
     if not isinstance(value, (int, float)):
         return CodecError("wrong_type", f"{name} is a number, not {value!r}")
     try:
-        struct.pack(value)
+        # A Struct raises its own error for a whole number that none of its numbers comes near.
+        struct.pack(float(value))
     except OverflowError:
         return CodecError("out_of_range", f"{name} is {value}, more than {8 * struct.size} bits can hold")
     if not ranges or any(least <= value <= most for least, most in ranges) or is_among(value, others):

@@ -103,8 +103,13 @@ class Value(Generic[T]):
         if not isinstance(raw, int):
             raise CodecError("wrong_type", f"{name} is a whole number, not {raw!r}")
         span = self.high - self.low + 1
+        has_magnitude = isinstance(self.struct, Integer) and self.struct.has_magnitude
+        if has_magnitude and self.high < raw <= 2 * self.high + 1:
+            raw = self.high + 1 - raw
         if not -span // 2 <= raw < span:
             raise CodecError("out_of_range", f"{name} is {raw}, not in {self.low}..{self.high}")
+        if has_magnitude:
+            return self.of_raw(name, raw)
         moved = raw % span
         return self.of_raw(name, moved - span if moved > self.high else moved)
 

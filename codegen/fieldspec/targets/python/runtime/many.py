@@ -13,8 +13,11 @@ dimension, and a record within the record has columns of its own.
 from __future__ import annotations
 
 from array import array
+from struct import unpack
 from sys import byteorder
 
+from ._columns import NUMPY_TYPES, straight
+from ._columns import Column as Column
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
 
@@ -43,76 +46,14 @@ if TYPE_CHECKING:
 BLOCK = 16384
 """Records that are taken at once, so that they stay in the processor's cache."""
 
-_WIDTHS = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "q": 8, "Q": 8, "f": 4, "d": 8}
 _SIGNS = bytes(0xFF if byte > 0x7F else 0 for byte in range(256))
-_TYPES = {"b": "i1", "B": "u1", "h": "i2", "H": "u2", "i": "i4", "I": "u4", "q": "i8", "Q": "u8", "f": "f4", "d": "f8"}
-
-
-class Column:
-    """The place of a field: the letter of `struct` for one element, and its offset in bytes.
-
-    `size` is the bytes of a text, and of a number that has fewer bytes than its letter. `count` is the number of
-    elements of a list, 0 for a single one. `swapped`: the 16-bit words are in the other order than the bytes in them.
-    `tests` are the intervals outside of which a number is refused. `ratio` is (a, b, c) of value = (count * a + b) / c
-    in the unit; `absent` are the counts that are no quantity. A field without a name is tested only.
-    """
-
-    __slots__ = (
-        "absent",
-        "count",
-        "letter",
-        "name",
-        "offset",
-        "order",
-        "ratio",
-        "record",
-        "size",
-        "swapped",
-        "tests",
-        "text",
-    )
-
-    def __init__(
-        self,
-        name: str,
-        letter: str,
-        offset: int,
-        *,
-        size: int = 0,
-        count: int = 0,
-        order: str = "big",
-        swapped: bool = False,
-        record: type[Record] | None = None,
-        tests: tuple[tuple[int, int], ...] = (),
-        text: bool = False,
-        ratio: tuple[int, int, int] | None = None,
-        absent: tuple[int, ...] = (),
-    ) -> None:
-        self.name, self.letter, self.offset, self.count = name, letter, offset, count
-        self.size = size or _WIDTHS[letter]
-        self.order, self.swapped, self.record = order, swapped, record
-        self.tests, self.text, self.ratio, self.absent = tests, text, ratio, absent
-
-    @property
-    def padding(self) -> int:
-        """The bytes that a number has fewer than its letter."""
-        return 0 if self.letter in "s" else _WIDTHS[self.letter] - self.size
-
-    def places(self, element: int = 0) -> list[int]:
-        """The offsets of the bytes of an element, the least significant first."""
-        width = self.size
-        places = list(range(width))
-        if self.order == "big":
-            places.reverse()
-        if self.swapped:
-            places = [place for at in range(0, width, 2) for place in places[width - 2 - at : width - at]]
-        return [self.offset + element * width + place for place in places]
 
 
 def arrays(record: type[Record], data: Data) -> Arrays:
     """The columns of all records as `array.array`, with Python alone; bytes and texts as lists of bytes.
 
-    The elements of a list follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
+    Floating-point numbers of 16 bits are in an array of those of 32 bits, as it has no others. The elements of a list
+    follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
     """
     number = _number(record, data)
     buffer = data if isinstance(data, bytes) else bytes(data)
@@ -150,12 +91,17 @@ def _array(column: Column, data: bytes, base: int, size: int, number: int) -> ar
         for place, at in enumerate(column.places(element)):
             bytes_of_place = data[base + at :: size]
             joined[element * whole + _place(place, whole) :: whole * count] = bytes_of_place
-        if column.padding and column.letter.islower():
+        if column.padding and column.letter.islower() and not column.magnitude:
             signs = bytes_of_place.translate(_SIGNS)
             for place in range(width, whole):
                 joined[element * whole + _place(place, whole) :: whole * count] = signs
-    values: array[Any] = array(column.letter)
+    if column.letter == "e":
+        return array("f", unpack(f"={count * number}e", joined))
+    values: array[Any] = array(column.letter.upper() if column.magnitude else column.letter)
     values.frombytes(joined)
+    if column.magnitude:
+        half = column.half
+        return array(column.letter, [bits if bits < half else half - bits for bits in values])
     return values
 
 
@@ -214,7 +160,7 @@ def _empty(record: type[Record], number: int, *lists: int) -> Columns:
         if column.record is not None:
             columns[key] = _empty(column.record, number, *shape[1:])
         else:
-            kind = f"S{column.size}" if column.letter == "s" else _TYPES[column.letter]
+            kind = f"S{column.size}" if column.letter == "s" else NUMPY_TYPES[column.letter]
             columns[key] = numpy.empty(shape, kind)
     return columns
 
@@ -226,39 +172,7 @@ def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, whe
         if column.record is not None:
             _fill(column.record, raw[key], columns[key], where)
         else:
-            columns[key][where] = _straight(column, raw[key])
-
-
-def _straight(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """A column with its numbers assembled where NumPy has no type for them: of words in the other order than their
-    bytes, or of another number of bytes.
-    """
-    if column.padding:
-        return _extended(column, values)
-    if not column.swapped:
-        return values
-    import numpy
-
-    words = values.astype(f"u{column.size}")
-    shifts = numpy.arange(0, 8 * column.size, 16, dtype=words.dtype)
-    if column.order == "little":
-        shifts = shifts[::-1]
-    joined = numpy.bitwise_or.reduce(words << shifts, axis=-1).astype(f"u{column.size}")
-    numbers: np.ndarray[Any, Any] = joined.view(_TYPES[column.letter])
-    return numbers
-
-
-def _extended(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """The numbers of lists of bytes; a signed number repeats its sign in the bytes that it does not have."""
-    import numpy
-
-    kind = f"u{column.size + column.padding}"
-    places = [place - column.offset for place in column.places()]
-    shifts = numpy.array([8 * places.index(at) for at in range(column.size)], dtype=kind)
-    joined = numpy.bitwise_or.reduce(values.astype(kind) << shifts, axis=-1).astype(kind)
-    padding = 8 * column.padding
-    numbers: np.ndarray[Any, Any] = (joined << numpy.array(padding, kind)).view(_TYPES[column.letter])
-    return numbers >> padding
+            columns[key][where] = straight(column, raw[key])
 
 
 def _allowed(record: type[Record], columns: Columns) -> bool:
@@ -292,7 +206,7 @@ def _named(columns: Columns) -> Columns:
 def dtype(record: type[Record]) -> np.dtype[Any]:
     """The NumPy type of a record on the wire. Numbers with exchanged words are lists of words.
 
-    Numbers of 3, 5, 6 or 7 bytes are lists of bytes.
+    Numbers of 3, 5, 6 or 7 bytes are lists of bytes, and those with a sign and a magnitude are their bits.
     """
     import numpy
 
@@ -317,7 +231,7 @@ def _format(column: Column) -> Any:
     elif column.swapped:
         kind, shape = f"{sign}u2", (*shape, column.size // 2)
     else:
-        kind = f"{sign}{_TYPES[column.letter]}"
+        kind = f"{sign}{f'u{column.size}' if column.magnitude else NUMPY_TYPES[column.letter]}"
     return (kind, shape) if shape else kind
 
 

@@ -75,12 +75,7 @@ local function read_as(field, value, bytes)
     if alike and counts[own.kind] and field.size <= 6 and value.size <= 6 then
         local number = numbers.of(bytes, own)
         if number >= value.low and number <= value.high then
-            local digits, rest = {}, number % 256 ^ value.size
-            for place = value.size, 1, -1 do
-                digits[place] = string.char(math.floor(rest % 256))
-                rest = math.floor(rest / 256)
-            end
-            return table.concat(digits), with_order("big", nil)
+            return numbers.bytes(number, value), with_order("big", nil)
         end
     end
     return nil, nil
@@ -109,7 +104,7 @@ function parameters.entry(context, field, index, bytes)
         return nil
     end
     inner, at = element(row, at)
-    if field.value.kind ~= "bytes" and field.value.kind ~= "text" then
+    if numbers.is_number(field.value) then
         local own = numbers.of(bytes, field.value)
         if values.reason(field.value, own, field.value.ranges) then
             return nil

@@ -39,7 +39,7 @@ local function show_value(context, tree, field, at, index, top)
     local item, number, reason = values.show(tree, entry, range, bytes, options)
     if described and described.entry ~= field then
         local sent = context.bytes:sub(at + 1, at + field.size)
-        local own = field.value.kind ~= "bytes" and numbers.of(sent, field.value)
+        local own = numbers.is_number(field.value) and numbers.of(sent, field.value)
         number = own
         local inner = item:add(fields[field.filter], range, own and numbers.of_item(sent, field.value))
         inner:set_text("On the wire, " .. field.title .. ": " .. numbers.text(own))

@@ -87,9 +87,6 @@ end
 -- The quantity of a count with its unit, and as a number; nil where the value has neither scale nor unit.
 function values.quantity(number, value)
     local unit = value.unit and " " .. value.unit or ""
-    if value.kind == "float" then
-        return value.unit and numbers.text(number) .. unit or nil, nil
-    end
     if not value.scale then
         return value.unit and numbers.text(number) .. unit or nil, nil
     end

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.fact import Fact, ScalarValue
 from fieldspec.language.model.operand import Operand
-from fieldspec.language.model.value import Kind, Value
+from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
 from fieldspec.targets.controllers.routines.remarks import count_of, of_value
 from fieldspec.targets.controllers.routines.scaling import Quantity, quantities
@@ -116,7 +117,7 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
     source = block.declare(world.variable(f"{name}{_counts(operand, value)}", kind), kind, "input", remark)
     raw = block.declare(raw_name, kind, "output", "what is sent")
     block.at_start.append(Assignment(raw, source))
-    if isinstance(kind, Elementary) and value is not None and value.type.kind is Kind.INTEGER:
+    if isinstance(kind, Elementary) and value is not None and is_count(value.encoding):
         block.at_start += _unless_refused(block, [*_ranged(block, value, raw, kind)])
     return raw
 

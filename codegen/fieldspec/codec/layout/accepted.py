@@ -1,0 +1,275 @@
+"""The numbers and bytes that a value takes: what readers refuse, what they let pass and remark, what writers refuse.
+
+These are the only places that say what a range, a constant, a closed enum, a special value and a bounded part of a word
+mean together. Conditions are in the order in which codecs refuse.
+"""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Precision,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    bounds_of,
+    real_bits,
+)
+from fieldspec.language.model.ranges import merged
+
+if TYPE_CHECKING:
+    from typing import Literal
+
+    from fieldspec.language.model.device import Device
+    from fieldspec.language.model.enums import Bit
+    from fieldspec.language.model.value import Sentinel, Value
+
+    Reason = Literal["wrong_const", "unknown_value", "out_of_range"]
+
+REASONS: tuple[Reason, ...] = ("wrong_const", "unknown_value", "out_of_range")
+"""Why a value is refused."""
+
+
+@dataclass(frozen=True, slots=True)
+class Equals:
+    """It is this number."""
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class IsBit:
+    """It is 0 or 1."""
+
+
+@dataclass(frozen=True, slots=True)
+class HasDigits:
+    """The bytes are the digits of a number."""
+
+    digits: Digits
+
+
+@dataclass(frozen=True, slots=True)
+class HasCharacters:
+    """The bytes, or the characters, are those of a text."""
+
+    text: Text
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """It is a member of a closed enum, whose members are the intervals `members`, or one of some special values."""
+
+    enum: str
+    members: tuple[tuple[int, int], ...]
+    sentinels: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Within:
+    """It is in one of some intervals, or one of some special values that are in none of them."""
+
+    intervals: tuple[tuple[int, int], ...]
+    sentinels: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class RealWithin:
+    """It is in one of some intervals; a NaN is where `takes_nan`."""
+
+    intervals: tuple[tuple[float, float], ...]
+    takes_nan: bool
+
+
+@dataclass(frozen=True, slots=True)
+class PartWithin:
+    """The bits of a part of a word are in one of some intervals, or the word is one of some special values."""
+
+    bit: Bit
+    sentinels: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Fits:
+    """It is not a finite number that becomes infinite in a precision."""
+
+    precision: Precision
+
+
+Test = Equals | IsBit | HasDigits | HasCharacters | Known | Within | RealWithin | PartWithin | Fits
+"""What holds for the numbers that are accepted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """A test, and the reason for which a value is refused that does not pass it."""
+
+    test: Test
+    reason: Reason
+
+
+@dataclass(frozen=True, slots=True)
+class AcceptedSet:
+    """What a value takes: the conditions of readers, those that readers remark alone, those of writers.
+
+    `sentinels` are the numbers that stand for a state.
+    """
+
+    reading: tuple[Condition, ...]
+    remarked: tuple[Condition, ...]
+    writing: tuple[Condition, ...]
+    sentinels: tuple[Sentinel, ...]
+
+
+def accepted(device: Device, value: Value) -> AcceptedSet:
+    """What a value takes. A condition that one before it implies is left out."""
+    encoding = value.encoding
+    reading = _reading(device, value, encoding)
+    remarked = _needed([*reading, *_remarked(device, value, encoding)])[len(reading) :]
+    writing = _writing(device, value, encoding)
+    return AcceptedSet(tuple(reading), tuple(remarked), tuple(writing), value.sentinels)
+
+
+def _reading(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
+    """What a reader refuses."""
+    match encoding:
+        case Whole():
+            return _needed([*_constant(value), *_enum(device, value)])
+        case Digits():
+            return [
+                Condition(HasDigits(encoding), "unknown_value"),
+                *_needed([*_constant(value), *_enum(device, value)]),
+            ]
+        case Truth():
+            return [Condition(IsBit(), "unknown_value")]
+        case Text():
+            return [Condition(HasCharacters(encoding), "unknown_value")]
+        case Real() | Octets():
+            return []
+        case _:
+            assert_never(encoding)
+
+
+def _remarked(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
+    """What a reader lets pass, and an explainer remarks."""
+    match encoding:
+        case Whole() | Digits():
+            tests: list[Test] = [*_parts(device, value)]
+            if value.ranges is not None:
+                tests.insert(0, Within(value.ranges.intervals, _sentinels(value)))
+            return [Condition(test, "out_of_range") for test in tests]
+        case Real():
+            return _real_range(value)
+        case Truth() | Text() | Octets():
+            return []
+        case _:
+            assert_never(encoding)
+
+
+def _writing(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
+    """What a writer refuses."""
+    match encoding:
+        case Whole() | Digits():
+            writable = Condition(writable_numbers(value), "out_of_range")
+            numbers = _needed([*_constant(value), *_enum(device, value), writable])
+            return [*numbers, *(Condition(test, "out_of_range") for test in _parts(device, value))]
+        case Real():
+            return _needed([*_real_range(value), Condition(Fits(encoding.precision), "out_of_range")])
+        case Truth():
+            return [Condition(IsBit(), "out_of_range")]
+        case Text():
+            return [Condition(HasCharacters(encoding), "unknown_value")]
+        case Octets():
+            return []
+        case _:
+            assert_never(encoding)
+
+
+def _sentinels(value: Value) -> tuple[int, ...]:
+    return tuple(sentinel.value for sentinel in value.sentinels)
+
+
+def _constant(value: Value) -> list[Condition]:
+    return [] if value.const is None else [Condition(Equals(value.const), "wrong_const")]
+
+
+def _enum(device: Device, value: Value) -> list[Condition]:
+    enum = device.enums.get(value.enum)
+    if enum is None or enum.open:
+        return []
+    members = merged((member.value, member.value) for member in enum.members if not member.unavailable)
+    return [Condition(Known(enum.name, tuple(members), _sentinels(value)), "unknown_value")]
+
+
+def writable_numbers(value: Value) -> Within:
+    """The whole numbers that may be written: those of the range of writing; without one, all of the encoding."""
+    ranges = value.writable_ranges
+    if ranges is None:
+        return Within((bounds_of(value.encoding),))
+    further = tuple(number for number in _sentinels(value) if number not in ranges)
+    return Within(tuple(sorted(ranges.intervals)), further)
+
+
+def _real_range(value: Value) -> list[Condition]:
+    if value.ranges is None:
+        return []
+    sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
+    intervals = tuple(sorted([*value.ranges.intervals, *sentinels]))
+    return [Condition(RealWithin(intervals, value.absent_nan), "out_of_range")]
+
+
+def _parts(device: Device, value: Value) -> list[PartWithin]:
+    if not value.flags:
+        return []
+    return [PartWithin(bit, _sentinels(value)) for bit in device.flags[value.flags].bounded]
+
+
+def _needed(conditions: list[Condition]) -> list[Condition]:
+    """The conditions without those that one before them implies."""
+    return [
+        condition
+        for index, condition in enumerate(conditions)
+        if not any(_implies(earlier.test, condition.test) for earlier in conditions[:index])
+    ]
+
+
+def _implies(first: Test, second: Test) -> bool:
+    """Whether every number that passes one test passes another one."""
+    match first, second:
+        case RealWithin(), Fits():
+            return all(_fits(bound, second.precision) for interval in first.intervals for bound in interval)
+    outer, inner = _intervals(second), _intervals(first)
+    if outer is None or inner is None:
+        return False
+    return all(any(low <= first and last <= high for low, high in outer) for first, last in inner)
+
+
+def _fits(number: float, precision: Precision) -> bool:
+    """Whether a finite number does not become infinite in a precision."""
+    try:
+        real_bits(precision, number)
+    except OverflowError:
+        return False
+    return True
+
+
+def _intervals(test: Test) -> list[tuple[int, int]] | None:
+    """The whole numbers that pass a test; None where it is none of whole numbers alone."""
+    match test:
+        case Equals():
+            return [(test.number, test.number)]
+        case IsBit():
+            return [(0, 1)]
+        case Known():
+            return merged([*test.members, *((number, number) for number in test.sentinels)])
+        case Within():
+            return merged([*test.intervals, *((number, number) for number in test.sentinels)])
+        case HasDigits() | HasCharacters() | RealWithin() | PartWithin() | Fits():
+            return None
+        case _:
+            assert_never(test)

@@ -1,0 +1,53 @@
+"""The types of variables for numbers on the wire."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, Precision, Real, Sign, Text, Truth, Whole
+from fieldspec.targets.controllers.statements.expressions import SIGNED, UNSIGNED, Elementary
+
+
+def whole_type(encoding: Encoding) -> Elementary:
+    """The type of whole numbers that has all those of an encoding. Raises AssertionError for what is no such number."""
+    match encoding:
+        case Whole():
+            return _of_sign(encoding.sign, encoding.bits // 8)
+        case Digits():
+            return whole_type(encoding.number)
+        case Truth():
+            return UNSIGNED[encoding.bits // 8]
+        case Real() | Text() | Octets():
+            raise AssertionError(f"{encoding} is no whole number")
+        case _:
+            assert_never(encoding)
+
+
+def _of_sign(sign: Sign, size: int) -> Elementary:
+    match sign:
+        case Sign.NONE:
+            return UNSIGNED[size]
+        case Sign.COMPLEMENT | Sign.MAGNITUDE:
+            return SIGNED[size]
+        case _:
+            assert_never(sign)
+
+
+def is_single(encoding: Encoding) -> bool:
+    """Whether it is a floating-point number that a REAL has exactly."""
+    match encoding:
+        case Real():
+            return _is_within_single(encoding.precision)
+        case Whole() | Truth() | Digits() | Text() | Octets():
+            return False
+        case _:
+            assert_never(encoding)
+
+
+def _is_within_single(precision: Precision) -> bool:
+    match precision:
+        case Precision.HALF | Precision.SINGLE:
+            return True
+        case Precision.DOUBLE:
+            return False
+        case _:
+            assert_never(precision)
