@@ -38,6 +38,17 @@ class Sign(Enum):
             case _:
                 assert_never(self)
 
+    @property
+    def has_two_zeros(self) -> bool:
+        """Whether 0 has bits for a second time, with the sign of a number below it."""
+        match self:
+            case Sign.NONE | Sign.COMPLEMENT:
+                return False
+            case Sign.MAGNITUDE:
+                return True
+            case _:
+                assert_never(self)
+
 
 class Precision(Enum):
     """The widths in bits of the floating-point numbers of IEEE 754."""
@@ -216,21 +227,11 @@ def has_magnitude(encoding: Encoding) -> bool:
     """Whether the highest bit alone says that a number is below zero."""
     match encoding:
         case Whole():
-            return _is_magnitude(encoding.sign)
+            return encoding.sign.has_two_zeros
         case Real() | Truth() | Digits() | Text() | Octets():
             return False
         case _:
             assert_never(encoding)
-
-
-def _is_magnitude(sign: Sign) -> bool:
-    match sign:
-        case Sign.NONE | Sign.COMPLEMENT:
-            return False
-        case Sign.MAGNITUDE:
-            return True
-        case _:
-            assert_never(sign)
 
 
 def is_odd(encoding: Encoding) -> bool:
@@ -243,23 +244,13 @@ def has_single_bytes(encoding: Encoding) -> bool:
     """Whether each value has bytes of its own: no other bytes behind the end of a text, and no second zero."""
     match encoding:
         case Whole():
-            return _has_single_zero(encoding.sign)
+            return not encoding.sign.has_two_zeros
         case Real() | Truth() | Digits() | Octets():
             return True
         case Text():
             return False
         case _:
             assert_never(encoding)
-
-
-def _has_single_zero(sign: Sign) -> bool:
-    match sign:
-        case Sign.NONE | Sign.COMPLEMENT:
-            return True
-        case Sign.MAGNITUDE:
-            return False
-        case _:
-            assert_never(sign)
 
 
 def number_of(encoding: Encoding) -> Whole | None:

@@ -11,9 +11,9 @@ from fieldspec.targets.js.members import members_of
 from fieldspec.targets.js.text import literal
 
 
-def list_length(key: str, most: int) -> str:
+def list_length(key: str, highest_count: int) -> str:
     """The elements of a list whose bytes are counted before it is checked: `listLength(value, "values", 59)`"""
-    return f"listLength(value, {literal(key)}, {most})"
+    return f"listLength(value, {literal(key)}, {highest_count})"
 
 
 def list_table(record: RecordLayout, name: str) -> list[str]:

@@ -72,10 +72,10 @@ def _write_list(member: Member, names: Names) -> list[str]:
     else:
         body = slot_of(field, names).write("item", "at", 0)
     repeat = field.field.repeat
-    least, most = (field.count, field.count) if repeat is None else (repeat.low, repeat.high)
+    lowest_count, highest_count = (field.count, field.count) if repeat is None else (repeat.low, repeat.high)
     start = place("o", field.offset)
     return [
-        f"checkList({literal(field.name)}, {items}, {least}, {most});",
+        f"checkList({literal(field.name)}, {items}, {lowest_count}, {highest_count});",
         f"for (let at = {start}, index = 0; index < {items}.length; index++, at += {field.size}) {{",
         f"  const item = {items}[index];",
         *(f"  {line}" for line in body),
