@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_array, is_octets, is_real, is_text, is_truth
 from fieldspec.language.model.value import Value
 
 _VALUES: dict[tuple[int, int], st.SearchStrategy[dict[str, Any]]] = {}
@@ -38,7 +38,7 @@ def _values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[
 def _choosing(layout: DeviceLayout, record: RecordLayout, selector: FieldLayout) -> st.SearchStrategy[dict[str, Any]]:
     """Values of the type that the selector says; now and then, where all types are numbers, with another selector."""
     shapes = {id(shape): shape for shape in record.chosen.values()}
-    numeric = all(case.value.type.letter != "s" for case in record.fields[-1].cases)
+    numeric = all(not is_array(case.value.encoding) for case in record.fields[-1].cases)
     each = []
     for shape in shapes.values():
         numbers = sorted(number for number, chosen in record.chosen.items() if chosen is shape)
@@ -62,19 +62,19 @@ def _field(layout: DeviceLayout, field: FieldLayout) -> st.SearchStrategy[Any]:
 
 def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
     assert value is not None
-    kind = value.type.kind
-    if kind is Kind.TEXT:
+    encoding = value.encoding
+    if is_text(encoding):
         fitting = st.text(st.characters(min_codepoint=1, max_codepoint=0x7E), max_size=value.size)
         return st.one_of(fitting, fitting, st.text(max_size=value.size + 1))
-    if kind is Kind.BYTES:
+    if is_octets(encoding):
         fitting_bytes = st.binary(min_size=value.size, max_size=value.size)
         return st.one_of(fitting_bytes, fitting_bytes, fitting_bytes, st.binary(max_size=value.size + 1))
-    if kind is Kind.FLOAT:
+    if is_real(encoding):
         fitting_floats = [st.floats(a, b, width=32) for a, b in value.ranges.intervals] if value.ranges else []
         absent = [float("nan") if sentinel.is_nan else float(sentinel.value) for sentinel in value.sentinels]
         sentinels = [st.sampled_from(absent)] if absent else []
         return st.one_of(*fitting_floats * 4, *sentinels, st.floats(width=32))
-    if kind is Kind.BOOLEAN:
+    if is_truth(encoding):
         return st.one_of(st.booleans(), st.booleans(), st.booleans(), st.integers(-1, 2))
     low, high = value.type.low, value.type.high
     options: list[st.SearchStrategy[int]] = []

@@ -14,6 +14,7 @@ import pytest
 from fieldspec.codec.explain.body import percentage_text
 from fieldspec.codec.explain.values import in_unit, range_in_unit
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.quantity import real_text
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import Field
@@ -160,7 +161,7 @@ def test_a_browser_shows_the_same_texts(explainer: Path) -> None:
         value = field_of(number).value
         assert value is not None
         for count in counts_of(number):
-            data = count.to_bytes(value.size, "big", signed=value.type.signed)
+            data = count.to_bytes(value.size, "big", signed=is_signed(value.encoding))
             jobs.append({"module": str(explainer), "frame": f"{number:02x}{data.hex()}", "options": {}, "request": ""})
     for job, (have,) in zip(jobs, explained_by_node(jobs), strict=True):
         assert have == explained_by_python(device(), job), job

@@ -11,6 +11,7 @@ import pytest
 
 from external_tools import require_tool
 from fieldspec.cli import main
+from fieldspec.language.model.encoding import is_signed
 from fieldspec.targets.js.backend import files, shared
 from fieldspec.testing import SimulatedDevice, simulation
 from fieldspec.tools.simulator.codecs import device_module
@@ -185,8 +186,12 @@ def test_javascript_has_the_number_of_the_field(box: tuple[int, Path]) -> None:
         [require_tool("node"), "--input-type=module", "-e", program], capture_output=True, text=True, check=False
     )
     assert run.returncode == 0, run.stderr
-    span, is_signed = 1 << 8 * size, next(iter(layout.messages["write_parameter"].request.fields[1:])).primitive.signed
-    long = 40000 - span if is_signed and size == 2 else 40000
-    assert json.loads(run.stdout) == [-1234 if is_signed else span - 1234, span - 1234, long, -1234, -1234, 40000]
+    field = next(iter(layout.messages["write_parameter"].request.fields[1:]))
+    span, has_sign = 1 << 8 * size, is_signed(field.primitive.encoding)
+    long = 40000 - span if has_sign and size == 2 else 40000
+    assert json.loads(run.stdout) == [-1234 if has_sign else span - 1234, span - 1234, long, -1234, -1234, 40000]
     python = device_module(layout).settings
-    assert [python.ZERO_OFFSET.to_raw(-1234), python.RAMP.to_raw(40000)] == [-1234 if is_signed else span - 1234, long]
+    assert [python.ZERO_OFFSET.to_raw(-1234), python.RAMP.to_raw(40000)] == [
+        -1234 if has_sign else span - 1234,
+        long,
+    ]

@@ -15,7 +15,7 @@ from captures.conversations import USER_0, Segment, block, ethernet, pcap, rtu
 from captures.test_decode_in_bulk import run
 from captures.test_evidence import DEVICE, NOTE, dump, read, report, unit, words
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_array
 from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.redacted_files import redacted_dump, redacted_rows
 from fieldspec.tools.evidence.redaction import Redaction
@@ -314,4 +314,4 @@ def test_frames_of_manuals_stay_but_for_texts_and_what_no_request_explains(devic
 def known_or_text(layout: DeviceLayout, path: str) -> bool:
     """Whether a fact is a text, or no fact at all."""
     items = {item.fact.place.path: item for item in Observables(layout).all}
-    return path in ("unlisted", "reserved") or items[path].value.type.kind in (Kind.TEXT, Kind.BYTES)
+    return path in ("unlisted", "reserved") or is_array(items[path].value.encoding)

@@ -10,7 +10,7 @@ from typing import Any
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_bounds, digits_bytes
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_array, is_octets, is_real, is_signed, is_text, is_truth
 from fieldspec.language.model.value import Value
 
 Place = tuple[int, Value, str, bool]
@@ -39,18 +39,18 @@ _DOUBLES = ("7ff8000000000000", "7ff0000000000001", "fff8000000012345", "7ff0000
 
 def edge_numbers(device: Device, value: Value) -> list[Any]:
     """The raw values at the edges of a value, also such as it cannot have."""
-    kind = value.type.kind
-    if kind is Kind.TEXT:
+    encoding = value.encoding
+    if is_text(encoding):
         return ["", "A" * value.size, "A" * (value.size + 1), " A ", "A\0B", "\xe4", "\u20ac", "\r\n", "\x7f"]
-    if kind is Kind.BYTES:
+    if is_octets(encoding):
         return [bytes(value.size), b"\xff" * value.size, bytes(value.size + 1), bytes(max(0, value.size - 1))]
     intervals = [interval for ranges in (value.ranges, value.write_ranges) if ranges for interval in ranges.intervals]
     ends = [end for interval in intervals for end in interval]
     special = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
-    if kind is Kind.FLOAT:
+    if is_real(encoding):
         near = [other for end in ends for other in (end, math.nextafter(end, -math.inf), math.nextafter(end, math.inf))]
         return [float(number) for number in (*near, *special, *_REALS, math.inf, -math.inf, math.nan)]
-    if kind is Kind.BOOLEAN:
+    if is_truth(encoding):
         return [False, True]
     members = [member.value for member in device.enums[value.enum].members] if value.enum else []
     numbers = [*ends, *special, value.type.low, value.type.high, value.low, value.high, 0]
@@ -59,18 +59,18 @@ def edge_numbers(device: Device, value: Value) -> list[Any]:
     if value.digits:
         numbers += digit_bounds(value)
     if value.flags:
-        numbers += [1 << bit for bit in range(8 * value.type.size - value.type.signed)]
+        numbers += [1 << bit for bit in range(8 * value.type.size - is_signed(value.encoding))]
     return sorted({other for number in numbers for other in (number - 1, number, number + 1)})
 
 
 def edge_data(device: Device, value: Value, order: str, swapped: bool) -> list[bytes]:
     """The bytes of the edges of a value, and bytes that are all zeros, all ones, or a sign alone."""
-    size, kind = value.size, value.type.kind
+    size, encoding = value.size, value.encoding
     ones = b"\xff" * size
     patterns = [bytes(size), ones, b"\x80" + bytes(size - 1), b"\x7f" + ones[1:], bytes(size - 1) + b"\x01"]
-    if kind in (Kind.TEXT, Kind.BYTES):
+    if is_array(encoding):
         return [*patterns, b"A" * size, b"A".ljust(size, b"\0"), b"A".ljust(size), b" " * size]
-    if kind is Kind.FLOAT:
+    if is_real(encoding):
         letter = "f" if size == 4 else "d"
         patterns += [
             struct.pack(f">{letter}", number) for number in edge_numbers(device, value) if _fits(letter, number)

@@ -17,7 +17,7 @@ from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import CodecError, DeviceCodec
 from fieldspec.codec.reference.frames import Decoded
 from fieldspec.foundation.names import Name, version_word
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_count
 from fieldspec.targets.js.backend import files, shared
 from fieldspec.targets.js.members import members_of
 from layouts import SPECS, TEST_SPECS, layouts
@@ -86,7 +86,7 @@ def values_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]
         def element(item: Any, field: Any = field) -> Any:
             if field.record is not None:
                 return values_of(field.record, item)
-            if field.value.type.kind is Kind.INTEGER and field.value.number_size(field.size) > 6:
+            if is_count(field.value.encoding) and field.value.number_size(field.size) > 6:
                 return {"$n": str(item)}
             return portable(item)
 

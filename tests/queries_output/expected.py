@@ -12,7 +12,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.bits import number_of_bits
 from fieldspec.codec.reference.quantities import quantity, scale_of, special_name
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_count, is_octets, is_real, is_text
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 
@@ -122,7 +122,8 @@ def _flat(device: Device, name: str, record: RecordLayout, item: Mapping[str, An
 
 def _any_of(value: Value | None) -> Any:
     assert value is not None
-    return {Kind.TEXT: "", Kind.BYTES: b"", Kind.FLOAT: 0.0}.get(value.type.kind, 0)
+    encoding = value.encoding
+    return "" if is_text(encoding) else b"" if is_octets(encoding) else 0.0 if is_real(encoding) else 0
 
 
 def value_columns(
@@ -130,8 +131,8 @@ def value_columns(
 ) -> Iterator[tuple[str, Any]]:
     """The columns of a value by its raw value."""
     assert value is not None
-    kind = value.type.kind
-    sentinel = special_name(value, raw) if kind in (Kind.INTEGER, Kind.FLOAT) else ""
+    encoding = value.encoding
+    sentinel = special_name(value, raw) if (is_count(encoding) or is_real(encoding)) else ""
     if value.enum:
         member = device.enums[value.enum].member(int(raw))
         yield name, None if member is None else member.name
@@ -145,7 +146,7 @@ def value_columns(
         is_known = not sentinel and exponent.ranges is not None and number in exponent.ranges
         yield f"{name}_{unit_word(value.quantity_unit)}", _share(value.scaled_by(number), raw) if is_known else None
         yield f"{name}_raw", raw
-    elif kind is Kind.INTEGER and value.scaled:
+    elif is_count(encoding) and value.scaled:
         exact = quantity(value, raw) if isinstance(value.scale, Decimal) else None
         exact_value = exact_decimal(exact) if exact is not None else _share(value, raw)
         yield f"{name}_{unit_word(value.unit)}", None if sentinel else exact_value

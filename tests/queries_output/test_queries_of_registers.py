@@ -16,7 +16,7 @@ from fieldspec.codec.reference.records import decoded
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_text, is_truth
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 from layouts import SPECS, TEST_SPECS, newest
@@ -35,10 +35,10 @@ def layout_of(device: str) -> DeviceLayout:
 def columns_of(layout: DeviceLayout, name: str, value: Value, data: bytes, order: str, swapped: bool) -> Columns:
     """The columns of a value in some bytes; null where a codec refuses them."""
     raw = value_construct(value, order, swapped).parse(data)
-    if value.type.kind is Kind.TEXT:
+    if is_text(value.encoding):
         raw = None if any(byte > 0x7F for byte in raw) else raw.rstrip(b"\0").decode("ascii")
         return {name: raw}
-    if value.type.kind is Kind.BOOLEAN and not value.enum:
+    if is_truth(value.encoding) and not value.enum:
         return {name: bool(raw) if raw in (0, 1) else None}
     return dict(value_columns(layout.device, name, value, raw))
 

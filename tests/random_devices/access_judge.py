@@ -16,7 +16,7 @@ from fieldspec.codec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.codec.reference.quantities import quantity as reference_quantity
 from fieldspec.codec.reference.quantities import scale_of, special_number
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_count, is_real, is_signed
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.value import Value
 from python_package import built, link_of, record_class, runtime
@@ -124,7 +124,7 @@ class Access(Python):
             number: Any = value.const
         elif value.type.name == "bit":
             number = True
-        elif value.type.kind is Kind.INTEGER and not value.enum and not value.flags:
+        elif is_count(value.encoding) and not value.enum and not value.flags:
             number = value.writable_ranges.low if value.writable_ranges else 1
         else:
             return
@@ -161,9 +161,9 @@ class Access(Python):
     def _assert_quantity(self, query: Query) -> None:
         """A count in its unit is exact, or None where it stands for an absent value."""
         value: Value = query.shape[0]
-        if value.enum or value.flags or value.const is not None or value.type.kind is not Kind.INTEGER:
+        if value.enum or value.flags or value.const is not None or not is_count(value.encoding):
             return
-        raw = int.from_bytes(query.data[: value.size], "big", signed=value.type.signed)
+        raw = int.from_bytes(query.data[: value.size], "big", signed=is_signed(value.encoding))
         exponent = self.layout.device.register(value.scale_by) if value.scale_by else None
         intervals = (
             exponent.value.ranges.intervals if exponent is not None and exponent.value.ranges is not None else ()
@@ -194,7 +194,7 @@ class Access(Python):
             number = special_number(value, sentinel.name)
             assert holder.state_of(number) == sentinel.name, f"{query.path}: {number} is {holder.state_of(number)}"
             assert holder.state_of(absent[sentinel.name]) == sentinel.name
-        if value.scale_by or value.enum or value.flags or value.type.kind not in (Kind.INTEGER, Kind.FLOAT):
+        if value.scale_by or value.enum or value.flags or not (is_count(value.encoding) or is_real(value.encoding)):
             return
         if len(absent) == 1:
             assert holder.state_of(holder.from_unit(None)) in absent, f"{query.path}: {holder.from_unit(None)}"

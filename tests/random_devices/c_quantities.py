@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_real, is_signed
 from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.c.absent import AbsentValue
 from fieldspec.targets.c.conversions import count_type
@@ -66,7 +66,7 @@ class QuantityCases:
     def _quantity(self, path: tuple[str, ...], measured: Measured, has_function: bool) -> str:
         value = measured.value
         kind = type_name(value)
-        number = "double_of(data)" if value.type.kind is Kind.FLOAT else "whole_of(data)"
+        number = "double_of(data)" if is_real(value.encoding) else "whole_of(data)"
         begin = f"double quantity = 0; int refusal = 0; {kind} raw = ({kind}){number};"
         if has_function:
             function = self.naming.function(path[0], *path[1:], "from_raw")  # type: ignore[arg-type]
@@ -107,7 +107,7 @@ class QuantityCases:
         kind = type_name(measured.value)
         function = self.naming.function(path[0], *path[1:], "to_raw")  # type: ignore[arg-type]
         call = f"{function}(double_of(data), {self._exponent(measured)}&raw)"
-        form = ("lld", "long long") if measured.value.type.signed else ("llu", "unsigned long long")
+        form = ("lld", "long long") if is_signed(measured.value.encoding) else ("llu", "unsigned long long")
         return f'{kind} raw = 0; status = (int){call}; printf("%{form[0]}", ({form[1]})raw);'
 
     def _share(self, conversion: Conversion) -> str:

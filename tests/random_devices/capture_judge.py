@@ -18,7 +18,7 @@ from fieldspec.codec.reference.frames import Decoded
 from fieldspec.codec.reference.records import decoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_array, is_real
 from fieldspec.language.model.record import RegisterAccess
 from fieldspec.tools.captures.decoding import Choices
 from fieldspec.tools.captures.tables import record_batches
@@ -239,12 +239,12 @@ def assert_row(device: Device, text: str, leaf: Leaf, row: Row, is_lenient: bool
 
 
 def _columns(device: Device, leaf: Leaf, is_lenient: bool) -> Iterator[tuple[str, Any]]:
-    value, raw, kind = leaf.value, leaf.raw, leaf.value.type.kind
-    if kind in (Kind.TEXT, Kind.BYTES):
+    value, raw, encoding = leaf.value, leaf.raw, leaf.value.encoding
+    if is_array(encoding):
         yield "text", raw if isinstance(raw, str) and not leaf.is_reserved else _hexadecimal(raw)
         yield "verdict", "ok"
         return
-    is_narrow = kind is not Kind.FLOAT and -(2**63) <= raw < 2**63
+    is_narrow = not is_real(encoding) and -(2**63) <= raw < 2**63
     yield "raw", int(raw) if is_narrow else None
     yield "unit", value.unit or None
     if leaf.is_reserved:
@@ -252,7 +252,7 @@ def _columns(device: Device, leaf: Leaf, is_lenient: bool) -> Iterator[tuple[str
     meaning = meaning_of(device, value, raw)
     yield "value", meaning.exact
     words = [*meaning.names, *(f"bit_{place}" for place in meaning.others)]
-    digits = None if is_narrow or kind is Kind.FLOAT else str(raw)
+    digits = None if is_narrow or is_real(encoding) else str(raw)
     yield "text", "+".join(words) if words or value.flags else digits
     verdict = "ok" if meaning.is_within else "out_of_range"
     if verdict == "ok" and not meaning.is_member:

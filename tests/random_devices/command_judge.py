@@ -15,7 +15,7 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.codec.reference.parameters import carries
 from fieldspec.command.sources import layout_cache
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.registers import Parameter, ParameterSet
 from random_devices.inputs import header_values, number_or_text
 from random_devices.queries import Answer, Query
@@ -44,13 +44,7 @@ class Command:
         for parameter_set, parameter in self._parameters(value.value.parameter.set):
             kind = parameter.value
             ranges = kind.writable_ranges
-            if (
-                ranges is None
-                or kind.enum
-                or kind.flags
-                or kind.const is not None
-                or kind.type.kind is not Kind.INTEGER
-            ):
+            if ranges is None or kind.enum or kind.flags or kind.const is not None or not is_count(kind.encoding):
                 continue
             for raw in (ranges.low, number_or_text(self.layout, kind, self.dice), ranges.high + 1, ranges.low - 1):
                 fits = carries(value, kind.size) if value.carries_bytes else kind.size == value.size

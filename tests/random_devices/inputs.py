@@ -13,7 +13,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference import CodecError
 from fieldspec.codec.reference.escapes import escaped
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_octets, is_real, is_text, is_truth
 from fieldspec.language.model.value import Value
 
 _LONGEST = 12
@@ -74,16 +74,16 @@ def _field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any
 def number_or_text(layout: DeviceLayout, value: Value | None, dice: random.Random) -> Any:
     """A raw value."""
     assert value is not None
-    kind = value.type.kind
-    if kind is Kind.TEXT:
+    encoding = value.encoding
+    if is_text(encoding):
         length = dice.randint(0, value.size) if dice.random() < 0.95 else value.size + 1
         characters = string.printable if value.text_form is None else _CHARACTERS[value.text_form.encoding]
         return "".join(dice.choice(characters) for _ in range(length))
-    if kind is Kind.BYTES:
+    if is_octets(encoding):
         return dice.randbytes(value.size)
-    if kind is Kind.BOOLEAN:
+    if is_truth(encoding):
         return dice.random() < 0.5
-    if kind is Kind.FLOAT:
+    if is_real(encoding):
         return _float(value, dice)
     return _whole_number(layout, value, dice)
 

@@ -14,7 +14,7 @@ from external_tools import require_tool
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_real, is_truth
 from fieldspec.language.model.value import Value
 from fieldspec.targets.js.backend import shared
 from fieldspec.targets.js.links import WIDE
@@ -212,8 +212,8 @@ def _bytes(item: Any) -> dict[str, str]:
 
 
 def _element(value: Value, item: Any, size: int) -> Any:
-    kind = value.type.kind
-    if kind is Kind.BOOLEAN and item in (0, 1):
+    encoding = value.encoding
+    if is_truth(encoding) and item in (0, 1):
         return bool(item)
     if isinstance(item, bytes | bytearray):
         return {"$b": bytes(item).hex()}
@@ -247,4 +247,4 @@ def _typed(value: Value, item: Any) -> Any:
     item = _scalar(item)
     if isinstance(item, dict):
         return bytes.fromhex(item["$b"]) if "$b" in item else float(item["$f"])
-    return float(item) if value.type.kind is Kind.FLOAT else item
+    return float(item) if is_real(value.encoding) else item

@@ -28,8 +28,8 @@ from fieldspec.codec.reference.quantities import (
 )
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import replace
+from fieldspec.language.model.encoding import is_count, is_real
 from fieldspec.language.model.enums import Flags
-from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.value import Value
 from python_package import class_of
 from random_devices.inputs import number_or_text
@@ -59,7 +59,7 @@ class Meanings:
             self._assert_states(path[-1], value, order, swapped)
             for _ in range(4):
                 raw = number_or_text(self.layout, value, dice)
-                if value.type.kind is Kind.INTEGER and value.low <= raw <= value.high:
+                if is_count(value.encoding) and value.low <= raw <= value.high:
                     data = value_construct(value, order, swapped).build(raw)
                     read = decode_value(self.device, value, data, order, swapped)
                     self._assert_meaning(" ".join(path), Leaf("", value, raw, order, swapped, False), read)
@@ -97,7 +97,11 @@ class Meanings:
         names = [each.name for each in value_meanings if each.name]
         assert names == list(meaning.names), f"{text}: {leaf.raw} is {names}, not {meaning.names}"
         assert [each.bits for each in value_meanings if not each.name] == [str(place) for place in meaning.others], text
-        has_quantity = not meaning.state and not leaf.value.flags and leaf.value.type.kind in (Kind.INTEGER, Kind.FLOAT)
+        has_quantity = (
+            not meaning.state
+            and not leaf.value.flags
+            and (is_count(leaf.value.encoding) or is_real(leaf.value.encoding))
+        )
         exact = quantity(leaf.value, leaf.raw, leaf.power) if has_quantity else None
         assert_printed(f"{text}: {leaf.raw}", leaf, exact, printed if exact is not None else "")
         if leaf.value.flags:
@@ -190,7 +194,7 @@ class Meanings:
 
 def assert_printed(text: str, leaf: Leaf, exact: Fraction | None, printed: str) -> None:
     """A quantity is printed in full, or rounded to places that tell counts apart, with its unit."""
-    value, is_float = leaf.value, leaf.value.type.kind is Kind.FLOAT
+    value, is_float = leaf.value, is_real(leaf.value.encoding)
     own_unit = value.unit if leaf.power is None else value.quantity_unit
     scale = scale_of(value, leaf.power)
     has_none = exact is None or not (own_unit or ((scale != 1 or value.offset != 0) and not is_float))
@@ -217,7 +221,7 @@ def assert_printed(text: str, leaf: Leaf, exact: Fraction | None, printed: str) 
 
 def entries(layout: DeviceLayout, value: Value, raw: Any) -> Iterator[tuple[Any, Any]]:
     """What people may write for a raw value, and the raw value that it is, or a part of the reason for none."""
-    if value.type.kind is not Kind.INTEGER or value.const is not None:
+    if not is_count(value.encoding) or value.const is not None:
         return
     state = special_name(value, raw)
     for sentinel in value.sentinels:

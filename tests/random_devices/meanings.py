@@ -12,8 +12,8 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.bits import number_of_bits, unlisted_bits
 from fieldspec.codec.reference.quantities import quantity, special_name
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_array, is_real, is_truth
 from fieldspec.language.model.enums import Bit, Enum, Flags
-from fieldspec.language.model.primitives import Kind
 from fieldspec.language.model.value import Value
 
 
@@ -80,13 +80,13 @@ class Meaning:
 
 def meaning_of(device: Device, value: Value, raw: Any) -> Meaning:
     """What a raw value means that is not reserved."""
-    kind = value.type.kind
-    if kind in (Kind.TEXT, Kind.BYTES):
+    encoding = value.encoding
+    if is_array(encoding):
         return Meaning()
-    state = special_name(value, raw) if kind is not Kind.BOOLEAN and value.const is None else ""
+    state = special_name(value, raw) if not is_truth(encoding) and value.const is None else ""
     if state:
         return Meaning(names=(state,), state=state)
-    is_within = value.ranges is None or kind is Kind.BOOLEAN or raw in value.ranges
+    is_within = value.ranges is None or is_truth(encoding) or raw in value.ranges
     if value.enum:
         member = device.enums[value.enum].member(int(raw))
         names = () if member is None else (member.name,)
@@ -115,7 +115,7 @@ def bit_text(enums: Mapping[str, Enum], word: Flags, bit: Bit, number: int) -> s
 
 def is_nearest(value: Value, raw: float, exact: Fraction | float, number: float) -> bool:
     """Whether a number is the one nearest to a quantity; where raw * scale has more than 53 bits, one very near."""
-    if isinstance(exact, float) or value.type.kind is Kind.FLOAT:
+    if isinstance(exact, float) or is_real(value.encoding):
         return number == float(exact) or (math.isnan(number) and math.isnan(exact))
     scaled = abs(raw) * Fraction(value.scale)
     size = scaled.numerator * Fraction(value.offset).denominator

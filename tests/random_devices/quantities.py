@@ -18,7 +18,7 @@ from typing import Any
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.exponents import ExponentLayout, exponent_of
 from fieldspec.codec.reference.quantities import quantity, scale_of, special_name, special_number
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.value import Conversion, Value
 from random_devices.inputs import is_computed, number_or_text
 from random_devices.queries import Answer, Query, has_quantity, quantity_text, shapes
@@ -69,7 +69,7 @@ def quantity_queries(layout: DeviceLayout, dice: random.Random) -> list[Query]:
             for power in measured.powers or (None,):
                 drawn.append(Query("quantity", path, values={"raw": count, "power": power}, shape=measured))
                 exact = quantity(measured.value, count, power)
-                if exact is None or measured.value.type.kind is Kind.FLOAT:
+                if exact is None or is_real(measured.value.encoding):
                     continue
                 for number in (float(exact), float(exact + scale_of(measured.value, power) / 2)):
                     values = {"quantity": number, "power": power}
@@ -87,7 +87,7 @@ def _counts(layout: DeviceLayout, value: Value, dice: random.Random) -> list[Any
     """The ends of what a value may be, numbers beside them, states, and drawn numbers."""
     special = [special_number(value, sentinel.name) for sentinel in value.sentinels]
     drawn = [number_or_text(layout, value, dice) for _ in range(DRAWS)]
-    if value.type.kind is Kind.FLOAT:
+    if is_real(value.encoding):
         form = "<f" if value.size == 4 else "<d"
         drawn = [struct.unpack(form, struct.pack(form, number))[0] for number in drawn if math.isfinite(number)]
         return [*special, *drawn, math.nan, -1.5]
@@ -108,7 +108,7 @@ def expected_answer(query: Query) -> Answer:
         raw = query.values["raw"]
         exact = quantity(value, raw, power)
         state = special_name(value, raw) or None
-        is_own = value.type.kind is Kind.FLOAT and state is None  # it is in the unit already, as -0.0 and NaN are
+        is_own = is_real(value.encoding) and state is None  # it is in the unit already, as -0.0 and NaN are
         number = raw if is_own else exact
         return Answer(quantity=quantity_text(None if number is None else float(number), state))
     count = round(_exact_count(query))
@@ -155,7 +155,7 @@ def with_rounding(query: Query, answer: Answer) -> Answer:
     assert query.values is not None
     if query.kind == "share":
         terms = 2 * abs(Fraction(query.values["reference"])) * max(1, abs(query.values["raw"]))
-    elif query.shape.value.type.kind is Kind.FLOAT:
+    elif is_real(query.shape.value.encoding):
         terms = Fraction(0)
     else:
         scale = abs(scale_of(query.shape.value, query.values["power"]))

@@ -13,7 +13,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.reference import CodecError, DeviceCodec, codec
-from fieldspec.language.model.primitives import Kind
+from fieldspec.language.model.encoding import is_count, is_octets, is_real, is_text
 from fieldspec.language.model.value import Value
 from random_devices.inputs import (
     delimited,
@@ -117,21 +117,26 @@ def _flat_element(field: FieldLayout, value: Any) -> str:
 
 def flat_value(value: Value, raw: Any) -> str:
     """A value as a text, with a semicolon behind it."""
-    kind = value.type.kind
-    if kind is Kind.FLOAT:
+    encoding = value.encoding
+    if is_real(encoding):
         return "nan;" if math.isnan(raw) else struct.pack(">f" if value.size == 4 else ">d", raw).hex() + ";"
-    if kind is Kind.TEXT:
+    if is_text(encoding):
         return raw.partition("\0")[0].encode("utf-8").hex() + ";"
-    if kind is Kind.BYTES:
+    if is_octets(encoding):
         return bytes(raw).hex() + ";"
     return f"{int(raw)};"
 
 
 def has_quantity(value: Value) -> bool:
     """Whether codecs have a quantity of a value: of counts in a unit or with a scale, and of what may be a state."""
-    if value.const is not None or value.enum or value.flags or value.type.kind not in (Kind.INTEGER, Kind.FLOAT):
+    if (
+        value.const is not None
+        or value.enum
+        or value.flags
+        or not (is_count(value.encoding) or is_real(value.encoding))
+    ):
         return False
-    return bool(value.sentinels or (value.type.kind is Kind.INTEGER and (value.unit or value.scaled)))
+    return bool(value.sentinels or (is_count(value.encoding) and (value.unit or value.scaled)))
 
 
 def quantity_text(number: float | str | None, state: str | None) -> str:
@@ -255,7 +260,7 @@ def value_queries(layout: DeviceLayout, dice: random.Random, count: int) -> Iter
             data = dice.randbytes(size)
             if dice.random() < 0.3:
                 data = dice.choice((bytes(size), b"\xff" * size, b"\0" * (size - 1) + b"\1"))
-            elif value.type.kind is Kind.TEXT:
+            elif is_text(value.encoding):
                 data = bytes(byte & 0x7F for byte in data)
             yield Query(kind, path, data, shape=shape)
         if value.const is None:
