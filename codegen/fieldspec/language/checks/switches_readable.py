@@ -5,8 +5,8 @@ it reads with what it wrote, or with 1, works with one device and not with the o
 
 Example: a register without a range that can be read and written, with an open enum of 0 `off` and 1 `on`.
 
-Cure: Make the enum closed, or give the register a range, if the device refuses other numbers. If the manual does not print what reading gives, state
-that under `allow`, and write an erratum with `printed: {allow: ~}`.
+Cure: Make the enum closed, or give the register a range, if the device refuses other numbers. If the manual does not
+print what reading gives, state that under `allow`, and write an erratum with `printed: {allow: ~}`.
 """
 
 from __future__ import annotations
