@@ -4,9 +4,26 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from random_devices.draft import INTEGERS, ODD_INTEGERS, ODD_WORDS, SIZES, Draft, Spec, bounds, number, range_text
+from random_devices.draft import (
+    INTEGERS,
+    MAGNITUDES,
+    ODD_INTEGERS,
+    ODD_WORDS,
+    SIZES,
+    Draft,
+    Spec,
+    bounds,
+    number,
+    range_text,
+)
 
 SCALES = ("0.01", "0.1", "0.5", "10", "0.001", "100/2^14", "1/1000", "1/8")
+FLOATS = {
+    "f16": (200, 300, (-1, 2048, 0), (0x7E00, 0x7D01, 0xFFFF)),
+    "f32": (1000, 5000, (9999, -1, 70000, 0), (0x7FC00000, 0x7FA00001, 0xFFFFFFFF)),
+    "f64": (1000, 5000, (9999, -1, 70000, 0), (0x7FF8 << 48, 2**64 - 1)),
+}
+"""For each type: the greatest bound and span of ranges, numbers that are states, and bits of NaN, quiet ones first."""
 UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
 
 
@@ -26,7 +43,7 @@ def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
     elif kind == "bytes":
         keys["length"] = draft.number(1, 9)
         keys["length"] += keys["length"] % 2 * _fills_words(draft, place)
-    elif kind in ("f32", "f64"):
+    elif kind in FLOATS:
         _float(draft, keys, place)
     elif not kind.startswith("bool"):
         _integer(draft, keys, place)
@@ -50,6 +67,10 @@ def _types(draft: Draft, place: str) -> tuple[str, ...]:
     if place == "part":
         return ODD_INTEGERS if draft.chance(12) else INTEGERS
     wide = place in ("register", "table")
+    if place in ("register", "table", "parameter", "subindex", "case", "field", "signal") and draft.chance(8):
+        fitting = MAGNITUDES if place in ("case", "field", "signal") else [k for k in MAGNITUDES if SIZES[k] > 1]
+        words = [k for k in fitting if not wide or SIZES[k] % 2 == 0]
+        return (*words, *["f16"] * 3)
     if wide and draft.chance(8):
         return ODD_WORDS
     if place == "register" and draft.chance(8):
@@ -231,18 +252,16 @@ def _text_form(draft: Draft, keys: Spec) -> None:
 
 
 def _float(draft: Draft, keys: Spec, place: str) -> None:
+    greatest, span, numbers, (quiet, *others) = FLOATS[keys["type"]]
     if draft.chance(50):
         keys["unit"] = draft.pick(UNITS)
     if draft.chance(40):
-        low = draft.number(-1000, 1000)
-        keys["range"] = range_text([(low, low + draft.number(1, 5000))])
+        low = draft.number(-greatest, greatest)
+        keys["range"] = range_text([(low, low + draft.number(1, span))])
         if draft.chance(50):
-            keys["range"] = f"{low}.{draft.pick(('5', '25', '125'))}..{low + draft.number(1, 5000)}.75"
+            keys["range"] = f"{low}.{draft.pick(('5', '25', '125'))}..{low + draft.number(1, span)}.75"
     if draft.chance(30) and place != "part":
-        quiet, others = (
-            (0x7FC00000, (0x7FA00001, 0xFFFFFFFF)) if keys["type"] == "f32" else (0x7FF8 << 48, (2**64 - 1,))
-        )
-        nan = {"bits": draft.pick((quiet,) * 9 + others), "name": "not_measured"}
-        numbers = [{"value": draft.pick((9999, -1)), "name": "overflow"}]
-        numbers += [{"value": draft.pick((0, 70000)), "name": "underflow"}] * draft.chance(30)
-        keys["sentinels"] = draft.pick(([nan], [nan], numbers, numbers, [nan, *numbers]))
+        nan = {"bits": draft.pick((*(quiet,) * 9, *others)), "name": "not_measured"}
+        states = [{"value": draft.pick(numbers[:2]), "name": "overflow"}]
+        states += [{"value": draft.pick(numbers[2:]), "name": "underflow"}] * draft.chance(30)
+        keys["sentinels"] = draft.pick(([nan], [nan], states, states, [nan, *states]))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import random
 import string
-import struct
 from typing import Any, Literal
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -13,7 +13,16 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference import CodecError
 from fieldspec.codec.reference.escapes import escaped
-from fieldspec.language.model.encoding import is_octets, is_real, is_text, is_truth
+from fieldspec.language.model.encoding import (
+    Precision,
+    Real,
+    is_octets,
+    is_real,
+    is_text,
+    is_truth,
+    real_bits,
+    real_number,
+)
 from fieldspec.language.model.value import Value
 
 _LONGEST = 12
@@ -117,7 +126,17 @@ def _float(value: Value, dice: random.Random) -> float:
         number = dice.choice((float(first), float(last), dice.uniform(first, last), dice.uniform(first, last)))
     else:
         number = dice.choice((0.0, -1.5, 3.4e38, 1e-45, float("inf"), dice.uniform(-1e6, 1e6), 301.0, -0.0))
-    return float(struct.unpack(">f", struct.pack(">f", number))[0]) if value.size == 4 else number
+    if math.isfinite(number) and isinstance(value.type.encoding, Real):
+        return _nearest(value.type.encoding.precision, number)
+    return number
+
+
+def _nearest(precision: Precision, number: float) -> float:
+    """The nearest number of a precision; infinity where there is none."""
+    try:
+        return real_number(precision, real_bits(precision, number))
+    except OverflowError:
+        return math.copysign(math.inf, number)
 
 
 def header_values(layout: DeviceLayout, link: str, frame: FrameLayout, dice: random.Random) -> dict[str, Any]:
