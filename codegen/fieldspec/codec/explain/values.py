@@ -148,19 +148,19 @@ def decode_value(
     device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
 ) -> DecodedValue:
     """The meaning of the bytes of a value. `data` must have exactly the size of the value. Never raises."""
-    return decoded_row(device, read_value(value_program(device, value, order, swapped, reserved), data))
+    return decoded_row(device, read_value(value_program(device, value, order, swapped, reserved), data), value)
 
 
-def decoded_row(device: Device, row: Row, scaled: Value | None = None) -> DecodedValue:
-    """The meaning of what a program says of some bytes; `scaled` is the value with a scale that is read."""
-    value, failed = scaled or row.variable.value, row.failed
+def decoded_row(device: Device, row: Row, value: Value) -> DecodedValue:
+    """The meaning of what a program says of some bytes; `value` is that of the variable, with a scale that is read."""
+    failed = row.failed
     if row.variable.is_reserved:
         return DecodedValue(row.number)
     if failed is None:
         return _named(device, value, row)
     # What is not the constant stands for nothing.
-    named = DecodedValue(row.number) if failed.reason == "wrong_const" else _named(device, value, row)
-    return named.judged(False, _expected(device, value, row, failed.test), failed.reason)
+    decoded = DecodedValue(row.number) if failed.reason == "wrong_const" else _named(device, value, row)
+    return decoded.judged(False, _expected(device, value, row, failed.test), failed.reason)
 
 
 def _expected(device: Device, value: Value, row: Row, test: Test) -> str:
@@ -173,7 +173,7 @@ def _expected(device: Device, value: Value, row: Row, test: Test) -> str:
         case HasDigits():
             return digits_text(value)
         case HasCharacters():
-            return text_form_title(value) or encoding_title(value) if row.is_formed else value_form(value)
+            return text_form_title(value) or encoding_title(value) if row.image is not None else value_form(value)
         case Known():
             return _member_list(device.enums[test.enum])
         case Within():
@@ -196,8 +196,9 @@ def _named(device: Device, value: Value, row: Row) -> DecodedValue:
         case Text() | Octets():
             return DecodedValue(row.number)
         case Truth():
-            named = _member_meaning(device, value, int(content == 1)) if value.enum and content in (0, 1) else None
-            return replace(named or DecodedValue(None), number=row.number)
+            is_member = value.enum and content in (0, 1)
+            decoded = _member_meaning(device, value, int(content == 1)) if is_member else DecodedValue(None)
+            return replace(decoded, number=row.number)
         case Real():
             assert isinstance(content, float)
             return _float(value, content)
@@ -236,8 +237,7 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
     if sentinel is not None:
         return replace(decoded, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:
-        named = _member_meaning(device, value, number)
-        return replace(named, text=in_unit(value, number), verdict=decoded.verdict)
+        return replace(_member_meaning(device, value, number), text=in_unit(value, number), verdict=decoded.verdict)
     if not value.flags:
         return replace(decoded, text=in_unit(value, number))
     word = device.flags[value.flags]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from fieldspec.codec.layout.accepted import Condition, passes
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import widened
 from fieldspec.codec.program.operations import Each, Inner, Load, LoadVarying, Program, Remark, Require, Variable
 from fieldspec.foundation import classes
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole
 from fieldspec.language.model.raw_numbers import number_in
@@ -21,9 +23,9 @@ Content = int | float | str | bytes
 class Row:
     """What some bytes gave: `raw` from `offset` on are the content of a variable, number `index` of its field.
 
-    The content is None where they are none of its digits or characters. Of a variable that varies in width `is_formed`
-    says whether they are one at all. `beside` are the rows of the same record by the names of their fields. `failed` is
-    the first condition that the content does not meet.
+    The content is None where they are none of its digits or characters. `image` are the bytes of a value in the image
+    of its record; None for those of none. `beside` are the rows of the same record by the names of their fields.
+    `failed` is the first condition that the content does not meet.
     """
 
     path: str
@@ -31,16 +33,16 @@ class Row:
     variable: Variable
     offset: int
     raw: bytes
+    image: bytes | None
     content: Content | None
     beside: dict[str, Row] = classes.field(repr=False)
-    is_formed: bool = True
     failed: Condition | None = None
 
     @property
     def number(self) -> Raw:
         """What a reader gets: a truth value as such, and the bytes of what has no content."""
         if self.content is None:
-            return self.raw
+            return self.raw if self.image is None else self.image
         encoding = self.variable.value.encoding
         match encoding:
             case Truth():
@@ -77,16 +79,10 @@ def run(program: Program, place: Place, rows: list[Row], beside: dict[str, Row])
     values: dict[str, Raw] = {}
     for operation in program:
         match operation:
-            case Load():
-                own = place.data[place.start : place.start + len(operation.places)]
-                content = content_of(operation.variable.value, bytes(own[byte] for byte in operation.places))
-                values[operation.variable.name] = _noted(operation.variable, place, own, content, rows, beside)
-            case LoadVarying():
-                own = place.data[place.start : place.stop]
-                image = widened(operation.variable.value, own)
-                content = None if image is None else content_of(operation.variable.value, image)
-                values[operation.variable.name] = _noted(operation.variable, place, own, content, rows, beside)
-                rows[-1].is_formed = image is not None
+            case Load() | LoadVarying():
+                row = beside[operation.variable.name] = _loaded(operation, place, beside)
+                rows.append(row)
+                values[operation.variable.name] = row.number
             case Require() | Remark():
                 if rows[-1].failed is None and not passes(operation.condition.test, rows[-1].content):
                     rows[-1].failed = operation.condition
@@ -95,32 +91,43 @@ def run(program: Program, place: Place, rows: list[Row], beside: dict[str, Row])
                 inner = Place(place.data, place.start, place.stop, path)
                 values[operation.name] = run(operation.program, inner, rows, {})
             case Each():
-                values[operation.name] = _elements(operation, place, rows, beside)
+                first, size = place.start + operation.offset, operation.size
+                count = (place.stop - first) // size if operation.count is None else operation.count
+                sizes = [size] * count if operation.is_list else [place.stop - first]
+                contents = run_each(operation, replace(place, start=first), sizes, rows, beside)
+                values[operation.name] = contents if operation.is_list else contents[0]
             case _:
                 assert_never(operation)
     return values
 
 
-def _elements(each: Each, place: Place, rows: list[Row], beside: dict[str, Row]) -> Raw:
-    """What the elements of a field gave: a list, or of a field that is none the content itself."""
-    first, size = place.start + each.offset, each.size
-    elements: list[Raw] = []
-    for index in range((place.stop - first) // size if each.count is None else each.count):
-        start = first + index * size
-        stop, suffix = (start + size, f"[{index}]") if each.is_list else (place.stop, "")
-        element = Place(place.data, start, stop, place.path, suffix, index)
-        elements.append(run(each.element, element, rows, beside)[each.name])
-    return elements if each.is_list else elements[0]
+def run_each(each: Each, place: Place, sizes: Sequence[int], rows: list[Row], beside: dict[str, Row]) -> list[Raw]:
+    """The contents of the elements of a field, which follow each other and have some sizes. Adds rows as `run` does."""
+    contents: list[Raw] = []
+    start = place.start
+    for index, size in enumerate(sizes):
+        suffix = f"[{index}]" if each.is_list else ""
+        element = Place(place.data, start, start + size, place.path, suffix, index)
+        contents.append(run(each.element, element, rows, beside)[each.name])
+        start += size
+    return contents
 
 
-def _noted(
-    variable: Variable, place: Place, own: bytes, content: Content | None, rows: list[Row], beside: dict[str, Row]
-) -> Raw:
-    """Adds a row, and gives what a reader gets."""
+def _loaded(operation: Load | LoadVarying, place: Place, beside: dict[str, Row]) -> Row:
+    variable = operation.variable
+    image: bytes | None
+    match operation:
+        case Load():
+            raw = image = place.data[place.start : place.start + len(operation.places)]
+            in_order: bytes | None = bytes(raw[byte] for byte in operation.places)
+        case LoadVarying():
+            raw = place.data[place.start : place.stop]
+            image = in_order = widened(variable.value, raw)
+        case _:
+            assert_never(operation)
+    content = None if in_order is None else content_of(variable.value, in_order)
     path = f"{place.path}{variable.name}{place.suffix}"
-    row = beside[variable.name] = Row(path, place.index, variable, place.start, own, content, beside)
-    rows.append(row)
-    return row.number
+    return Row(path, place.index, variable, place.start, raw, image, content, beside)
 
 
 def content_of(value: Value, data: bytes) -> Content | None:

@@ -1,9 +1,9 @@
-"""The programs of values, of elements of fields, and of the records in these."""
+"""The programs of values, of fields, and of the records in these."""
 
 from __future__ import annotations
 
 from fieldspec.codec.layout.accepted import accepted
-from fieldspec.codec.layout.record import FieldLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.program.operations import (
     Each,
     Inner,
@@ -37,7 +37,7 @@ class _Programs:
     by_value: ByIdentity[Value, dict[tuple[str, bool, bool], Program]] = classes.field(
         default_factory=lambda: ByIdentity(_MOST_PROGRAMS)
     )
-    by_field: ByIdentity[FieldLayout, Program] = classes.field(default_factory=lambda: ByIdentity(_MOST_PROGRAMS))
+    by_field: ByIdentity[FieldLayout, Each] = classes.field(default_factory=lambda: ByIdentity(_MOST_PROGRAMS))
 
 
 _PROGRAMS: ByIdentity[Device, _Programs] = ByIdentity(_MOST_DEVICES)
@@ -53,24 +53,27 @@ def value_program(device: Device, value: Value, order: str, swapped: bool, is_re
     return program
 
 
-def element_program(device: Device, field: FieldLayout) -> Program:
-    """The program of one element of a field whose type is known."""
+def field_program(device: Device, record: RecordLayout, field: FieldLayout) -> Each:
+    """The program of a field of a record. The type of the field is known."""
     programs = _PROGRAMS.get_or_compute(device, lambda _: _Programs())
-    return programs.by_field.get_or_compute(field, lambda own: _element(device, own))
+    return programs.by_field.get_or_compute(field, lambda own: _each(device, record, own))
 
 
-def _element(device: Device, field: FieldLayout) -> Program:
-    if field.record is not None:
-        return (Inner(field.name, tuple(_each(device, inner) for inner in field.record.fields)),)
+def _each(device: Device, record: RecordLayout, field: FieldLayout) -> Each:
+    element = _element(device, record, field)
+    return Each(field.name, field.offset, field.size, field.count, field.is_list, element)
+
+
+def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Program:
+    inner = field.record
+    if inner is not None:
+        return (Inner(field.name, tuple(field_program(device, inner, own) for own in inner.fields)),)
     assert field.value is not None
-    variable = Variable(field.name, field, field.value, field.field.reserved)
+    # What varies in width moves what is behind it.
+    exponent = field.value.scale_by if not record.spans and record.named(field.value.scale_by) is not None else ""
+    variable = Variable(field.name, field, field.value, field.field.reserved, exponent)
     varies = bool(field.value.width)
     return _judged(device, variable, LoadVarying(variable) if varies else _load(variable, field.order, field.swapped))
-
-
-def _each(device: Device, field: FieldLayout) -> Each:
-    program = element_program(device, field)
-    return Each(field.name, field.offset, field.size, field.count, field.is_list, program)
 
 
 def _load(variable: Variable, order: str, swapped: bool) -> Load:

@@ -16,12 +16,17 @@ Places = tuple[int, ...]
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """What gets a content: a value, which nobody judges or names if it `is_reserved`; `field` is None for no field."""
+    """What gets a content: a value, which nobody judges or names if it `is_reserved`.
+
+    `field` is None for what is no field. `exponent` is the field of the same record with the exponent of its scale;
+    empty where no field has it.
+    """
 
     name: str
     field: FieldLayout | None
     value: Value
     is_reserved: bool
+    exponent: str = ""
 
 
 @dataclass(frozen=True, slots=True)
