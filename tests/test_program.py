@@ -27,16 +27,16 @@ def traced(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[dic
     return run(program, Place(data, 0, len(data)), rows, {}), rows
 
 
-def is_of_one_size(record: RecordLayout) -> bool:
+def is_fixed(record: RecordLayout) -> bool:
     """Whether nothing in a record varies in size, nor in type."""
     inner = [field.record for field in record.fields if field.record is not None]
-    return record.size is not None and record.selector is None and not record.spans and all(map(is_of_one_size, inner))
+    return record.size is not None and record.selector is None and not record.spans and all(map(is_fixed, inner))
 
 
 def records(layout: DeviceLayout) -> list[RecordLayout]:
     """The records of a device that have one size."""
     bodies = [body for message in layout.messages.values() for body in message.bodies]
-    return [record for record in (*layout.records.values(), *bodies) if is_of_one_size(record)]
+    return [record for record in (*layout.records.values(), *bodies) if is_fixed(record)]
 
 
 def judged_bytes(layout: DeviceLayout, record: RecordLayout, dice: random.Random) -> bytes:
@@ -51,23 +51,23 @@ def judged_bytes(layout: DeviceLayout, record: RecordLayout, dice: random.Random
     return data[:place] + dice.randbytes(1) + data[place + 1 :]
 
 
-def plain(content: Any) -> Any:
+def without_nans(content: Any) -> Any:
     """The same content with texts for floating-point numbers, so that a NaN equals itself."""
     match content:
         case dict():
-            return {name: plain(own) for name, own in content.items()}
+            return {name: without_nans(own) for name, own in content.items()}
         case list():
-            return [plain(own) for own in content]
+            return [without_nans(own) for own in content]
         case float():
             return float.__repr__(content)
         case _:
             return content
 
 
-def expected(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[Any, tuple[str, int] | None]:
+def reference_answer(layout: DeviceLayout, record: RecordLayout, data: bytes) -> tuple[Any, tuple[str, int] | None]:
     """The values that the reference gives; or the reason of its refusal, and the byte."""
     try:
-        return plain(reference.decoded(record, data, layout.device)), None
+        return without_nans(reference.decoded(record, data, layout.device)), None
     except reference.CodecError as error:
         return None, (error.reason, error.offset or 0)
 
@@ -85,11 +85,11 @@ def test_programs_give_what_the_reference_gives_and_refuse_what_it_refuses(layou
         for _ in range(ROUNDS):
             data = judged_bytes(layout, record, dice)
             values, rows = traced(layout, record, data)
-            right, refusal = expected(layout, record, data)
+            right, refusal = reference_answer(layout, record, data)
             # What measures other fields is judged where the places of all are known.
             if refusal is None or refusal[0] != "wrong_measure":
-                given = plain(values) if refusal is None else None
-                assert (given, first_refusal(rows)) == (right, refusal), (record.name, data.hex())
+                read_values = without_nans(values) if refusal is None else None
+                assert (read_values, first_refusal(rows)) == (right, refusal), (record.name, data.hex())
 
 
 def test_a_trace_goes_on_behind_what_is_refused_and_says_which_bytes_gave_what() -> None:

@@ -103,7 +103,7 @@ class Body:
         self.values: dict[str, Raw] = {}
         inner = self.record.inner_lists
         self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
-        self._beside: dict[str, Row] = {}
+        self._rows_by_name: dict[str, Row] = {}
         traced = self._traced() if inner is None else self._traced_around(inner)
         # A scale may be behind the value that it applies to, so all bytes are read before any row is written.
         self.rows = list(self._explained(list(self._traced_varying() if self.record.spans else traced)))
@@ -278,7 +278,7 @@ class Body:
         """What the elements of one field gave, which have some sizes. Adds their values to `values`."""
         rows: list[Row] = []
         program = field_program(self.layout.device, self.record, field)
-        values = run_each(program, Place(self.data, start, self.end), sizes, rows, self._beside)
+        values = run_each(program, Place(self.data, start, self.end), sizes, rows, self._rows_by_name)
         if field.is_list:
             self.values[field.name] = values
         elif values:
@@ -289,11 +289,11 @@ class Body:
         """The row of what some bytes gave; `known` are the values of the fields before it, and those of the request."""
         device, field, value = self.layout.device, row.variable.field, row.variable.value
         assert field is not None
-        exponent = row.beside.get(row.variable.exponent)
+        exponent = row.rows_beside.get(row.variable.exponent)
         if exponent is not None:
             value = exponent_applied(value, exponent.variable.value, exponent.number)
         read = decoded_row(device, row, value)
-        if row.beside is self._beside:
+        if row.rows_beside is self._rows_by_name:
             read = self._measured(field, self._repeated(field, read))
         explained = fact_row(device, "field", row.path, field.field, self.spot, row.offset, row.raw, read, self.outer)
         explained = with_parameter(device, explained, field, row.index, known, self.outer, self.is_request)

@@ -24,7 +24,7 @@ class Row:
     """What some bytes gave: `raw` from `offset` on are the content of a variable, number `index` of its field.
 
     The content is None where they are none of its digits or characters. `image` are the bytes of a value in the image
-    of its record; None for those of none. `beside` are the rows of the same record by the names of their fields.
+    of its record; None for those of none. `rows_beside` are the rows of the same record by the names of their fields.
     `failed` is the first condition that the content does not meet.
     """
 
@@ -35,7 +35,7 @@ class Row:
     raw: bytes
     image: bytes | None
     content: Content | None
-    beside: dict[str, Row] = classes.field(repr=False)
+    rows_beside: dict[str, Row] = classes.field(repr=False)
     failed: Condition | None = None
 
     @property
@@ -74,13 +74,13 @@ def read_value(program: Program, data: bytes) -> Row:
     return rows[0]
 
 
-def run(program: Program, place: Place, rows: list[Row], beside: dict[str, Row]) -> dict[str, Raw]:
+def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, Row]) -> dict[str, Raw]:
     """The contents that a program gives, by name. Adds what gave them to `rows`, and to those of the same record."""
     values: dict[str, Raw] = {}
     for operation in program:
         match operation:
             case Load() | LoadVarying():
-                row = beside[operation.variable.name] = _loaded(operation, place, beside)
+                row = rows_beside[operation.variable.name] = _loaded(operation, place, rows_beside)
                 rows.append(row)
                 values[operation.variable.name] = row.number
             case Require() | Remark():
@@ -94,26 +94,28 @@ def run(program: Program, place: Place, rows: list[Row], beside: dict[str, Row])
                 first, size = place.start + operation.offset, operation.size
                 count = (place.stop - first) // size if operation.count is None else operation.count
                 sizes = [size] * count if operation.is_list else [place.stop - first]
-                contents = run_each(operation, replace(place, start=first), sizes, rows, beside)
+                contents = run_each(operation, replace(place, start=first), sizes, rows, rows_beside)
                 values[operation.name] = contents if operation.is_list else contents[0]
             case _:
                 assert_never(operation)
     return values
 
 
-def run_each(each: Each, place: Place, sizes: Sequence[int], rows: list[Row], beside: dict[str, Row]) -> list[Raw]:
+def run_each(
+    operation: Each, place: Place, sizes: Sequence[int], rows: list[Row], rows_beside: dict[str, Row]
+) -> list[Raw]:
     """The contents of the elements of a field, which follow each other and have some sizes. Adds rows as `run` does."""
     contents: list[Raw] = []
     start = place.start
     for index, size in enumerate(sizes):
-        suffix = f"[{index}]" if each.is_list else ""
+        suffix = f"[{index}]" if operation.is_list else ""
         element = Place(place.data, start, start + size, place.path, suffix, index)
-        contents.append(run(each.element, element, rows, beside)[each.name])
+        contents.append(run(operation.element, element, rows, rows_beside)[operation.name])
         start += size
     return contents
 
 
-def _loaded(operation: Load | LoadVarying, place: Place, beside: dict[str, Row]) -> Row:
+def _loaded(operation: Load | LoadVarying, place: Place, rows_beside: dict[str, Row]) -> Row:
     variable = operation.variable
     image: bytes | None
     match operation:
@@ -127,7 +129,7 @@ def _loaded(operation: Load | LoadVarying, place: Place, beside: dict[str, Row])
             assert_never(operation)
     content = None if in_order is None else content_of(variable.value, in_order)
     path = f"{place.path}{variable.name}{place.suffix}"
-    return Row(path, place.index, variable, place.start, raw, image, content, beside)
+    return Row(path, place.index, variable, place.start, raw, image, content, rows_beside)
 
 
 def content_of(value: Value, data: bytes) -> Content | None:
