@@ -45,6 +45,35 @@ def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
         assert result.disagreements == []
 
 
+TRUTHS = """
+device:
+  {id: chance, name: Chance, vendor: Nobody, manual: {title: T, file: t.txt, sha256: "%s", lines: 99}}
+enums:
+  - {name: states, source: 1 L3, members: [{name: ready, value: 1, source: 1 L3}]}
+  - name: ways
+    source: 1 L4
+    members: [{name: back, value: 0, source: 1 L4, unavailable: true}, {name: forth, value: 1, source: 1 L4}]
+links:
+  - name: image
+    source: 1 L1
+    byte_order: big
+    request: [{name: code, role: code, type: u8}, {name: body, role: body}]
+    response: [{name: code, role: code, type: u8}, {name: body, role: body}]
+messages:
+  - name: put
+    code: 1
+    source: 1 L2
+    request: [{name: state, type: bool8, enum: states}, {name: way, type: bool8, enum: ways}, {name: tail, type: u8}]
+    response: []
+""" % ("0" * 64)
+
+
+def test_explainers_take_truth_values_that_closed_enums_do_not_list_as_codecs_do() -> None:
+    explainers = tuple(judge for judge in JUDGES if judge.name in ("explainer", "script"))
+    result = compare(yaml.safe_load(TRUTHS), 7, 60, explainers)
+    assert (result.findings, result.asked, result.disagreements) == ((), {"explainer": 1, "script": 1}, [])
+
+
 class Forgetful:
     """A judge that takes a byte of every frame for another one."""
 

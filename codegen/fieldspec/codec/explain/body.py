@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Context, Decimal
 
 from fieldspec.codec.explain.parameters import with_parameter
 from fieldspec.codec.explain.registers import exponent_applied
 from fieldspec.codec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
-from fieldspec.codec.explain.values import DecodedValue, Meaning, decimal_text, decode_value, in_unit, number_of
+from fieldspec.codec.explain.values import DecodedValue, Meaning, decimal_text, decoded_row, in_unit
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import Raw
-from fieldspec.codec.layout.widths import extents, value_form, widened
-from fieldspec.foundation.classes import replace
+from fieldspec.codec.layout.widths import extents
+from fieldspec.codec.program.interpreter import Place, Row, run_each
+from fieldspec.codec.program.lowering import field_program
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Message
@@ -67,6 +70,14 @@ def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
     yield from ((signal, signal.value) for signal in device.signals.values())
 
 
+@dataclass(frozen=True, slots=True)
+class _TracedField:
+    """What the bytes of a field gave."""
+
+    name: str
+    rows: list[Row]
+
+
 class Body:
     """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
 
@@ -92,10 +103,26 @@ class Body:
         self.values: dict[str, Raw] = {}
         inner = self.record.inner_lists
         self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
-        rows = self._rows() if inner is None else self._rows_around(inner)
-        self.rows = list(self._varying_rows() if self.record.spans else rows)
+        self._rows_by_name: dict[str, Row] = {}
+        traced = self._traced() if inner is None else self._traced_around(inner)
+        # A scale may be behind the value that it applies to, so all bytes are read before any row is written.
+        self.rows = list(self._explained(list(self._traced_varying() if self.record.spans else traced)))
 
-    def _rows(self) -> Iterator[ExplanationRow]:
+    def _explained(self, traced: list[_TracedField | ExplanationRow]) -> Iterator[ExplanationRow]:
+        known = dict(self.asked)
+        for part in traced:
+            match part:
+                case ExplanationRow():
+                    yield part
+                case _TracedField():
+                    for row in part.rows:
+                        yield self._row(row, known)
+                    if part.name in self.values:
+                        known[part.name] = self.values[part.name]
+                case _:
+                    assert_never(part)
+
+    def _traced(self) -> Iterator[_TracedField | ExplanationRow]:
         offset = self.start
         for number, field in enumerate(self.record.fields):
             if field.cases:
@@ -103,7 +130,7 @@ class Body:
                 return
             count = self._count(field)
             room = max(0, min(count, (self.end - offset) // field.size)) if field.size else 0
-            yield from self._field(field, offset, room)
+            yield self._field(field, offset, [field.size] * room)
             offset += room * field.size
             if room < count:
                 yield self._missing(self.record.fields[number:], offset)
@@ -111,14 +138,14 @@ class Body:
         if offset < self.end:
             yield surplus_row(self.spot, offset, self.data[offset : self.end])
 
-    def _rows_around(self, inner: InnerLists) -> Iterator[ExplanationRow]:
-        """The rows of a record with fields behind a list, in the order of the wire."""
+    def _traced_around(self, inner: InnerLists) -> Iterator[_TracedField | ExplanationRow]:
+        """The parts of a record with fields behind a list, in the order of the wire."""
         fields = self.record.sent_fields
         offset, number_of_list = self.start, 0
         for number, field in enumerate(fields):
             if field.count is not None:
                 room = max(0, min(field.count, (self.end - offset) // field.size))
-                yield from self._field(field, offset, room)
+                yield self._field(field, offset, [field.size] * room)
                 offset += room * field.size
                 if room < field.count:
                     yield self._missing(fields[number:], offset)
@@ -131,8 +158,9 @@ class Body:
             stop = offset + extent.size
             number_of_list += 1
             count = self._items(field)
-            yield from self._field(field, offset, count, extent.elements)
-            offset += sum(extent.elements) if extent.elements else count * field.size
+            sizes = extent.elements or [field.size] * count
+            yield self._field(field, offset, sizes)
+            offset += sum(sizes)
             if field.field.repeat is not None and count < field.field.repeat.low:
                 yield self._missing((field,), offset, stop)
             elif offset < stop:
@@ -176,20 +204,14 @@ class Body:
             else min(extent.size // field.size, repeat.high)
         )
 
-    def _varying_rows(self) -> Iterator[ExplanationRow]:
-        """The rows of a record whose values vary in width."""
+    def _traced_varying(self) -> Iterator[_TracedField | ExplanationRow]:
+        """The parts of a record whose values vary in width."""
         fields = self.record.fields
         offset = self.start
         known = extents(self.record.spans, self.data[self.start : self.end])
         for field, span, extent in zip(fields, self.record.spans, known, strict=False):
-            offset = self.start + extent.start
-            if span.value is None:
-                yield from self._field(field, offset, field.count or 0)
-            else:
-                raw = self.data[offset : self.start + extent.stop]
-                varying = (raw, extent.image)
-                rows, self.values[field.name] = self._value(field, field.name, offset, 0, span.value, True, varying)
-                yield from rows
+            sizes = [field.size] * (field.count or 0) if span.value is None else [extent.stop - extent.start]
+            yield self._field(field, self.start + extent.start, sizes)
             offset = self.start + extent.stop
         if len(known) < len(fields):
             reason, text = self._endless(len(known), offset)
@@ -252,102 +274,30 @@ class Body:
         row = wrong_row(self.spot, start, data, reason, text, field.name, path)
         return replace(row, errata=errata_at(self.layout.device, path))
 
-    def _field(
-        self, field: FieldLayout, start: int, count: int, sizes: tuple[int, ...] = ()
-    ) -> Iterator[ExplanationRow]:
-        """The rows of the elements of one field. Adds their values to `values`. `sizes` are those that differ."""
-        values: list[Raw] = []
-        for index in range(count):
-            path = f"{field.name}[{index}]" if field.is_list else field.name
-            size = sizes[index] if sizes else field.size
-            place = start + (sum(sizes[:index]) if sizes else index * size)
-            rows, value = self._element(field, path, place, index, size)
-            values.append(value)
-            yield from rows
+    def _field(self, field: FieldLayout, start: int, sizes: Sequence[int]) -> _TracedField:
+        """What the elements of one field gave, which have some sizes. Adds their values to `values`."""
+        rows: list[Row] = []
+        program = field_program(self.layout.device, self.record, field)
+        values = run_each(program, Place(self.data, start, self.end), sizes, rows, self._rows_by_name)
         if field.is_list:
             self.values[field.name] = values
         elif values:
             self.values[field.name] = values[0]
+        return _TracedField(field.name, rows)
 
-    def _element(
-        self, field: FieldLayout, path: str, offset: int, index: int, size: int
-    ) -> tuple[list[ExplanationRow], Raw]:
-        """The rows and the value of one element of a field of the message."""
-        if field.record is not None:
-            return self._inner(field.record, path, offset, size)
-        return self._value(field, path, offset, index, self._by_exponent(field, self.record, self.start), top=True)
-
-    def _inner(self, record: RecordLayout, path: str, offset: int, size: int) -> tuple[list[ExplanationRow], Raw]:
-        """The rows and the values of a record within the body, which has `size` bytes. All of them are there."""
-        rows: list[ExplanationRow] = []
-        values: dict[str, Raw] = {}
-        for field in record.fields:
-            if field.value is not None and field.value.width:
-                place, own_path = offset + field.offset, f"{path}.{field.name}"
-                varying = (raw := self.data[place : offset + size], widened(field.value, raw))
-                inner_rows, values[field.name] = self._value(field, own_path, place, 0, field.value, False, varying)
-                rows += inner_rows
-                continue
-            elements: list[Raw] = []
-            count = (size - field.offset) // field.size if field.count is None else field.count
-            for index in range(count):
-                inner = f"{path}.{field.name}[{index}]" if field.is_list else f"{path}.{field.name}"
-                place = offset + field.offset + index * field.size
-                if field.record is not None:
-                    inner_rows, value = self._inner(field.record, inner, place, field.size)
-                else:
-                    own = self._by_exponent(field, record, offset)
-                    inner_rows, value = self._value(field, inner, place, index, own, top=False)
-                rows += inner_rows
-                elements.append(value)
-            values[field.name] = elements if field.is_list else elements[0]
-        return rows, values
-
-    def _by_exponent(self, field: FieldLayout, record: RecordLayout, start: int) -> Value:
-        """The value of a field of a record, with its scale where another field beside it has the exponent."""
-        assert field.value is not None
-        exponent = record.named(field.value.scale_by) if field.value.scale_by and not record.spans else None
-        if exponent is None or exponent.value is None:
-            return field.value
-        inner, offset = record.inner_lists, exponent.offset
-        if inner is not None:
-            if self.fault is not None and offset >= inner.lists[len(self.extents)].first:
-                return field.value
-            offset = inner.place_in_data(self.extents, offset)
-        exponent_start = start + offset
-        if exponent_start + exponent.size > self.end:
-            return field.value
-        raw = self.data[exponent_start : exponent_start + exponent.size]
-        number = number_of(exponent.value, raw, exponent.order, exponent.swapped)
-        return exponent_applied(field.value, exponent.value, number)
-
-    def _value(
-        self,
-        field: FieldLayout,
-        path: str,
-        offset: int,
-        index: int,
-        value: Value,
-        top: bool,
-        varying: tuple[bytes, bytes | None] | None = None,
-    ) -> tuple[list[ExplanationRow], Raw]:
-        """The row of a field, and its number; `value` is its value with its scale.
-
-        `varying` are the bytes of one that varies in width: as sent, and in the image.
-        """
-        raw, image = varying or (self.data[offset : offset + field.size], self.data[offset : offset + field.size])
-        device = self.layout.device
-        if image is None:
-            read = DecodedValue(raw).judged(False, value_form(value), "unknown_value")
-        else:
-            read = decode_value(device, value, image, field.order, field.swapped, field.field.reserved)
-        number = read.number
-        assert number is not None
-        if top:
+    def _row(self, row: Row, known: Mapping[str, Raw]) -> ExplanationRow:
+        """The row of what some bytes gave; `known` are the values of the fields before it, and those of the request."""
+        device, field, value = self.layout.device, row.variable.field, row.variable.value
+        assert field is not None
+        exponent = row.rows_beside.get(row.variable.exponent)
+        if exponent is not None:
+            value = exponent_applied(value, exponent.variable.value, exponent.number)
+        read = decoded_row(device, row, value)
+        if row.rows_beside is self._rows_by_name:
             read = self._measured(field, self._repeated(field, read))
-        row = fact_row(device, "field", path, field.field, self.spot, offset, raw, read, self.outer)
-        row = with_parameter(device, row, field, index, {**self.asked, **self.values}, self.outer, self.is_request)
-        return [with_percentages(device, row, field, number)], number
+        explained = fact_row(device, "field", row.path, field.field, self.spot, row.offset, row.raw, read, self.outer)
+        explained = with_parameter(device, explained, field, row.index, known, self.outer, self.is_request)
+        return with_percentages(device, explained, field, row.number)
 
     def _measured(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The value of a field that measures another one, judged by the size of that field."""

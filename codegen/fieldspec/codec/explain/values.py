@@ -5,7 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Context, Decimal
 
+from fieldspec.codec.layout.accepted import (
+    Equals,
+    Fits,
+    HasCharacters,
+    HasDigits,
+    IsBit,
+    Known,
+    PartWithin,
+    RealWithin,
+    Test,
+    Within,
+)
 from fieldspec.codec.layout.values import Raw
+from fieldspec.codec.layout.widths import value_form
+from fieldspec.codec.program.interpreter import Row, read_value
+from fieldspec.codec.program.lowering import value_program
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
@@ -14,7 +29,7 @@ from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth,
 from fieldspec.language.model.enums import Bit, Enum, Flags, State
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.raw_numbers import number_in
-from fieldspec.language.model.text_form import decoded_text, encoding_title, text_form_title
+from fieldspec.language.model.text_form import encoding_title, text_form_title
 from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
@@ -70,10 +85,7 @@ def whole(data: bytes, order: str) -> int:
 
 
 def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
-    """The raw value of all bytes of a value; texts, bytes, and bytes that are not the digits of a number, as bytes.
-
-    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
-    """
+    """The raw value of all bytes of a value; texts, bytes, and bytes that are not the digits of a number, as bytes."""
     if is_array(value.encoding):
         return data
     number = number_in(value, data, order, swapped)
@@ -136,29 +148,62 @@ def decode_value(
     device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
 ) -> DecodedValue:
     """The meaning of the bytes of a value. `data` must have exactly the size of the value. Never raises."""
-    number = number_of(value, data, order, swapped)
-    if reserved:
-        return DecodedValue(number)
-    encoding = value.encoding
+    return decoded_row(device, read_value(value_program(device, value, order, swapped, reserved), data), value)
+
+
+def decoded_row(device: Device, row: Row, value: Value) -> DecodedValue:
+    """The meaning of what a program says of some bytes; `value` is that of the variable, with a scale that is read."""
+    failed = row.failed
+    if row.variable.is_reserved:
+        return DecodedValue(row.number)
+    if failed is None:
+        return _named(device, value, row)
+    # What is not the constant stands for nothing.
+    decoded = DecodedValue(row.number) if failed.reason == "wrong_const" else _named(device, value, row)
+    return decoded.judged(False, _expected(device, value, row, failed.test), failed.reason)
+
+
+def _expected(device: Device, value: Value, row: Row, test: Test) -> str:
+    """What passes a test, as verdicts say it."""
+    match test:
+        case Equals():
+            return str(test.number)
+        case IsBit():
+            return "0 or 1"
+        case HasDigits():
+            return digits_text(value)
+        case HasCharacters():
+            return text_form_title(value) or encoding_title(value) if row.image is not None else value_form(value)
+        case Known():
+            return _member_list(device.enums[test.enum])
+        case Within():
+            return range_in_unit(value, Ranges(test.intervals))
+        case RealWithin():
+            return f"{value.ranges.text() if value.ranges else ''} {value.unit}".strip()
+        case PartWithin():
+            part = test.bit.as_value
+            return f"{test.bit.name} {range_in_unit(part, part.ranges or Ranges(()))}"
+        case Fits():
+            raise AssertionError("only writers refuse what does not fit")
+        case _:
+            assert_never(test)
+
+
+def _named(device: Device, value: Value, row: Row) -> DecodedValue:
+    """The quantity of a content, and the names that the spec gives it."""
+    content, encoding = row.content, value.encoding
     match encoding:
+        case Text() | Octets():
+            return DecodedValue(row.number)
         case Truth():
-            return _boolean(device, value, number)
-        case Text():
-            characters = decoded_text(value, order, data)
-            if characters is None:
-                return DecodedValue(data).judged(
-                    False, text_form_title(value) or encoding_title(value), "unknown_value"
-                )
-            return DecodedValue(characters)
+            is_member = value.enum and content in (0, 1)
+            decoded = _member_meaning(device, value, int(content == 1)) if is_member else DecodedValue(None)
+            return replace(decoded, number=row.number)
         case Real():
-            assert isinstance(number, float)
-            return _float(value, number)
+            assert isinstance(content, float)
+            return _float(value, content)
         case Whole() | Digits():
-            if isinstance(number, int):
-                return _whole(device, value, number)
-            return DecodedValue(number).judged(False, digits_text(value), "unknown_value")
-        case Octets():
-            return DecodedValue(number)
+            return _whole(device, value, content) if isinstance(content, int) else DecodedValue(row.number)
         case _:
             assert_never(encoding)
 
@@ -182,44 +227,23 @@ def _float(value: Value, number: float) -> DecodedValue:
     sentinel = value.sentinel(number)
     if sentinel is not None:
         return DecodedValue(number, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
-    decoded = DecodedValue(number, f"{number!r} {value.unit}" if value.unit else "")
-    if value.ranges is None or number in value.ranges:
-        return decoded
-    return decoded.judged(False, f"{value.ranges.text()} {value.unit}".strip(), "out_of_range")
-
-
-def _boolean(device: Device, value: Value, number: Raw) -> DecodedValue:
-    if number not in (0, 1):
-        return DecodedValue(number).judged(False, "0 or 1", "unknown_value")
-    decoded = _member_meaning(device, value, int(bool(number))) if value.enum else DecodedValue(number)
-    return replace(decoded, number=bool(number))
+    return DecodedValue(number, f"{number!r} {value.unit}" if value.unit else "")
 
 
 def _whole(device: Device, value: Value, number: int) -> DecodedValue:
     """The meaning of a whole number that a value has."""
-    if value.const is not None and number != value.const:
-        return DecodedValue(number).judged(False, value.const, "wrong_const")
     decoded = DecodedValue(number, verdict="" if value.const is None else "right")
     sentinel = value.sentinel(number)
     if sentinel is not None:
         return replace(decoded, meanings=(Meaning(sentinel.name, "", sentinel.doc, ""),))
     if value.enum:
-        member_value = _member_meaning(device, value, number)
-        decoded = replace(member_value, text=in_unit(value, number), verdict=member_value.verdict or decoded.verdict)
-    elif value.flags:
-        word = device.flags[value.flags]
-        meanings = tuple(_set_bits(device, word, number))
-        notes = (_remark_on_bit_numbers(word),) if word.bit_0 == "most" and any(own.bits for own in meanings) else ()
-        decoded = replace(decoded, meanings=meanings, notes=notes, facts=(word.place.path,))
-    else:
-        decoded = replace(decoded, text=in_unit(value, number))
-    if not decoded.reason and value.ranges is not None and number not in value.ranges:
-        decoded = decoded.judged(False, range_in_unit(value, value.ranges), "out_of_range")
-    bit = device.flags[value.flags].refused_bit(number) if value.flags and not decoded.reason else None
-    if bit is not None and bit.ranges is not None:
-        text = f"{bit.name} {range_in_unit(bit.as_value, bit.ranges)}"
-        decoded = decoded.judged(False, text, "out_of_range")
-    return decoded
+        return replace(_member_meaning(device, value, number), text=in_unit(value, number), verdict=decoded.verdict)
+    if not value.flags:
+        return replace(decoded, text=in_unit(value, number))
+    word = device.flags[value.flags]
+    meanings = tuple(_set_bits(device, word, number))
+    notes = (_remark_on_bit_numbers(word),) if word.bit_0 == "most" and any(own.bits for own in meanings) else ()
+    return replace(decoded, meanings=meanings, notes=notes, facts=(word.place.path,))
 
 
 def _member_meaning(device: Device, value: Value, number: int) -> DecodedValue:
@@ -229,13 +253,11 @@ def _member_meaning(device: Device, value: Value, number: int) -> DecodedValue:
     if member is None:
         if enum.open:
             return DecodedValue(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
-        return DecodedValue(number).judged(False, _member_list(enum), "unknown_value")
+        return DecodedValue(number)
     meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
-    decoded = DecodedValue(number, meanings=(meaning,), notes=member.notes, facts=(enum.place.path, member.place.path))
-    if member.unavailable and not enum.open:
-        notes = (*member.notes, f"{member.name} is listed as not available.")
-        return replace(decoded, notes=notes).judged(False, _member_list(enum), "unknown_value")
-    return decoded
+    is_refused = member.unavailable and not enum.open
+    notes = (*member.notes, f"{member.name} is listed as not available.") if is_refused else member.notes
+    return DecodedValue(number, meanings=(meaning,), notes=notes, facts=(enum.place.path, member.place.path))
 
 
 def _member_list(enum: Enum) -> str:

@@ -23,6 +23,7 @@ from fieldspec.language.model.encoding import (
 from fieldspec.language.model.ranges import merged
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Literal
 
     from fieldspec.language.model.device import Device
@@ -188,6 +189,41 @@ def _writing(device: Device, value: Value, encoding: Encoding) -> list[Condition
             return []
         case _:
             assert_never(encoding)
+
+
+def passes(test: Test, content: float | str | bytes | None) -> bool:
+    """Whether a content passes a test; None stands for bytes that are no digits, or no characters, of a value."""
+    match test:
+        case HasDigits() | HasCharacters():
+            return content is not None
+        case Equals() | IsBit() | Known() | Within() | RealWithin() | PartWithin() | Fits():
+            return isinstance(content, int | float) and _number_passes(test, content)
+        case _:
+            assert_never(test)
+
+
+def _number_passes(test: Equals | IsBit | Known | Within | RealWithin | PartWithin | Fits, number: float) -> bool:
+    match test:
+        case Equals():
+            return number == test.number
+        case IsBit():
+            return number in (0, 1)
+        case Known():
+            return number in test.sentinels or _is_in(number, test.members)
+        case Within():
+            return number in test.sentinels or _is_in(number, test.intervals)
+        case RealWithin():
+            return (test.takes_nan and number != number) or _is_in(number, test.intervals)
+        case PartWithin():
+            return number in test.sentinels or _is_in(int(number) & test.bit.mask, test.bit.images)
+        case Fits():
+            return _fits(number, test.precision)
+        case _:
+            assert_never(test)
+
+
+def _is_in(number: float, intervals: Iterable[tuple[float, float]]) -> bool:
+    return any(low <= number <= high for low, high in intervals)
 
 
 def _sentinels(value: Value) -> tuple[int, ...]:

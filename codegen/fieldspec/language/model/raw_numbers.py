@@ -80,16 +80,21 @@ def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:
     return own_byte, bool(value and value.has_words and own_word and own_word != own_byte)
 
 
+def byte_places(size: int, order: str, swapped: bool) -> tuple[int, ...]:
+    """Where the bytes of a number are, the most significant first.
+
+    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each.
+    """
+    in_order = range(size) if (order == "big") != swapped else range(size - 1, -1, -1)
+    return tuple(byte ^ 1 for byte in in_order) if swapped else tuple(in_order)
+
+
 def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | float | None:
     """The number in all bytes of a value that is no text and no bytes; None where they are not its digits.
 
-    With `swapped`, the order of the 16-bit words is opposite to the order of the bytes in each. Raises AssertionError
-    for a text and for bytes.
+    Raises AssertionError for a text and for bytes.
     """
-    in_order = data
-    if swapped:
-        in_order = b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
-    first_to_last = in_order if (order == "big") != swapped else in_order[::-1]
+    first_to_last = bytes(data[byte] for byte in byte_places(len(data), order, swapped))
     bits = int.from_bytes(first_to_last, "big")
     encoding = value.encoding
     match encoding:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from fieldspec.codec.layout.accepted import accepted, passes
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.frames import FrameCodec
 from fieldspec.codec.reference.records import CodecError
@@ -50,11 +51,7 @@ def _out_of_range(device: Device, field: FieldLayout, values: Mapping[str, Any])
     value, raw = field.value, values.get(field.name)
     if value is None or not isinstance(raw, int) or isinstance(raw, bool):
         return ""
-    if value.flags and value.sentinel(raw) is None and device.flags[value.flags].refused_bit(raw) is not None:
-        return field.name
-    if value.ranges is None:
-        return ""
-    return "" if raw in value.ranges or value.sentinel(raw) is not None else field.name
+    return "" if all(passes(own.test, raw) for own in accepted(device, value).remarked) else field.name
 
 
 def recognised_message(frames: FrameCodec, frame: bytes) -> str:

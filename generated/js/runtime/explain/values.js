@@ -151,7 +151,9 @@ function decodedFloat(value, number) {
 
 function decodedBoolean(device, value, number) {
   if (number != 0 && number != 1) return judged(decoded(number), false, "0 or 1", "unknown_value");
-  return { ...(value.enum ? namedValue(device, value, number) : decoded(number)), number: number == 1 };
+  const named = value.enum ? namedValue(device, value, number) : decoded(number);
+  // An enum of a truth value only names what it is.
+  return { ...named, number: number == 1, verdict: "", reason: "" };
 }
 
 function decodedWhole(device, value, number) {

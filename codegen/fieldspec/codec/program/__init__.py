@@ -1,0 +1,1 @@
+"""What reading values and records is, as operations of a closed set, and the interpreter that runs them."""

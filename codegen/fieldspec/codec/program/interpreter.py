@@ -1,0 +1,146 @@
+"""Runs programs over bytes, and says which bytes gave what."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.codec.layout.accepted import Condition, passes
+from fieldspec.codec.layout.values import Raw
+from fieldspec.codec.layout.widths import widened
+from fieldspec.codec.program.operations import Each, Inner, Load, LoadVarying, Program, Remark, Require, Variable
+from fieldspec.foundation import classes
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole
+from fieldspec.language.model.raw_numbers import number_in
+from fieldspec.language.model.text_form import decoded_text
+from fieldspec.language.model.value import Value
+
+Content = int | float | str | bytes
+
+
+@dataclass(slots=True)
+class Row:
+    """What some bytes gave: `raw` from `offset` on are the content of a variable, number `index` of its field.
+
+    The content is None where they are none of its digits or characters. `image` are the bytes of a value in the image
+    of its record; None for those of none. `rows_beside` are the rows of the same record by the names of their fields.
+    `failed` is the first condition that the content does not meet.
+    """
+
+    path: str
+    index: int
+    variable: Variable
+    offset: int
+    raw: bytes
+    image: bytes | None
+    content: Content | None
+    rows_beside: dict[str, Row] = classes.field(repr=False)
+    failed: Condition | None = None
+
+    @property
+    def number(self) -> Raw:
+        """What a reader gets: a truth value as such, and the bytes of what has no content."""
+        if self.content is None:
+            return self.raw if self.image is None else self.image
+        encoding = self.variable.value.encoding
+        match encoding:
+            case Truth():
+                return bool(self.content) if not self.variable.is_reserved and self.content in (0, 1) else self.content
+            case Text():
+                return self.raw if self.variable.is_reserved else self.content
+            case Whole() | Real() | Digits() | Octets():
+                return self.content
+            case _:
+                assert_never(encoding)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """The bytes of `data` from `start` to `stop`: element `index` of a field, whose name is between path and suffix."""
+
+    data: bytes
+    start: int
+    stop: int
+    path: str = ""
+    suffix: str = ""
+    index: int = 0
+
+
+def read_value(program: Program, data: bytes) -> Row:
+    """What all bytes of a value gave."""
+    rows: list[Row] = []
+    run(program, Place(data, 0, len(data)), rows, {})
+    return rows[0]
+
+
+def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, Row]) -> dict[str, Raw]:
+    """The contents that a program gives, by name. Adds what gave them to `rows`, and to those of the same record."""
+    values: dict[str, Raw] = {}
+    for operation in program:
+        match operation:
+            case Load() | LoadVarying():
+                row = rows_beside[operation.variable.name] = _loaded(operation, place, rows_beside)
+                rows.append(row)
+                values[operation.variable.name] = row.number
+            case Require() | Remark():
+                if rows[-1].failed is None and not passes(operation.condition.test, rows[-1].content):
+                    rows[-1].failed = operation.condition
+            case Inner():
+                path = f"{place.path}{operation.name}{place.suffix}."
+                inner = Place(place.data, place.start, place.stop, path)
+                values[operation.name] = run(operation.program, inner, rows, {})
+            case Each():
+                first, size = place.start + operation.offset, operation.size
+                count = (place.stop - first) // size if operation.count is None else operation.count
+                sizes = [size] * count if operation.is_list else [place.stop - first]
+                contents = run_each(operation, replace(place, start=first), sizes, rows, rows_beside)
+                values[operation.name] = contents if operation.is_list else contents[0]
+            case _:
+                assert_never(operation)
+    return values
+
+
+def run_each(
+    operation: Each, place: Place, sizes: Sequence[int], rows: list[Row], rows_beside: dict[str, Row]
+) -> list[Raw]:
+    """The contents of the elements of a field, which follow each other and have some sizes. Adds rows as `run` does."""
+    contents: list[Raw] = []
+    start = place.start
+    for index, size in enumerate(sizes):
+        suffix = f"[{index}]" if operation.is_list else ""
+        element = Place(place.data, start, start + size, place.path, suffix, index)
+        contents.append(run(operation.element, element, rows, rows_beside)[operation.name])
+        start += size
+    return contents
+
+
+def _loaded(operation: Load | LoadVarying, place: Place, rows_beside: dict[str, Row]) -> Row:
+    variable = operation.variable
+    image: bytes | None
+    match operation:
+        case Load():
+            raw = image = place.data[place.start : place.start + len(operation.places)]
+            in_order: bytes | None = bytes(raw[byte] for byte in operation.places)
+        case LoadVarying():
+            raw = place.data[place.start : place.stop]
+            image = in_order = widened(variable.value, raw)
+        case _:
+            assert_never(operation)
+    content = None if in_order is None else content_of(variable.value, in_order)
+    path = f"{place.path}{variable.name}{place.suffix}"
+    return Row(path, place.index, variable, place.start, raw, image, content, rows_beside)
+
+
+def content_of(value: Value, data: bytes) -> Content | None:
+    """What all bytes of a value are, in the order of places; None for digits, or characters, that are none of its."""
+    encoding = value.encoding
+    match encoding:
+        case Whole() | Real() | Truth() | Digits():
+            return number_in(value, data, "big", False)
+        case Text():
+            return decoded_text(value, "big", data)
+        case Octets():
+            return data
+        case _:
+            assert_never(encoding)

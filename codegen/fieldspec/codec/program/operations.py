@@ -1,0 +1,88 @@
+"""The operations of programs: a closed set. They are in the order of the wire, and in that in which codecs refuse.
+
+Places and offsets count from where the value, the element or the record begins that a program is about.
+"""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.accepted import Condition
+from fieldspec.codec.layout.record import FieldLayout
+from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.value import Value
+
+Places = tuple[int, ...]
+"""The bytes of a value, the most significant first; of a text and of bytes, in the order of characters and bytes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """What gets a content: a value, which nobody judges or names if it `is_reserved`.
+
+    `field` is None for what is no field. `exponent` is the field of the same record with the exponent of its scale;
+    empty where no field has it.
+    """
+
+    name: str
+    field: FieldLayout | None
+    value: Value
+    is_reserved: bool
+    exponent: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """The content of a variable, a number, a text or bytes, from its places."""
+
+    variable: Variable
+    places: Places
+
+
+@dataclass(frozen=True, slots=True)
+class LoadVarying:
+    """The content of a variable that varies in width, from all bytes up to the end."""
+
+    variable: Variable
+
+
+@dataclass(frozen=True, slots=True)
+class Require:
+    """Refuses the last content where it does not meet a condition."""
+
+    condition: Condition
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """Says of the last content that it does not meet a condition; readers let it pass."""
+
+    condition: Condition
+
+
+@dataclass(frozen=True, slots=True)
+class Inner:
+    """A record as the content of a field."""
+
+    name: str
+    program: Program
+
+
+@dataclass(frozen=True, slots=True)
+class Each:
+    """What a field of a record has: one element, or where it `is_list` as many as a count, or as there is room for.
+
+    `size` is that of each element in bytes.
+    """
+
+    name: str
+    offset: int
+    size: int
+    count: int | None
+    is_list: bool
+    element: Program
+
+
+Operation = Load | LoadVarying | Require | Remark | Inner | Each
+"""What a program consists of."""
+
+Program = tuple[Operation, ...]
+"""What reading some bytes is."""
