@@ -1409,7 +1409,8 @@ function numberOfBytes(value, bytes, order, swapped) {
 /** The sentinel with a raw value. */
 function sentinelOf(value, number) {
   const isNan = Number.isNaN(number);
-  return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && sentinel.value == number));
+  const stands = ({ value: first, last = first }) => (last === first ? first == number : first <= number && number <= last);
+  return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && stands(sentinel)));
 }
 
 /** The exact quantity of a raw count, or 120 digits of it, as a decimal number. */
@@ -4060,7 +4061,7 @@ function checkedNumber(device, name, value, raw) {
 function inRange(name, value, number) {
   const [low, high] = typeBounds(value);
   const ranges = value.writeRanges ?? value.ranges;
-  const isKnown = value.sentinels?.some((sentinel) => sentinel.value == number);
+  const isKnown = sentinelOf(value, number);
   if (number < low || number > high || (ranges && !isWithin(ranges, number) && !isKnown)) {
     throw new CodecError("out_of_range", `${name} is ${number}, not in ${ranges ? intervalsText(ranges) : `${low}..${high}`}`);
   }

@@ -106,8 +106,10 @@ def _numbers(device: Device, value: Value) -> list[tuple[int, int]]:
     enum = device.enums.get(value.enum)
     if enum is not None and not enum.open:
         return [(member.value, member.value) for member in enum.members]
-    sentinels = [(int(sentinel.value), int(sentinel.value)) for sentinel in value.sentinels]
-    return [*(value.ranges.intervals if value.ranges is not None else ((value.low, value.high),)), *sentinels]
+    return [
+        *(value.ranges.intervals if value.ranges is not None else ((value.low, value.high),)),
+        *value.special_intervals,
+    ]
 
 
 def _may_have(interval: tuple[int, int], value: Value, shift: int, width: int, bits: int) -> bool:

@@ -23,6 +23,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
+from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.table_records import table_records
@@ -134,6 +135,7 @@ def _wrong_ranges(value: Value) -> str:
         return "its `write_range` differs from what it may be"
     if value.ranges is None or value.ranges.low < -MOST_PLACES or value.ranges.high > MOST_PLACES:
         return f"its `range` is not within -{MOST_PLACES}..{MOST_PLACES}"
-    if any(sentinel.value in value.ranges for sentinel in value.sentinels):
+    taken = merged(value.special_intervals)
+    if any(uncovered(low, high, taken) != [(low, high)] for low, high in value.ranges.intervals):
         return "a special value is within its `range`"
     return ""
