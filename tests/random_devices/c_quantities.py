@@ -92,11 +92,7 @@ class QuantityCases:
         if not value.sentinels:
             return 'printf("None");'
         absent = AbsentValue(path[0], path[1:], value)  # type: ignore[arg-type]
-        tests = [
-            f"if ({self._stands_for(absent, own)})"
-            f' {{ printf("{own.name}"); }}'
-            for own in value.sentinels
-        ]
+        tests = [f'if ({self._stands_for(absent, own)}) {{ printf("{own.name}"); }}' for own in value.sentinels]
         known = " else ".join((*tests, '{ printf("no_constant"); }'))
         return f'if (!{absent.function(self.naming)}(raw)) {{ printf("None"); }} else {known}'
 

@@ -287,6 +287,9 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
 
     Fields that are not named have their defaults, else 0. Raises MeaningError where 0 would mean something.
     """
+    special = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
+    if special is not None:
+        return special.value
     flags = device.flags[value.flags]
     word, names = flags.initial, set()
     for item in entered if isinstance(entered, list) else [piece for piece in re.split(r"[, ]+", entered) if piece]:

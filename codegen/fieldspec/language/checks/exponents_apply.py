@@ -135,7 +135,7 @@ def _wrong_ranges(value: Value) -> str:
         return "its `write_range` differs from what it may be"
     if value.ranges is None or value.ranges.low < -MOST_PLACES or value.ranges.high > MOST_PLACES:
         return f"its `range` is not within -{MOST_PLACES}..{MOST_PLACES}"
-    taken = merged(value.special_intervals)
-    if any(uncovered(low, high, taken) != [(low, high)] for low, high in value.ranges.intervals):
+    special = merged(value.special_intervals)
+    if any(uncovered(low, high, special) != [(low, high)] for low, high in value.ranges.intervals):
         return "a special value is within its `range`"
     return ""

@@ -31,8 +31,10 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
             text = ""
             members = enum.members if enum is not None and not sentinel.is_nan else ()
             low, high = sentinel.interval
-            named = (member for member in members if low <= member.value <= high)
-            member = next((other for other in named if other.name != sentinel.name or sentinel.last is not None), None)
+            covered = (member for member in members if low <= member.value <= high)
+            member = next(
+                (other for other in covered if other.name != sentinel.name or sentinel.last is not None), None
+            )
             if sentinel.text in names:
                 text = f"{sentinel.text} of {fact.name} is {names[sentinel.text]} and {sentinel.name}"
             elif sentinel.name in texts:

@@ -242,9 +242,9 @@ class Value:
     @property
     def quantity_intervals(self) -> list[tuple[int, int]]:
         """The counts that are quantities, in ascending order: those in range that no sentinel has."""
-        taken = merged(self.special_intervals)
+        special = merged(self.special_intervals)
         intervals = self.ranges.intervals if self.ranges is not None else ((self.low, self.high),)
-        return sorted({part for low, high in intervals for part in uncovered(low, high, taken)})
+        return sorted({part for low, high in intervals for part in uncovered(low, high, special)})
 
     @property
     def absent_nan(self) -> bool:

@@ -169,8 +169,8 @@ def _part_outside(encoding: Encoding, test: PartWithin, number: Expression) -> E
     size = whole.bits // 8
     masked = Group(Operation("&", (number, hexadecimal(mask, size))))
     parts = [_between(masked, image, (0, mask), lambda bits: hexadecimal(bits, size)) for image in test.bit.images]
-    inside = negate(_either([part for part in parts if part is not None]))
-    return all_of([inside, *_beside(encoding, test.sentinels, number)])
+    refused = negate(_either([part for part in parts if part is not None]))
+    return all_of([refused, *_beside(encoding, test.sentinels, number)])
 
 
 def _overflow(naming: Naming, precision: Precision, number: Expression) -> Expression | None:

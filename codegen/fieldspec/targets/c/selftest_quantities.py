@@ -52,8 +52,8 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
     for absent in absent_values(layout):
         value, function = absent.value, absent.function(naming)
         bounds = sorted({0, *(bound for interval in value.special_intervals for bound in interval)})
-        near = sorted({bound + step for bound in bounds for step in (-1, 0, 1)})
-        neighbours = [number for number in near if value.sentinel(number) is None]
+        edges = sorted({bound + step for bound in bounds for step in (-1, 0, 1)})
+        neighbours = [number for number in edges if value.sentinel(number) is None]
         ends = [(sentinel.name, sentinel.last) for sentinel in value.sentinels if sentinel.last is not None]
         low, high = _neighbour_bounds(value)
         yield [

@@ -210,8 +210,8 @@ class ValueQuery:
     def _is_known(self, data: str, offset: int, unavailable: bool) -> str:
         """Whether an enum lists a number, or it is a sentinel."""
         members = self.device.enums[self.value.enum].members
-        listed = ((member.value, member.value) for member in members if unavailable or not member.unavailable)
-        intervals = merged([*listed, *self.value.special_intervals])
+        numbers = (member.value for member in members if unavailable or not member.unavailable)
+        intervals = merged([*((number, number) for number in numbers), *self.value.special_intervals])
         return self.dialect.is_in(self.number(data, offset), intervals)
 
     def _absent(self, column: str, data: str, offset: int) -> str:
