@@ -76,7 +76,8 @@ def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
         yield finding(_CODE, fact.place, "scale_by", text, "remove it, or use an integer type")
     for key in _OWN:
-        if has_key(fact, key) and not (key == "reserved" and isinstance(fact, Register)):
+        is_stated = value.scale != 1 if key == "scale" else has_key(fact, key)
+        if is_stated and not (key == "reserved" and isinstance(fact, Register)):
             text = f"{fact.name} has `{key}`, and takes its scale from {value.scale_by}"
             yield finding(_CODE, fact.place, key, text, "remove one of them")
 
