@@ -38,7 +38,7 @@ Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
 
 
 _EXACT = Context(prec=200)
-_NO_FINITE_NUMBERS = ("inf", "-inf", "nan")
+_INFINITIES = ("inf", "-inf")
 _DIGITS = re.compile("[-+]?(?:0x[0-9A-Fa-f]+|[1-9][0-9]*)")
 
 
@@ -183,7 +183,7 @@ def _raw_real(device: Device, path: str, value: Value, precision: Precision, ent
     quantity = device.entered_quantity(value, entered)
     if quantity is not None:
         return _present(path, value, precision, str(entered), float(quantity))
-    if entered in _NO_FINITE_NUMBERS:
+    if entered in _INFINITIES:
         return float(entered)
     number = entered if isinstance(entered, float) else number_of(str(entered))
     if number is None:
