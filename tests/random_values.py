@@ -87,7 +87,7 @@ def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
         options += [st.integers(low, high).map(layout.device.flags[value.flags].nearest)] * 6
     else:
         options += [st.integers(low, high)] * 6
-    options += [st.sampled_from([sentinel.value for sentinel in value.sentinels])] if value.sentinels else []
+    options += [st.integers(*interval) for interval in value.special_intervals]
     options.append(st.sampled_from([low - 1, low, high, high + 1]))
     return st.one_of(*options)
 

@@ -181,6 +181,27 @@ def test_a_value_beyond_the_manual_is_doubtful_and_not_wrong(run: CommandLine) -
     assert "doubtful: count at byte 5: should be 0..5" in result.lines
 
 
+def test_a_doubtful_value_fails_where_that_is_asked_for(run: CommandLine) -> None:
+    result = run("decode", "widget", "00 07 07 01 23 06 38", "--direction", "request", "--strict")
+    assert result.code == 1
+    assert "doubtful: count at byte 5: should be 0..5" in result.lines
+
+
+def test_a_frame_without_doubtful_values_passes_where_they_fail(run: CommandLine) -> None:
+    assert run("decode", "widget", r":010310000002EA", "--strict").code == 0
+
+
+def test_a_log_with_a_doubtful_value_fails_where_that_is_asked_for(run: CommandLine) -> None:
+    line = b"00 07 07 01 23 06 38\n"
+    assert run("decode", "widget", "--direction", "request", stdin=line).code == 0
+    assert run("decode", "widget", "--direction", "request", "--strict", stdin=line).code == 1
+
+
+def test_tables_have_their_doubtful_values_and_do_not_fail_on_them(run: CommandLine) -> None:
+    result = run("decode", "widget", "log.txt", "--to", "csv", "--out", "tables", "--strict")
+    assert (result.code, "--strict goes without --to" in result.err) == (2, True)
+
+
 def test_a_frame_of_characters_shows_them_beside_their_bytes(run: CommandLine) -> None:
     result = run("decode", "widget", r":010310000002EA")
     assert result.code == 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
 
 import pytest
@@ -93,7 +94,8 @@ def test_a_count_has_no_unit_and_a_quantity_needs_one() -> None:
         ("7", 7.0),
         ("1_0", None),
         ("nan", None),
-        ("inf", None),
+        ("inf", math.inf),
+        ("-inf", -math.inf),
         ("1e999", None),
         (" 1", None),
         ("007", None),

@@ -228,6 +228,8 @@ def _parser() -> argparse.ArgumentParser:
     add_frame_options(decode, direction_names, "the message, if the frame does not identify it")
     decode.add_argument("--request", metavar="HEX", help="the request that the response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
+    strict = "exit code 1 also for doubtful values, which are outside of what the manual prints, and not refused"
+    decode.add_argument("--strict", action="store_true", help=strict)
     to = "decode captures and logs in bulk, into tables of frames and values"
     decode.add_argument("--to", choices=("parquet", "csv", "jsonl", "arrow"), help=to)
     out_help = "with --to: the folder for the tables; a repeated run goes on where the last one stopped"

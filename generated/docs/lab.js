@@ -1409,7 +1409,8 @@ function numberOfBytes(value, bytes, order, swapped) {
 /** The sentinel with a raw value. */
 function sentinelOf(value, number) {
   const isNan = Number.isNaN(number);
-  return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && sentinel.value == number));
+  const stands = ({ value: first, last = first }) => (last === first ? first == number : first <= number && number <= last);
+  return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && stands(sentinel)));
 }
 
 /** The exact quantity of a raw count, or 120 digits of it, as a decimal number. */
@@ -3967,6 +3968,8 @@ function quantityEntry(name, value, text, quantity) {
  * named have their defaults, else 0; throws CodecError where 0 would mean something.
  */
 function wordOf(device, name, value, text) {
+  const special = value.sentinels?.find((other) => other.name === text);
+  if (special) return special.value;
   const word = device.flags.get(value.flags);
   const named = new Set();
   let result = 0n;
@@ -4062,7 +4065,7 @@ function checkedNumber(device, name, value, raw) {
 function inRange(name, value, number) {
   const [low, high] = typeBounds(value);
   const ranges = value.writeRanges ?? value.ranges;
-  const isKnown = value.sentinels?.some((sentinel) => sentinel.value == number);
+  const isKnown = sentinelOf(value, number);
   if (number < low || number > high || (ranges && !isWithin(ranges, number) && !isKnown)) {
     throw new CodecError("out_of_range", `${name} is ${number}, not in ${ranges ? intervalsText(ranges) : `${low}..${high}`}`);
   }

@@ -92,15 +92,15 @@ def _names(number: _pl.Expr, names: dict[int, str]) -> _pl.Expr:
     return number.cast(_pl.Int128).replace_strict(known, list(names.values()), default=None, return_dtype=_pl.String)
 
 
-def _states(number: _pl.Expr, names: dict[int, str], nan: str) -> _pl.Expr:
+def _states(number: _pl.Expr, names: dict[tuple[int, int], str], nan: str) -> _pl.Expr:
     state = _pl.lit(None, dtype=_pl.String)
-    for key, name in names.items():
-        state = _pl.when(_is_in(number, [(key, key)])).then(_pl.lit(name)).otherwise(state)
+    for interval, name in names.items():
+        state = _pl.when(_is_in(number, [interval])).then(_pl.lit(name)).otherwise(state)
     return _pl.when(number.is_nan()).then(_pl.lit(nan)).otherwise(state) if nan else state
 
 
-def _absent(value: _pl.Expr, number: _pl.Expr, numbers: list[int], nan: bool) -> _pl.Expr:
-    absent = _is_in(number, [(key, key) for key in numbers])
+def _absent(value: _pl.Expr, number: _pl.Expr, intervals: list[tuple[int, int]], nan: bool) -> _pl.Expr:
+    absent = _is_in(number, intervals)
     if nan:
         absent = absent | number.is_nan()
     return _pl.when(absent).then(None).otherwise(value)
@@ -466,20 +466,20 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "deceleration_time": number_4,
         "command": _names(number_5, _NAMES_OF_POINT_COMMAND),
         "command_raw": number_5,
-        "command_state": _states(number_5, {65535: 'ignored'}, ''),
+        "command_state": _states(number_5, {(65535, 65535): 'ignored'}, ''),
         "waiting_time": number_6,
-        "jump_point": _absent(number_8, number_8, [65535], False),
+        "jump_point": _absent(number_8, number_8, [(65535, 65535)], False),
         "jump_point_raw": number_8,
-        "jump_point_state": _states(number_8, {65535: 'ignored'}, ''),
-        "jump_point_of_input_0": _absent(number_9, number_9, [65535], False),
+        "jump_point_state": _states(number_8, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_0": _absent(number_9, number_9, [(65535, 65535)], False),
         "jump_point_of_input_0_raw": number_9,
-        "jump_point_of_input_0_state": _states(number_9, {65535: 'ignored'}, ''),
-        "jump_point_of_input_1": _absent(number_10, number_10, [65535], False),
+        "jump_point_of_input_0_state": _states(number_9, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_1": _absent(number_10, number_10, [(65535, 65535)], False),
         "jump_point_of_input_1_raw": number_10,
-        "jump_point_of_input_1_state": _states(number_10, {65535: 'ignored'}, ''),
-        "jump_point_of_input_2": _absent(number_11, number_11, [65535], False),
+        "jump_point_of_input_1_state": _states(number_10, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_2": _absent(number_11, number_11, [(65535, 65535)], False),
         "jump_point_of_input_2_raw": number_11,
-        "jump_point_of_input_2_state": _states(number_11, {65535: 'ignored'}, ''),
+        "jump_point_of_input_2_state": _states(number_11, {(65535, 65535): 'ignored'}, ''),
         "loop_count": number_12,
         "loop_jump_point": number_13,
         "output_setting": number_14,
@@ -488,9 +488,9 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "output_setting_point_output_2": _any_bit(number_14, 0x4),
         "output_setting_moment": _names(_bits(number_14, 3, 2, False), _NAMES_OF_OUTPUT_MOMENT),
         "output_setting_moment_raw": _bits(number_14, 3, 2, False),
-        "clear_loop_counter_of": _absent(number_15, number_15, [65535], False),
+        "clear_loop_counter_of": _absent(number_15, number_15, [(65535, 65535)], False),
         "clear_loop_counter_of_raw": number_15,
-        "clear_loop_counter_of_state": _states(number_15, {65535: 'ignored'}, ''),
+        "clear_loop_counter_of_state": _states(number_15, {(65535, 65535): 'ignored'}, ''),
         "check_in_position": _names(number_16, _NAMES_OF_CHECK_IN_POSITION),
         "check_in_position_raw": number_16,
         "trigger_position": number_17,
@@ -498,9 +498,9 @@ def point(payload: _pl.Expr | str = "payload") -> list[_pl.Expr]:
         "push_torque_ratio": number_19,
         "push_speed": number_20,
         "push_position": number_21,
-        "push_mode": _absent(number_22, number_22, [0], False),
+        "push_mode": _absent(number_22, number_22, [(0, 0)], False),
         "push_mode_raw": number_22,
-        "push_mode_state": _states(number_22, {0: 'stop_mode'}, ''),
+        "push_mode_state": _states(number_22, {(0, 0): 'stop_mode'}, ''),
     }
     return _named(columns)
 
@@ -2854,20 +2854,20 @@ def points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload",
         "deceleration_time": number_4,
         "command": _names(number_5, _NAMES_OF_POINT_COMMAND),
         "command_raw": number_5,
-        "command_state": _states(number_5, {65535: 'ignored'}, ''),
+        "command_state": _states(number_5, {(65535, 65535): 'ignored'}, ''),
         "waiting_time": number_6,
-        "jump_point": _absent(number_8, number_8, [65535], False),
+        "jump_point": _absent(number_8, number_8, [(65535, 65535)], False),
         "jump_point_raw": number_8,
-        "jump_point_state": _states(number_8, {65535: 'ignored'}, ''),
-        "jump_point_of_input_0": _absent(number_9, number_9, [65535], False),
+        "jump_point_state": _states(number_8, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_0": _absent(number_9, number_9, [(65535, 65535)], False),
         "jump_point_of_input_0_raw": number_9,
-        "jump_point_of_input_0_state": _states(number_9, {65535: 'ignored'}, ''),
-        "jump_point_of_input_1": _absent(number_10, number_10, [65535], False),
+        "jump_point_of_input_0_state": _states(number_9, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_1": _absent(number_10, number_10, [(65535, 65535)], False),
         "jump_point_of_input_1_raw": number_10,
-        "jump_point_of_input_1_state": _states(number_10, {65535: 'ignored'}, ''),
-        "jump_point_of_input_2": _absent(number_11, number_11, [65535], False),
+        "jump_point_of_input_1_state": _states(number_10, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_2": _absent(number_11, number_11, [(65535, 65535)], False),
         "jump_point_of_input_2_raw": number_11,
-        "jump_point_of_input_2_state": _states(number_11, {65535: 'ignored'}, ''),
+        "jump_point_of_input_2_state": _states(number_11, {(65535, 65535): 'ignored'}, ''),
         "loop_count": number_12,
         "loop_jump_point": number_13,
         "output_setting": number_14,
@@ -2876,9 +2876,9 @@ def points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload",
         "output_setting_point_output_2": _any_bit(number_14, 0x4),
         "output_setting_moment": _names(_bits(number_14, 3, 2, False), _NAMES_OF_OUTPUT_MOMENT),
         "output_setting_moment_raw": _bits(number_14, 3, 2, False),
-        "clear_loop_counter_of": _absent(number_15, number_15, [65535], False),
+        "clear_loop_counter_of": _absent(number_15, number_15, [(65535, 65535)], False),
         "clear_loop_counter_of_raw": number_15,
-        "clear_loop_counter_of_state": _states(number_15, {65535: 'ignored'}, ''),
+        "clear_loop_counter_of_state": _states(number_15, {(65535, 65535): 'ignored'}, ''),
         "check_in_position": _names(number_16, _NAMES_OF_CHECK_IN_POSITION),
         "check_in_position_raw": number_16,
         "trigger_position": number_17,
@@ -2886,9 +2886,9 @@ def points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "payload",
         "push_torque_ratio": number_19,
         "push_speed": number_20,
         "push_position": number_21,
-        "push_mode": _absent(number_22, number_22, [0], False),
+        "push_mode": _absent(number_22, number_22, [(0, 0)], False),
         "push_mode_raw": number_22,
-        "push_mode_state": _states(number_22, {0: 'stop_mode'}, ''),
+        "push_mode_state": _states(number_22, {(0, 0): 'stop_mode'}, ''),
     }
     return _named(columns)
 
@@ -2991,20 +2991,20 @@ def flash_points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "pay
         "deceleration_time": number_4,
         "command": _names(number_5, _NAMES_OF_POINT_COMMAND),
         "command_raw": number_5,
-        "command_state": _states(number_5, {65535: 'ignored'}, ''),
+        "command_state": _states(number_5, {(65535, 65535): 'ignored'}, ''),
         "waiting_time": number_6,
-        "jump_point": _absent(number_8, number_8, [65535], False),
+        "jump_point": _absent(number_8, number_8, [(65535, 65535)], False),
         "jump_point_raw": number_8,
-        "jump_point_state": _states(number_8, {65535: 'ignored'}, ''),
-        "jump_point_of_input_0": _absent(number_9, number_9, [65535], False),
+        "jump_point_state": _states(number_8, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_0": _absent(number_9, number_9, [(65535, 65535)], False),
         "jump_point_of_input_0_raw": number_9,
-        "jump_point_of_input_0_state": _states(number_9, {65535: 'ignored'}, ''),
-        "jump_point_of_input_1": _absent(number_10, number_10, [65535], False),
+        "jump_point_of_input_0_state": _states(number_9, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_1": _absent(number_10, number_10, [(65535, 65535)], False),
         "jump_point_of_input_1_raw": number_10,
-        "jump_point_of_input_1_state": _states(number_10, {65535: 'ignored'}, ''),
-        "jump_point_of_input_2": _absent(number_11, number_11, [65535], False),
+        "jump_point_of_input_1_state": _states(number_10, {(65535, 65535): 'ignored'}, ''),
+        "jump_point_of_input_2": _absent(number_11, number_11, [(65535, 65535)], False),
         "jump_point_of_input_2_raw": number_11,
-        "jump_point_of_input_2_state": _states(number_11, {65535: 'ignored'}, ''),
+        "jump_point_of_input_2_state": _states(number_11, {(65535, 65535): 'ignored'}, ''),
         "loop_count": number_12,
         "loop_jump_point": number_13,
         "output_setting": number_14,
@@ -3013,9 +3013,9 @@ def flash_points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "pay
         "output_setting_point_output_2": _any_bit(number_14, 0x4),
         "output_setting_moment": _names(_bits(number_14, 3, 2, False), _NAMES_OF_OUTPUT_MOMENT),
         "output_setting_moment_raw": _bits(number_14, 3, 2, False),
-        "clear_loop_counter_of": _absent(number_15, number_15, [65535], False),
+        "clear_loop_counter_of": _absent(number_15, number_15, [(65535, 65535)], False),
         "clear_loop_counter_of_raw": number_15,
-        "clear_loop_counter_of_state": _states(number_15, {65535: 'ignored'}, ''),
+        "clear_loop_counter_of_state": _states(number_15, {(65535, 65535): 'ignored'}, ''),
         "check_in_position": _names(number_16, _NAMES_OF_CHECK_IN_POSITION),
         "check_in_position_raw": number_16,
         "trigger_position": number_17,
@@ -3023,9 +3023,9 @@ def flash_points(start: _pl.Expr | str = "start", payload: _pl.Expr | str = "pay
         "push_torque_ratio": number_19,
         "push_speed": number_20,
         "push_position": number_21,
-        "push_mode": _absent(number_22, number_22, [0], False),
+        "push_mode": _absent(number_22, number_22, [(0, 0)], False),
         "push_mode_raw": number_22,
-        "push_mode_state": _states(number_22, {0: 'stop_mode'}, ''),
+        "push_mode_state": _states(number_22, {(0, 0): 'stop_mode'}, ''),
     }
     return _named(columns)
 

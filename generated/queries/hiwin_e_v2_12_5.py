@@ -92,15 +92,15 @@ def _names(number: _pl.Expr, names: dict[int, str]) -> _pl.Expr:
     return number.cast(_pl.Int128).replace_strict(known, list(names.values()), default=None, return_dtype=_pl.String)
 
 
-def _states(number: _pl.Expr, names: dict[int, str], nan: str) -> _pl.Expr:
+def _states(number: _pl.Expr, names: dict[tuple[int, int], str], nan: str) -> _pl.Expr:
     state = _pl.lit(None, dtype=_pl.String)
-    for key, name in names.items():
-        state = _pl.when(_is_in(number, [(key, key)])).then(_pl.lit(name)).otherwise(state)
+    for interval, name in names.items():
+        state = _pl.when(_is_in(number, [interval])).then(_pl.lit(name)).otherwise(state)
     return _pl.when(number.is_nan()).then(_pl.lit(nan)).otherwise(state) if nan else state
 
 
-def _absent(value: _pl.Expr, number: _pl.Expr, numbers: list[int], nan: bool) -> _pl.Expr:
-    absent = _is_in(number, [(key, key) for key in numbers])
+def _absent(value: _pl.Expr, number: _pl.Expr, intervals: list[tuple[int, int]], nan: bool) -> _pl.Expr:
+    absent = _is_in(number, intervals)
     if nan:
         absent = absent | number.is_nan()
     return _pl.when(absent).then(None).otherwise(value)
@@ -2261,14 +2261,14 @@ def servo_parameters(number: _pl.Expr | str = "number", subindex: _pl.Expr | str
         "reference_torque_nm": _decimal(number_8, "0.001", "0", 3),
         "reference_torque_raw": number_8,
         "positive_fixed_stop_tolerance": number_9,
-        "negative_fixed_stop_tolerance": _absent(number_10, number_10, [0], False),
+        "negative_fixed_stop_tolerance": _absent(number_10, number_10, [(0, 0)], False),
         "negative_fixed_stop_tolerance_raw": number_10,
-        "negative_fixed_stop_tolerance_state": _states(number_10, {0: 'as_positive'}, ''),
+        "negative_fixed_stop_tolerance_state": _states(number_10, {(0, 0): 'as_positive'}, ''),
         "positive_fixed_stop_torque_nm_or_n": _decimal(number_11, "0.001", "0", 3),
         "positive_fixed_stop_torque_raw": number_11,
-        "negative_fixed_stop_torque_nm_or_n": _absent(_decimal(number_12, "0.001", "0", 3), number_12, [0], False),
+        "negative_fixed_stop_torque_nm_or_n": _absent(_decimal(number_12, "0.001", "0", 3), number_12, [(0, 0)], False),
         "negative_fixed_stop_torque_raw": number_12,
-        "negative_fixed_stop_torque_state": _states(number_12, {0: 'as_positive'}, ''),
+        "negative_fixed_stop_torque_state": _states(number_12, {(0, 0): 'as_positive'}, ''),
         "fixed_stop_following_error": number_13,
         "reference_force_n": _decimal(number_14, "0.001", "0", 3),
         "reference_force_raw": number_14,

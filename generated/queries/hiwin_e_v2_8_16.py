@@ -92,15 +92,15 @@ def _names(number: _pl.Expr, names: dict[int, str]) -> _pl.Expr:
     return number.cast(_pl.Int128).replace_strict(known, list(names.values()), default=None, return_dtype=_pl.String)
 
 
-def _states(number: _pl.Expr, names: dict[int, str], nan: str) -> _pl.Expr:
+def _states(number: _pl.Expr, names: dict[tuple[int, int], str], nan: str) -> _pl.Expr:
     state = _pl.lit(None, dtype=_pl.String)
-    for key, name in names.items():
-        state = _pl.when(_is_in(number, [(key, key)])).then(_pl.lit(name)).otherwise(state)
+    for interval, name in names.items():
+        state = _pl.when(_is_in(number, [interval])).then(_pl.lit(name)).otherwise(state)
     return _pl.when(number.is_nan()).then(_pl.lit(nan)).otherwise(state) if nan else state
 
 
-def _absent(value: _pl.Expr, number: _pl.Expr, numbers: list[int], nan: bool) -> _pl.Expr:
-    absent = _is_in(number, [(key, key) for key in numbers])
+def _absent(value: _pl.Expr, number: _pl.Expr, intervals: list[tuple[int, int]], nan: bool) -> _pl.Expr:
+    absent = _is_in(number, intervals)
     if nan:
         absent = absent | number.is_nan()
     return _pl.when(absent).then(None).otherwise(value)

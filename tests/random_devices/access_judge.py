@@ -169,7 +169,7 @@ class Access(Python):
             exponent.value.ranges.intervals if exponent is not None and exponent.value.ranges is not None else ()
         )
         powers = [(power,) for ends in intervals for power in ends] or [()]
-        counts = (raw, *(sentinel.value for sentinel in value.sentinels))
+        counts = (raw, *(number for sentinel in value.sentinels for number in sentinel.interval))
         holder = self._holder(query)
         if getattr(holder, "subindices", ()) and holder.subindex(0) is not None:
             return  # its quantities are those of its elements
@@ -194,6 +194,9 @@ class Access(Python):
             number = special_number(value, sentinel.name)
             assert holder.state_of(number) == sentinel.name, f"{query.path}: {number} is {holder.state_of(number)}"
             assert holder.state_of(absent[sentinel.name]) == sentinel.name
+            if not sentinel.is_nan:
+                low, high = sentinel.interval
+                assert holder.state_of(high) == holder.state_of((low + high) // 2) == sentinel.name
         if value.scale_by or value.enum or value.flags or not (is_count(value.encoding) or is_real(value.encoding)):
             return
         if len(absent) == 1:
@@ -204,8 +207,9 @@ class Access(Python):
         for sentinel in value.sentinels:
             if sentinel.is_nan:
                 continue
-            with pytest.raises(self.error):
-                holder.from_unit(Fraction(sentinel.value) * scale_of(value) + Fraction(value.offset))
+            for number in sentinel.interval:
+                with pytest.raises(self.error):
+                    holder.from_unit(Fraction(number) * scale_of(value) + Fraction(value.offset))
 
     def _assert_states(self, record: RecordLayout) -> None:
         """A record has a constant for each state of its fields."""

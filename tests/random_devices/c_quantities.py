@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.encoding import is_real, is_signed
-from fieldspec.language.model.value import Conversion, Value
+from fieldspec.language.model.value import Conversion, Sentinel, Value
 from fieldspec.targets.c.absent import AbsentValue
 from fieldspec.targets.c.conversions import count_type
 from fieldspec.targets.c.naming import Naming
@@ -92,13 +92,15 @@ class QuantityCases:
         if not value.sentinels:
             return 'printf("None");'
         absent = AbsentValue(path[0], path[1:], value)  # type: ignore[arg-type]
-        tests = [
-            f"if ({'raw != raw' if own.is_nan else f'raw == {absent.constant(self.naming, own)}'})"
-            f' {{ printf("{own.name}"); }}'
-            for own in value.sentinels
-        ]
+        tests = [f'if ({self._stands_for(absent, own)}) {{ printf("{own.name}"); }}' for own in value.sentinels]
         known = " else ".join((*tests, '{ printf("no_constant"); }'))
         return f'if (!{absent.function(self.naming)}(raw)) {{ printf("None"); }} else {known}'
+
+    def _stands_for(self, absent: AbsentValue, own: Sentinel) -> str:
+        constant = absent.constant(self.naming, own)
+        if own.is_nan:
+            return "raw != raw"
+        return f"raw == {constant}" if own.last is None else f"raw >= {constant} && raw <= {constant}_LAST"
 
     def _exponent(self, measured: Measured) -> str:
         return f"({type_name(measured.exponent.value)})whole_of(data + 8), " if measured.exponent is not None else ""

@@ -116,7 +116,11 @@ def _enum(draft: Draft, keys: Spec, low: int, high: int) -> None:
     keys["enum"] = enum.name
     outside = [n for n in (high, low, high - 1) if n not in enum.members.values()]
     if draft.chance(15) and outside and not enum.open:
-        keys["sentinels"] = [{"value": draft.pick(outside), "name": "nothing"}]
+        last = draft.pick(outside)
+        first = next(n for n in range(last, low - 2, -1) if n - 1 in enum.members.values() or n == low or last - n == 9)
+        keys["sentinels"] = [{"value": last, "name": "nothing"}]
+        if first < last and draft.chance(50):
+            keys["sentinels"] = [{"range": f"{first}..{last}", "name": "nothing"}]
 
 
 def _range(draft: Draft, keys: Spec, low: int, high: int, place: str, sentinel: bool = False) -> None:
@@ -156,7 +160,10 @@ def _scale(draft: Draft, keys: Spec, place: str) -> None:
 
 def _sentinels(draft: Draft, keys: Spec, low: int, high: int) -> None:
     numbers = sorted({draft.edge(low, high) for _ in range(draft.number(1, 2))}, reverse=True)
-    keys["sentinels"] = [{"value": n, "name": f"absent_{place}"} for place, n in enumerate(numbers)]
+    states: list[Spec] = [{"value": n, "name": f"absent_{place}"} for place, n in enumerate(numbers)]
+    if draft.chance(35) and numbers[0] < high:
+        states[0] = {"range": f"{numbers[0]}..{draft.edge(numbers[0] + 1, high)}", "name": "absent_0"}
+    keys["sentinels"] = states
 
 
 def _digits(draft: Draft, place: str) -> Spec:

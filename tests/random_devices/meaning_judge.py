@@ -184,12 +184,13 @@ class Meanings:
         if value.const is not None:
             return
         for sentinel in value.sentinels:
-            number = special_number(value, sentinel.name)
-            data = value_construct(value, order, swapped).build(number)
-            read = decode_value(self.device, value, data, order, swapped)
-            names = [meaning.name for meaning in read.meanings]
-            assert names == [sentinel.name], f"{name}: {data.hex(' ')} is {names}, not {sentinel.name}"
-            assert not read.text, f"{name}: {data.hex(' ')} is {read.text}, and stands for {sentinel.name}"
+            numbers = {special_number(value, sentinel.name)} if sentinel.is_nan else set(sentinel.interval)
+            for number in numbers:
+                data = value_construct(value, order, swapped).build(number)
+                read = decode_value(self.device, value, data, order, swapped)
+                names = [meaning.name for meaning in read.meanings]
+                assert names == [sentinel.name], f"{name}: {data.hex(' ')} is {names}, not {sentinel.name}"
+                assert not read.text, f"{name}: {data.hex(' ')} is {read.text}, and stands for {sentinel.name}"
 
 
 def assert_printed(text: str, leaf: Leaf, exact: Fraction | None, printed: str) -> None:

@@ -86,6 +86,7 @@ def quantity_queries(layout: DeviceLayout, dice: random.Random) -> list[Query]:
 def _counts(layout: DeviceLayout, value: Value, dice: random.Random) -> list[Any]:
     """The ends of what a value may be, numbers beside them, states, and drawn numbers."""
     special = [special_number(value, sentinel.name) for sentinel in value.sentinels]
+    special += [sentinel.last for sentinel in value.sentinels if sentinel.last is not None]
     drawn = [number_or_text(layout, value, dice) for _ in range(DRAWS)]
     if is_real(value.encoding):
         form = "<f" if value.size == 4 else "<d"

@@ -7,6 +7,7 @@ from typing import Any
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import CodecError, DeviceCodec, codec
+from fieldspec.codec.reference.quantities import special_name
 from fieldspec.codec.reference.records import decoded, decoded_value, encoded, encoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import replace
@@ -85,7 +86,7 @@ class Reference:
 
     def _encoded(self, shape: Any, name: str, raw: Any) -> str:
         value, order, swapped, _, size = shape
-        absent = any(sentinel.value == raw for sentinel in value.sentinels)
+        absent = isinstance(raw, int | float) and bool(special_name(value, raw))
         is_number = isinstance(raw, int | float)
         if value.write_ranges is not None and is_number and raw not in value.write_ranges and not absent:
             raise CodecError("out_of_range", f"{name} is {raw}, and may not be written")

@@ -4,9 +4,14 @@ import { rangesText, within } from "./values.js";
 
 const DOUBLE = new DataView(new ArrayBuffer(8));
 
+/** Whether a count is one of some counts, or in one of some intervals among them. */
+function isAmong(counts, count) {
+  return counts.some((other) => (Array.isArray(other) ? count !== null && other[0] <= count && count <= other[1] : other == count));
+}
+
 /**
  * The unit of a whole number: quantity = (count * factor + shift) / divisor, with whole numbers as bigints. `absent`
- * are the counts that stand for no quantity, `ranges` the counts that may be written.
+ * are the counts that stand for no quantity, and intervals of them; `ranges` are the counts that may be written.
  */
 export function unit({ unit: symbol, factor, shift, divisor, absent, ranges, wide }) {
   const plain = [factor, shift, divisor].every((number) => number >= -(2n ** 53n) && number <= 2n ** 53n);
@@ -15,7 +20,7 @@ export function unit({ unit: symbol, factor, shift, divisor, absent, ranges, wid
     unit: symbol,
     /** The quantity of a count, rounded once; null for a count that stands for no quantity. */
     inUnit(count) {
-      if (absent.some((other) => other == count)) return null;
+      if (isAmong(absent, count)) return null;
       if (plain && typeof count === "number") {
         const above = count * small + offset;
         if (Number.isSafeInteger(above) && Number.isSafeInteger(count * small)) return above / below;
@@ -32,7 +37,7 @@ export function unit({ unit: symbol, factor, shift, divisor, absent, ranges, wid
       if (!within(ranges, count)) {
         throw new CodecError("out_of_range", `${quantity} is the count ${count}, not in ${rangesText(ranges)}`);
       }
-      if (absent.some((other) => other == count)) {
+      if (isAmong(absent, count)) {
         throw new CodecError("out_of_range", `${quantity} is the count ${count}, which stands for no quantity`);
       }
       return wide ? count : Number(count);
@@ -83,7 +88,7 @@ export function powerUnit({ unit: symbol, exponents, unknown, ...counts }) {
     unit: symbol,
     /** The quantity of a count, rounded once; null where the count or the exponent stands for none. Throws CodecError. */
     inUnit(count, exponent) {
-      return unknown.some((other) => other == exponent) ? null : power(exponent).inUnit(count);
+      return isAmong(unknown, exponent) ? null : power(exponent).inUnit(count);
     },
     /** The count that is nearest to a quantity, as `fromUnit` of a unit. Throws CodecError. */
     fromUnit(quantity, exponent) {

@@ -56,7 +56,7 @@ class Column:
         text: bool = False,
         magnitude: bool = False,
         ratio: tuple[int, int, int] | None = None,
-        absent: tuple[int, ...] = (),
+        absent: tuple[int | range, ...] = (),
     ) -> None:
         self.name, self.letter, self.offset, self.count = name, letter, offset, count
         self.size = size or _WIDTHS[letter]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from struct import error as StructError
 
-from ._absent import state_of
+from ._absent import first_number, state_of
 from ._carried import Unknown
 from ._conversions import carried_bits, number_struct
 from ._error import CodecError
@@ -148,7 +148,7 @@ class Parameter(Generic[T]):
     @property
     def absent(self) -> dict[str, float]:
         """The values that stand for a state and are no quantity, by the names of their states."""
-        return dict(self.value.absent)
+        return {state: first_number(number) for state, number in self.value.absent}
 
     def state_of(self, value: float, subindex: int = 0) -> str | None:
         """The name of the state that a value of the element with an index stands for; None for a quantity."""

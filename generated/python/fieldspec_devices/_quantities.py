@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ._absent import is_among
 from ._conversions import counts
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
@@ -91,7 +92,7 @@ class PowerUnit:
 
         Raises CodecError for an exponent that is none.
         """
-        if exponent in self._exponents.others:
+        if exponent is not None and is_among(exponent, self._exponents.others):
             return None
         return self._value.in_unit(count, self._power(exponent))
 

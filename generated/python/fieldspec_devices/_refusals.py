@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from struct import Struct
 
+from ._absent import is_among
 from ._error import CodecError, wrong_bits
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Container
     from typing import Any, TypeAlias
+
+    from ._typing import Others
 
     BoundedBits: TypeAlias = tuple[str, int, tuple[tuple[int, int], ...], str]
 
@@ -45,17 +48,17 @@ def refused_number(
     low: int,
     high: int,
     ranges: tuple[tuple[int, int], ...] = (),
-    others: tuple[float, ...] = (),
+    others: Others = (),
     members: Container[int] | None = None,
     enum: str = "",
 ) -> CodecError | None:
     """A whole number from `low` to `high`, in one of `ranges`, or one of `others`; for an enum, one of `members`."""
     if not isinstance(value, int):
         return CodecError("wrong_type", f"{name} is a whole number, not {value!r}")
-    if members is not None and value not in members and value not in others:
+    if members is not None and value not in members and not is_among(value, others):
         return CodecError("unknown_value", f"{name} is {int(value)}, which {enum} does not list")
     fits = low <= value <= high
-    if fits and (not ranges or value in others or any(least <= value <= most for least, most in ranges)):
+    if fits and (not ranges or is_among(value, others) or any(least <= value <= most for least, most in ranges)):
         return None
     allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges or ((low, high),))
     return CodecError("out_of_range", f"{name} is {int(value)}, not in {allowed}")
@@ -78,28 +81,28 @@ def refused_flags(
 
 
 def refused_half(
-    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: tuple[float, ...] = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: Others = ()
 ) -> CodecError | None:
     """A floating-point number of 16 bits, as `refused_float` says it of 32."""
     return _refused_real(name, value, _F16, ranges, others)
 
 
 def refused_float(
-    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: tuple[float, ...] = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: Others = ()
 ) -> CodecError | None:
     """A floating-point number of 32 bits, in one of `ranges`, or one of `others`; without ranges any one, NaN too."""
     return _refused_real(name, value, _F32, ranges, others)
 
 
 def refused_double(
-    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: tuple[float, ...] = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: Others = ()
 ) -> CodecError | None:
     """A floating-point number of 64 bits, as `refused_float` says it of 32."""
     return _refused_real(name, value, _F64, ranges, others)
 
 
 def _refused_real(
-    name: str, value: Any, struct: Struct, ranges: tuple[tuple[float, float], ...], others: tuple[float, ...]
+    name: str, value: Any, struct: Struct, ranges: tuple[tuple[float, float], ...], others: Others
 ) -> CodecError | None:
     if not isinstance(value, (int, float)):
         return CodecError("wrong_type", f"{name} is a number, not {value!r}")
@@ -112,11 +115,6 @@ def _refused_real(
         return None
     allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges)
     return CodecError("out_of_range", f"{name} is {value}, not in {allowed}")
-
-
-def is_among(value: float, others: tuple[float, ...]) -> bool:
-    """Whether a number is one of some others, where every NaN equals every other NaN."""
-    return any(value == other or (value != value and other != other) for other in others)
 
 
 def refused_text(name: str, value: Any, size: int) -> CodecError | None:

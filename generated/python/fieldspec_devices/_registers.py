@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from struct import pack, unpack
 
-from ._absent import state_of
+from ._absent import first_number, is_among, state_of
 from ._carried import RecordValue
 from ._error import CodecError
 from ._quantities import Ratio, power_of_ten
@@ -91,7 +91,7 @@ class Register(Generic[T]):
     @property
     def absent(self) -> dict[str, float]:
         """The values that stand for a state and are no quantity, by the names of their states."""
-        return dict(self.value.absent)
+        return {state: first_number(number) for state, number in self.value.absent}
 
     def state_of(self, value: float) -> str | None:
         """The name of the state that a value stands for; None for a quantity."""
@@ -133,7 +133,7 @@ class Register(Generic[T]):
             if exponent is not None:
                 raise self._exponent_error(exponent)
             return self.value.in_unit(count)
-        if exponent in self.scale_by.value.others:
+        if exponent is not None and is_among(exponent, self.scale_by.value.others):
             return None
         return self.value.in_unit(count, self._power(exponent))
 

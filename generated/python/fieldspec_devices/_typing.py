@@ -14,8 +14,10 @@ if TYPE_CHECKING:
     M = TypeVar("M", covariant=True)
     Data: TypeAlias = bytes | bytearray | memoryview
     Quantity: TypeAlias = float | Decimal | Fraction
+    Others: TypeAlias = tuple[float | range, ...]
+    Absent: TypeAlias = tuple[tuple[str, float | range], ...]
 else:
-    T = R = M = Any = Data = Quantity = None
+    T = R = M = Absent = Any = Data = Others = Quantity = None
 
     def overload(function):
         """Stands in for `typing.overload`."""
@@ -30,4 +32,4 @@ else:
             return cls
 
 
-__all__ = ["TYPE_CHECKING", "Any", "Data", "Generic", "M", "Quantity", "R", "T", "overload"]
+__all__ = ["TYPE_CHECKING", "Absent", "Any", "Data", "Generic", "M", "Others", "Quantity", "R", "T", "overload"]

@@ -287,7 +287,8 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
             if c != 1:
                 quantities /= c
             for count in candidate.absent:
-                quantities[column == count] = float("nan")
+                low, high = (count.start, count.stop - 1) if isinstance(count, range) else (count, count)
+                quantities[(column >= low) & (column <= high)] = float("nan")
             return quantities
     raise KeyError(f"{name} is no field of {record.__name__} that counts in parts of a unit")
 

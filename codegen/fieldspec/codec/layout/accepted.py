@@ -64,11 +64,14 @@ class HasCharacters:
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """It is a member of a closed enum, whose members are the intervals `members`, or one of some special values."""
+    """It is a member of a closed enum, whose members are the intervals `members`, or one of some special values.
+
+    Special values are intervals, here and in the tests below.
+    """
 
     enum: str
     members: tuple[tuple[int, int], ...]
-    sentinels: tuple[int, ...]
+    sentinels: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +79,7 @@ class Within:
     """It is in one of some intervals, or one of some special values that are in none of them."""
 
     intervals: tuple[tuple[int, int], ...]
-    sentinels: tuple[int, ...] = ()
+    sentinels: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +95,7 @@ class PartWithin:
     """The bits of a part of a word are in one of some intervals, or the word is one of some special values."""
 
     bit: Bit
-    sentinels: tuple[int, ...]
+    sentinels: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,7 +165,7 @@ def _remarked(device: Device, value: Value, encoding: Encoding) -> list[Conditio
         case Whole() | Digits():
             tests: list[Test] = [*_parts(device, value)]
             if value.ranges is not None:
-                tests.insert(0, Within(value.ranges.intervals, _sentinels(value)))
+                tests.insert(0, Within(value.ranges.intervals, value.special_intervals))
             return [Condition(test, "out_of_range") for test in tests]
         case Real():
             return _real_range(value)
@@ -209,13 +212,13 @@ def _number_passes(test: Equals | IsBit | Known | Within | RealWithin | PartWith
         case IsBit():
             return number in (0, 1)
         case Known():
-            return number in test.sentinels or _is_in(number, test.members)
+            return _is_in(number, test.sentinels) or _is_in(number, test.members)
         case Within():
-            return number in test.sentinels or _is_in(number, test.intervals)
+            return _is_in(number, test.sentinels) or _is_in(number, test.intervals)
         case RealWithin():
             return (test.takes_nan and number != number) or _is_in(number, test.intervals)
         case PartWithin():
-            return number in test.sentinels or _is_in(int(number) & test.bit.mask, test.bit.images)
+            return _is_in(number, test.sentinels) or _is_in(int(number) & test.bit.mask, test.bit.images)
         case Fits():
             return _fits(number, test.precision)
         case _:
@@ -224,10 +227,6 @@ def _number_passes(test: Equals | IsBit | Known | Within | RealWithin | PartWith
 
 def _is_in(number: float, intervals: Iterable[tuple[float, float]]) -> bool:
     return any(low <= number <= high for low, high in intervals)
-
-
-def _sentinels(value: Value) -> tuple[int, ...]:
-    return tuple(sentinel.value for sentinel in value.sentinels)
 
 
 def _constant(value: Value) -> list[Condition]:
@@ -239,7 +238,7 @@ def _enum(device: Device, value: Value) -> list[Condition]:
     if enum is None or enum.open:
         return []
     members = merged((member.value, member.value) for member in enum.members if not member.unavailable)
-    return [Condition(Known(enum.name, tuple(members), _sentinels(value)), "unknown_value")]
+    return [Condition(Known(enum.name, tuple(members), value.special_intervals), "unknown_value")]
 
 
 def writable_numbers(value: Value) -> Within:
@@ -247,22 +246,21 @@ def writable_numbers(value: Value) -> Within:
     ranges = value.writable_ranges
     if ranges is None:
         return Within((bounds_of(value.encoding),))
-    further = tuple(number for number in _sentinels(value) if number not in ranges)
+    further = tuple(interval for interval in value.special_intervals if not ranges.includes(*interval))
     return Within(tuple(sorted(ranges.intervals)), further)
 
 
 def _real_range(value: Value) -> list[Condition]:
     if value.ranges is None:
         return []
-    sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
-    intervals = tuple(sorted([*value.ranges.intervals, *sentinels]))
+    intervals = tuple(sorted([*value.ranges.intervals, *value.special_intervals]))
     return [Condition(RealWithin(intervals, value.absent_nan), "out_of_range")]
 
 
 def _parts(device: Device, value: Value) -> list[PartWithin]:
     if not value.flags:
         return []
-    return [PartWithin(bit, _sentinels(value)) for bit in device.flags[value.flags].bounded]
+    return [PartWithin(bit, value.special_intervals) for bit in device.flags[value.flags].bounded]
 
 
 def _needed(conditions: list[Condition]) -> list[Condition]:
@@ -302,9 +300,9 @@ def _intervals(test: Test) -> list[tuple[int, int]] | None:
         case IsBit():
             return [(0, 1)]
         case Known():
-            return merged([*test.members, *((number, number) for number in test.sentinels)])
+            return merged([*test.members, *test.sentinels])
         case Within():
-            return merged([*test.intervals, *((number, number) for number in test.sentinels)])
+            return merged([*test.intervals, *test.sentinels])
         case HasDigits() | HasCharacters() | RealWithin() | PartWithin() | Fits():
             return None
         case _:

@@ -13,7 +13,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLay
 from fieldspec.language.model.access import narrowed
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import STEP_FIELDS, RegisterAccess, Segments
-from fieldspec.language.model.value import ParameterPart, Value
+from fieldspec.language.model.value import ParameterPart, Sentinel, Value
 
 Words = tuple[object, ...]
 
@@ -46,13 +46,16 @@ def identity(
     return digest.hexdigest()[:16]
 
 
+def _last(sentinel: Sentinel) -> Words:
+    if sentinel.is_nan:
+        return ("NaN",)
+    return () if sentinel.last is None else (sentinel.last,)
+
+
 def _value(value: Value | None) -> Words:
     if value is None:
         return ()
-    sentinels = [
-        (sentinel.value, sentinel.name, "NaN") if sentinel.is_nan else (sentinel.value, sentinel.name)
-        for sentinel in value.sentinels
-    ]
+    sentinels = [(sentinel.value, sentinel.name, *_last(sentinel)) for sentinel in value.sentinels]
     scaled = (value.scale, value.offset, value.unit)
     return (
         value.type.name,

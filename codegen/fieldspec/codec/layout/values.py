@@ -38,6 +38,7 @@ Raw: TypeAlias = int | float | str | bytes | list["Raw"] | dict[str, "Raw"]
 
 
 _EXACT = Context(prec=200)
+_INFINITIES = ("inf", "-inf")
 _DIGITS = re.compile("[-+]?(?:0x[0-9A-Fa-f]+|[1-9][0-9]*)")
 
 
@@ -129,6 +130,7 @@ def pieces(path: str, text: str) -> list[str]:
 def _element_value(device: Device, path: str, field: FieldLayout, entered: object) -> Raw:
     if field.record is None:
         return _raw_number(device, path, field.value, entered)
+    entered = {} if entered == "" else entered  # as the command line has a record of constants
     if not isinstance(entered, dict):
         raise MeaningError(path, "a mapping of fields is expected")
     inner: dict[str, Raw] = {}
@@ -181,6 +183,8 @@ def _raw_real(device: Device, path: str, value: Value, precision: Precision, ent
     quantity = device.entered_quantity(value, entered)
     if quantity is not None:
         return _present(path, value, precision, str(entered), float(quantity))
+    if entered in _INFINITIES:
+        return float(entered)
     number = entered if isinstance(entered, float) else number_of(str(entered))
     if number is None:
         raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
@@ -287,6 +291,9 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
 
     Fields that are not named have their defaults, else 0. Raises MeaningError where 0 would mean something.
     """
+    special = next((sentinel for sentinel in value.sentinels if sentinel.name == entered), None)
+    if special is not None:
+        return special.value
     flags = device.flags[value.flags]
     word, names = flags.initial, set()
     for item in entered if isinstance(entered, list) else [piece for piece in re.split(r"[, ]+", entered) if piece]:

@@ -32,8 +32,8 @@ def scale_of(value: Value, power: int | None = None) -> Fraction:
 def special_name(value: Value, raw: float) -> str:
     """The name of the state that a number stands for; empty for a quantity."""
     for sentinel in value.sentinels:
-        is_state = math.isnan(raw) if sentinel.is_nan else not math.isnan(raw) and Fraction(sentinel.value) == raw
-        if is_state:
+        low, high = map(Fraction, sentinel.interval)
+        if math.isnan(raw) if sentinel.is_nan else not math.isnan(raw) and low <= raw <= high:
             return sentinel.name
     return ""
 

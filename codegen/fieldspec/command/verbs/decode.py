@@ -83,6 +83,8 @@ LONGEST_LINE = 8192
 def run(arguments: argparse.Namespace) -> int:
     """Explains a frame, or each line of standard input. Exit code 1 where anything is wrong. Raises UsageError."""
     if arguments.to:
+        if arguments.strict:
+            raise UsageError("--strict goes without --to: the tables have each doubtful value as out_of_range")
         from fieldspec.command.bulk import bulk_decoding
 
         return bulk_decoding.run(arguments)
@@ -106,11 +108,16 @@ def run(arguments: argparse.Namespace) -> int:
         if sys.stdin.isatty():
             print_note("reading frames from the terminal, one on each line")
         gc.enable()  # a log may be long
-        return Log(layout, options, open_request, printer).explain(sys.stdin.buffer)
+        return Log(layout, options, open_request, printer, arguments.strict).explain(sys.stdin.buffer)
     line = _frame(layout, text)
     reading = read(layout, line.frame, options, line.direction, open_request)
     printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options)])
-    return int(reading.wrong)
+    return int(_fails(reading, arguments.strict))
+
+
+def _fails(reading: ChosenReading, strict: bool) -> bool:
+    """Whether the exit code is 1: the frame is wrong or, where that is asked for, has a doubtful value."""
+    return reading.wrong or (strict and any(faults(reading.explanation)))
 
 
 def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None) -> OpenRequest | None:
@@ -149,9 +156,14 @@ class Log:
     """
 
     def __init__(
-        self, layout: DeviceLayout, options: FrameOptions, open_request: OpenRequest | None, printer: FramePrinter
+        self,
+        layout: DeviceLayout,
+        options: FrameOptions,
+        open_request: OpenRequest | None,
+        printer: FramePrinter,
+        strict: bool,
     ) -> None:
-        self.layout, self.said, self.printer = layout, options, printer
+        self.layout, self.said, self.printer, self.strict = layout, options, printer, strict
         self.links = [link.link for link in layout.links.values()]
         self.asked = open_request
         self.open: list[tuple[OpenRequest, int]] = []
@@ -184,7 +196,7 @@ class Log:
             return
         reading, asked_in = self._read(line.frame)
         self.printer.explain(reading, [*line.remarks, *remarks(self.layout, reading, asked_in, self.said)], number)
-        self.wrong = self.wrong or reading.wrong
+        self.wrong = self.wrong or _fails(reading, self.strict)
         self.mark = ""
         if self.asked is None:
             self._close(reading.explanation)

@@ -128,9 +128,9 @@ def _scale(fact: Any) -> str:
     return fact.value.scale_text if fact.value is not None else ""
 
 
-def _sentinels(fact: Any) -> dict[int, object]:
+def _sentinels(fact: Any) -> dict[str, object]:
     value = fact.value
-    return {sentinel.value: (sentinel.doc, sentinel.sources) for sentinel in value.sentinels} if value else {}
+    return {sentinel.text: (sentinel.doc, sentinel.sources) for sentinel in value.sentinels} if value else {}
 
 
 _HAVE_VALUES = (Part, Field, Case, Register, Parameter, Subindex, Signal)

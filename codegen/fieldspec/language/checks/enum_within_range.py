@@ -47,7 +47,7 @@ def _excluded(value: Value, member: Member) -> bool:
         return True
     if value.ranges is None or member.unavailable or member.value in value.ranges:
         return False
-    return all(sentinel.value != member.value for sentinel in value.sentinels)
+    return value.sentinel(member.value) is None
 
 
 def _finding(fact: Fact, key: str, subject: str, members: list[Member]) -> Diagnostic:

@@ -18,7 +18,7 @@ from fieldspec.language.checks.finding import finding, label, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
-from fieldspec.language.model.encoding import is_count
+from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Field, Message
@@ -85,18 +85,29 @@ def _apart(
 def _is_another(device: Device, field: Field, start: int, offset: int, mark: bytes) -> bool:
     """Whether the bytes that a field, which begins at `start`, shares with those of the mark never are the mark's."""
     value = field.value
-    if value is None or not is_count(value.encoding) or value.width or value.has_characters:
+    if value is None or not is_count(value.encoding) or value.width:
         return False
     if field.reserved or field.count is not None or field.repeat is not None:
         return False
-    order, swapped = orders_of(value, device.byte_order, device.word_order)
-    if swapped:
-        return False
     low, high = max(start, offset), min(start + value.size, offset + len(mark))
     own = mark[low - offset : high - offset]
+    if value.digits and any(byte not in _bytes_of_digits(value) for byte in own):
+        return True
+    order, swapped = orders_of(value, device.byte_order, device.word_order)
+    if swapped or value.has_characters:
+        return False
     shift = start + value.size - high if order == "big" else low - start
     bits = int.from_bytes(own, "big" if order == "big" else "little")
     return not any(_may_have(interval, value, 8 * shift, 8 * len(own), bits) for interval in _numbers(device, value))
+
+
+def _bytes_of_digits(value: Value) -> bytes:
+    """The bytes of which the digits of a value consist: decimal ones in two halves of a byte, or characters."""
+    if not value.has_characters:
+        return bytes(16 * upper + lower for upper in range(10) for lower in range(10))
+    letters = b"" if value.digits == "decimal" else b"abcdefABCDEF"
+    signs = b"+-" if is_signed(value.encoding) and value.digits == "decimal" else b""
+    return b"0123456789" + letters + signs + b"." * bool(value.places) + b" " * value.has_blanks
 
 
 def _numbers(device: Device, value: Value) -> list[tuple[int, int]]:
@@ -106,8 +117,10 @@ def _numbers(device: Device, value: Value) -> list[tuple[int, int]]:
     enum = device.enums.get(value.enum)
     if enum is not None and not enum.open:
         return [(member.value, member.value) for member in enum.members]
-    sentinels = [(int(sentinel.value), int(sentinel.value)) for sentinel in value.sentinels]
-    return [*(value.ranges.intervals if value.ranges is not None else ((value.low, value.high),)), *sentinels]
+    return [
+        *(value.ranges.intervals if value.ranges is not None else ((value.low, value.high),)),
+        *value.special_intervals,
+    ]
 
 
 def _may_have(interval: tuple[int, int], value: Value, shift: int, width: int, bits: int) -> bool:

@@ -23,6 +23,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
+from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.table_records import table_records
@@ -75,7 +76,8 @@ def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
         yield finding(_CODE, fact.place, "scale_by", text, "remove it, or use an integer type")
     for key in _OWN:
-        if has_key(fact, key) and not (key == "reserved" and isinstance(fact, Register)):
+        is_stated = value.scale != 1 if key == "scale" else has_key(fact, key)
+        if is_stated and not (key == "reserved" and isinstance(fact, Register)):
             text = f"{fact.name} has `{key}`, and takes its scale from {value.scale_by}"
             yield finding(_CODE, fact.place, key, text, "remove one of them")
 
@@ -134,6 +136,7 @@ def _wrong_ranges(value: Value) -> str:
         return "its `write_range` differs from what it may be"
     if value.ranges is None or value.ranges.low < -MOST_PLACES or value.ranges.high > MOST_PLACES:
         return f"its `range` is not within -{MOST_PLACES}..{MOST_PLACES}"
-    if any(sentinel.value in value.ranges for sentinel in value.sentinels):
+    special = merged(value.special_intervals)
+    if any(uncovered(low, high, special) != [(low, high)] for low, high in value.ranges.intervals):
         return "a special value is within its `range`"
     return ""

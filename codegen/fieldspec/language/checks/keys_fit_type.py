@@ -78,6 +78,10 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
         if is_count(value.encoding) and value.absent_nan:
             text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f16, f32 or f64"
             yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
+        spread = next((sentinel for sentinel in value.sentinels if sentinel.last is not None), None)
+        if spread is not None and not is_count(value.encoding):
+            text = f"{fact.name} is {value.type.name}, but {spread.name} has a `range`, which only whole numbers have"
+            yield finding("keys_fit_type", fact.place, "sentinels", text, "state each number under `value`")
     yield from _ordered_checksums(device)
 
 

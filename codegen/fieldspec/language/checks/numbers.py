@@ -40,7 +40,7 @@ class Legal:
             return ""
         if not value.low <= number <= value.high:
             return f"does not fit {digits_text(value) if value.digits else value.type.name}"
-        if any(sentinel.value == number for sentinel in value.sentinels):
+        if value.sentinel(number) is not None:
             return ""
         if value.ranges is not None and number not in value.ranges:
             return f"is outside {value.ranges.text()}"

@@ -14,9 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import enumeration, finding, interval, label, missing, range_key
+from fieldspec.language.checks.finding import enumeration, finding, interval, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.ranges import merged, uncovered
 
 
 def range_within_enum(device: Device) -> Iterator[Diagnostic]:
@@ -24,11 +25,9 @@ def range_within_enum(device: Device) -> Iterator[Diagnostic]:
         enum = device.enums.get(value.enum)
         if enum is None or enum.open or value.ranges is None:
             continue
-        named_numbers = [
-            *(member.value for member in enum.members),
-            *(sentinel.value for sentinel in value.sentinels),
-        ]
-        holes = missing(value.ranges, named_numbers)
+        members = ((member.value, member.value) for member in enum.members)
+        known = merged([*members, *value.special_intervals])
+        holes = [hole for low, high in sorted(value.ranges.intervals) for hole in uncovered(low, high, known)]
         if holes:
             yield finding(
                 "range_within_enum",

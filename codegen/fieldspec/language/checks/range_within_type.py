@@ -75,8 +75,9 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         text = f"{fact.name} cannot be {_ranges_text(value.ranges)} as {_range_of(value)}"
         yield finding("range_within_type", fact.place, range_key(fact.place), text, _HELP)
     for sentinel in value.sentinels:
-        if not value.low <= sentinel.value <= value.high:
-            text = f"{fact.name} cannot be {sentinel.value} ({sentinel.name}) as {_range_of(value)}"
+        low, high = sentinel.interval
+        if not value.low <= low <= high <= value.high:
+            text = f"{fact.name} cannot be {sentinel.text} ({sentinel.name}) as {_range_of(value)}"
             yield finding("range_within_type", fact.place, "sentinels", text, _sentinel_help(value, sentinel.value))
 
 

@@ -74,6 +74,9 @@ def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Dia
     if message is None:
         text = f"{field.name} repeats to the end of the data, but {last.name} comes after it"
         help = "state its `count`, or list the fields in the order of the wire"
+        if counts:
+            text = f"{counts[0].name} counts {field.name}, but {last.name} comes after it, which only a message can say"
+            help = "state its `count` if it is always the same, or the fields in the message itself; no record has them"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
         return
     if not any(other in layer.fields[:index] for other in counts):

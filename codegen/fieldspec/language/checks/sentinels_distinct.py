@@ -17,6 +17,7 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Sentinel, Value
 
 _CODE = "sentinels_distinct"
 
@@ -28,12 +29,19 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
         enum = device.enums.get(value.enum)
         for sentinel in value.sentinels:
             text = ""
-            member = enum.member(sentinel.value) if enum is not None else None
+            members = enum.members if enum is not None and not sentinel.is_nan else ()
+            low, high = sentinel.interval
+            covered = (member for member in members if low <= member.value <= high)
+            member = next(
+                (other for other in covered if other.name != sentinel.name or sentinel.last is not None), None
+            )
             if sentinel.text in names:
                 text = f"{sentinel.text} of {fact.name} is {names[sentinel.text]} and {sentinel.name}"
             elif sentinel.name in texts:
                 text = f"{sentinel.name} of {fact.name} is {texts[sentinel.name]} and {sentinel.text}"
-            elif member is not None and enum is not None and member.name != sentinel.name:
+            elif (other := _shared(value, sentinel)) is not None:
+                text = f"{sentinel.text} of {fact.name} is {sentinel.name}, and {other.text} is {other.name}"
+            elif member is not None and enum is not None:
                 text = f"{sentinel.text} of {fact.name} is {sentinel.name}, and {member.name} of {enum.name}"
             elif value.const is not None:
                 text = f"{fact.name} is always {value.const}, and has the sentinel {sentinel.name}"
@@ -41,3 +49,14 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
                 yield finding(_CODE, fact.place, "sentinels", text, "correct one of them, or remove the sentinel")
             names.setdefault(sentinel.text, sentinel.name)
             texts.setdefault(sentinel.name, sentinel.text)
+
+
+def _shared(value: Value, sentinel: Sentinel) -> Sentinel | None:
+    """A sentinel before another one that has some of its counts, of which one is an interval."""
+    low, high = sentinel.interval
+    for other in value.sentinels[: value.sentinels.index(sentinel)]:
+        first, last = other.interval
+        is_interval = sentinel.last is not None or other.last is not None
+        if is_interval and first <= high and low <= last and not (sentinel.is_nan or other.is_nan):
+            return other
+    return None

@@ -34,15 +34,14 @@ def write_range_within_range(device: Device) -> Iterator[Diagnostic]:
 
 def _compare_ranges(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diagnostic]:
     read = value.ranges.intervals if value.ranges is not None else ((value.type.low, value.type.high),)
-    sentinels = tuple((sentinel.value, sentinel.value) for sentinel in value.sentinels)
-    excess = _beyond(writable, [*read, *sentinels])
+    excess = _beyond(writable, [*read, *value.special_intervals])
     if excess is not None:
         text = f"{excess} can be written to {fact.name}, but is not in its range"
         key = "type" if value.ranges is None else range_key(fact.place)
         yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "its permitted values"))
     for sentinel in value.sentinels:
-        if sentinel.value not in writable:
-            text = f"the special value {sentinel.name}, {sentinel.value}, cannot be written to {fact.name}"
+        if uncovered(*sentinel.interval, merged(writable.intervals)):
+            text = f"the special value {sentinel.name}, {sentinel.text}, cannot be written to {fact.name}"
             help = "add it to `write_range`, or make it a member of an enum if it is only read"
             yield finding(
                 _CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the special value")

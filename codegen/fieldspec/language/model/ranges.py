@@ -35,6 +35,10 @@ class Ranges:
     def __contains__(self, value: object) -> bool:
         return isinstance(value, int | float) and any(low <= value <= high for low, high in self.intervals)
 
+    def includes(self, low: int, high: int) -> bool:
+        """Whether one of the intervals has all numbers from `low` to `high`."""
+        return any(first <= low and high <= last for first, last in self.intervals)
+
     def text(self) -> str:
         """`0..127, 10000..10127`"""
         pairs = ((bound_text(low), bound_text(high)) for low, high in self.intervals)

@@ -10,7 +10,7 @@ from fieldspec.language.model.digits import BCD, digit_bounds
 from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.primitives import Primitive
-from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.text_form import UTF_16, TextForm
 
 if TYPE_CHECKING:
@@ -48,7 +48,8 @@ _EXACT = Context(prec=120)
 class Sentinel:
     """A value that means a state and not a quantity: a count, or for a float a number.
 
-    For a NaN, `value` has its bits and `is_nan` is true; every NaN that is read means this state.
+    For a NaN, `value` has its bits and `is_nan` is true; every NaN that is read means this state. Where all counts of
+    an interval mean it, `value` is the least, which is written for it, and `last` the greatest; else `last` is None.
     """
 
     value: int
@@ -56,10 +57,18 @@ class Sentinel:
     doc: str
     sources: tuple[Citation, ...]
     is_nan: bool = False
+    last: int | None = None
+
+    @property
+    def interval(self) -> tuple[int, int]:
+        """The least and the greatest count that mean it."""
+        return self.value, self.value if self.last is None else self.last
 
     @property
     def text(self) -> str:
-        """The value on the wire: `65535`, or `NaN 0x7FC00000`."""
+        """The value on the wire: `65535`, `65024..65279`, or `NaN 0x7FC00000`."""
+        if self.last is not None:
+            return f"{self.value}..{self.last}"
         return f"NaN 0x{self.value:08X}" if self.is_nan else str(self.value)
 
 
@@ -219,7 +228,23 @@ class Value:
         """The sentinel with a raw count, or with a floating-point number."""
         if raw != raw:
             return next((sentinel for sentinel in self.sentinels if sentinel.is_nan), None)
-        return next((sentinel for sentinel in self.sentinels if sentinel.value == raw and not sentinel.is_nan), None)
+        for sentinel in self.sentinels:
+            low, high = sentinel.interval
+            if low <= raw <= high and not sentinel.is_nan:
+                return sentinel
+        return None
+
+    @property
+    def special_intervals(self) -> tuple[tuple[int, int], ...]:
+        """The intervals of the sentinels, without a NaN."""
+        return tuple(sentinel.interval for sentinel in self.sentinels if not sentinel.is_nan)
+
+    @property
+    def quantity_intervals(self) -> list[tuple[int, int]]:
+        """The counts that are quantities, in ascending order: those in range that no sentinel has."""
+        special = merged(self.special_intervals)
+        intervals = self.ranges.intervals if self.ranges is not None else ((self.low, self.high),)
+        return sorted({part for low, high in intervals for part in uncovered(low, high, special)})
 
     @property
     def absent_nan(self) -> bool:

@@ -9,6 +9,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, infinity
 from fieldspec.language.model.value import Sentinel, Value
+from fieldspec.targets.c.conditions import among_test
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
 from fieldspec.targets.c.expressions import (
     VALUE,
@@ -20,7 +21,6 @@ from fieldspec.targets.c.expressions import (
     any_of,
     at_least,
     at_most,
-    equal,
     greater,
     hexadecimal,
 )
@@ -95,6 +95,11 @@ def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
         )
         for sentinel in value.sentinels
     ]
+    constants += [
+        Define(f"{absent.constant(naming, sentinel)}_LAST", macro_literal(value.encoding, sentinel.last))
+        for sentinel in value.sentinels
+        if sentinel.last is not None
+    ]
     return [
         *constants,
         comment(f"Whether {absent.title} is no quantity: {states}.", any_nan),
@@ -124,11 +129,11 @@ def _absent_test(naming: Naming, value: Value) -> Expression:
     A NaN is told by its bits, as compilers may take comparisons with it for what they are not, with -ffast-math.
     """
     encoding = value.encoding
-    numbers = [literal(encoding, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
     match encoding:
         case Whole() | Digits() | Truth() | Text() | Octets():
-            return any_of([equal(VALUE, number) for number in numbers])
+            return any_of(among_test(encoding, value.special_intervals, VALUE))
         case Real():
+            numbers = [literal(encoding, number) for number, _ in value.special_intervals]
             tests: list[Expression] = [
                 Group(all_of([at_least(VALUE, number), at_most(VALUE, number)])) for number in numbers
             ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 
 from fieldspec.codec.layout.accepted import (
     Equals,
@@ -32,6 +32,7 @@ from fieldspec.language.model.encoding import (
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.expressions import (
     INT64,
+    TRUE,
     UINT64,
     Call,
     Cast,
@@ -91,7 +92,7 @@ def _unknown(naming: Naming, encoding: Encoding, test: Known, number: Expression
     is_wide = any(high > INT64.bounds[1] for _, high in test.members)
     cast = Cast(machine(UINT64 if is_wide else INT64).type, number)
     known = negate(Call(naming.function("enum", test.enum, "known"), (cast,)))
-    return all_of([known, *(different(number, literal(encoding, other)) for other in test.sentinels)])
+    return all_of([known, *_beside(encoding, test.sentinels, number)])
 
 
 def _outside(encoding: Encoding, test: Within, number: Expression) -> Expression | None:
@@ -99,12 +100,33 @@ def _outside(encoding: Encoding, test: Within, number: Expression) -> Expression
     whole = number_of(encoding)
     assert whole is not None
     tests: list[Expression] = []
-    for low, high in test.intervals:
-        bounds = _between(number, (low, high), machine_whole(whole).bounds, lambda bound: literal(encoding, bound))
+    for interval in (*test.intervals, *test.sentinels):
+        bounds = _between(number, interval, machine_whole(whole).bounds, lambda bound: literal(encoding, bound))
         if bounds is None:
             return None
         tests.append(bounds)
-    return negate(_either([*tests, *(equal(number, literal(encoding, other)) for other in test.sentinels)]))
+    return negate(_either(tests))
+
+
+def among_test(encoding: Encoding, intervals: Iterable[tuple[int, int]], number: Expression) -> list[Expression]:
+    """The tests of which one holds for a whole number in some intervals: `value == 3u`, `(value >= 5u && value <= 9u)`
+
+    An interval has all numbers of the type of C only where the test is `true`.
+    """
+    whole = number_of(encoding)
+    assert whole is not None
+    limits = machine_whole(whole).bounds
+    tests = [_between(number, interval, limits, lambda bound: literal(encoding, bound)) for interval in intervals]
+    return [Group(test) if isinstance(test, Operation) and test.operator == "&&" else test or TRUE for test in tests]
+
+
+def _beside(encoding: Encoding, intervals: Iterable[tuple[int, int]], number: Expression) -> Iterator[Expression]:
+    """The tests that all hold for a whole number in none of some intervals: `value != 3u`, `!(value >= 5u)`"""
+    for interval in intervals:
+        if interval[0] == interval[1]:
+            yield different(number, literal(encoding, interval[0]))
+        else:
+            yield from map(negate, among_test(encoding, [interval], number))
 
 
 def _between(
@@ -147,8 +169,8 @@ def _part_outside(encoding: Encoding, test: PartWithin, number: Expression) -> E
     size = whole.bits // 8
     masked = Group(Operation("&", (number, hexadecimal(mask, size))))
     parts = [_between(masked, image, (0, mask), lambda bits: hexadecimal(bits, size)) for image in test.bit.images]
-    sentinels = [different(number, literal(encoding, other)) for other in test.sentinels]
-    return all_of([negate(_either([part for part in parts if part is not None])), *sentinels])
+    refused = negate(_either([part for part in parts if part is not None]))
+    return all_of([refused, *_beside(encoding, test.sentinels, number)])
 
 
 def _overflow(naming: Naming, precision: Precision, number: Expression) -> Expression | None:

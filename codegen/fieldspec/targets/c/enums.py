@@ -5,6 +5,7 @@ from __future__ import annotations
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import bounds_of, is_count
 from fieldspec.language.model.enums import Enum, Member
+from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import (
     BLANK,
@@ -151,8 +152,8 @@ def integer_reason(device: Device, value: Value) -> str:
     low, high = bounds_of(value.encoding)
     if not all(low <= member.value <= high for member in members):
         return f"An integer, as {value.type.name} does not hold all members of {enum.name}."
-    numbers = {member.value for member in members}
-    missing = [sentinel.name for sentinel in value.sentinels if sentinel.value not in numbers]
+    known = merged((member.value, member.value) for member in members)
+    missing = [sentinel.name for sentinel in value.sentinels if uncovered(*sentinel.interval, known)]
     return f"An integer, as {enum.name} does not have {', '.join(missing)}." if missing else ""
 
 

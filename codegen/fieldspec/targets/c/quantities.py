@@ -11,7 +11,7 @@ from fieldspec.language.model.encoding import Encoding, bounds_of, is_count, num
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
-from fieldspec.targets.c.conditions import out_of_range_test
+from fieldspec.targets.c.conditions import among_test, out_of_range_test
 from fieldspec.targets.c.conversions import COUNT, RAW, count_of_share
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment
 from fieldspec.targets.c.expressions import (
@@ -28,7 +28,6 @@ from fieldspec.targets.c.expressions import (
     at_least,
     at_most,
     dereference,
-    equal,
     multiply,
     negate,
     subtract,
@@ -237,5 +236,5 @@ def _refuse_gaps(naming: Naming, value: Value, number: Expression) -> Body:
 def _refuse_absent(naming: Naming, value: Value, number: Expression) -> Body:
     """Refuses the numbers that stand for an absent value."""
     encoding = value.encoding
-    tests: list[Expression] = [equal(number, literal(encoding, sentinel.value)) for sentinel in value.sentinels]
+    tests = among_test(encoding, value.special_intervals, number)
     return refuse(naming, any_of(tests), "err_out_of_range") if tests else ()

@@ -51,14 +51,20 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
     """Tests that each sentinel is absent, that its neighbours are not, and that no sentinel becomes a quantity."""
     for absent in absent_values(layout):
         value, function = absent.value, absent.function(naming)
-        numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
-        neighbours = sorted({number + step for number in (0, *numbers) for step in (-1, 0, 1)} - set(numbers))
+        bounds = sorted({0, *(bound for interval in value.special_intervals for bound in interval)})
+        edges = sorted({bound + step for bound in bounds for step in (-1, 0, 1)})
+        neighbours = [number for number in edges if value.sentinel(number) is None]
+        ends = [(sentinel.name, sentinel.last) for sentinel in value.sentinels if sentinel.last is not None]
         low, high = _neighbour_bounds(value)
         yield [
             *(
                 expect_equal(f"{function} {sentinel.name}", Call(function, (constant,)), TRUE)
                 for sentinel in value.sentinels
                 if (constant := Identifier(absent.constant(naming, sentinel)))
+            ),
+            *(
+                expect_equal(f"{function} {state} {last}", Call(function, (literal(value.encoding, last),)), TRUE)
+                for state, last in ends
             ),
             *(
                 expect_equal(f"{function} {number}", Call(function, (literal(value.encoding, number),)), FALSE)

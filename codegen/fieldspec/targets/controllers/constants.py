@@ -221,6 +221,8 @@ def _absent(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             if is_count(value.encoding):
                 kind = whole_type(value.encoding)
                 yield Draft(f"{name}_{sentinel.name}", kind, sentinel.value, remark, fact, derived=True)
+                if sentinel.last is not None:
+                    yield Draft(f"{name}_{sentinel.name}_last", kind, sentinel.last, remark, fact, derived=True)
             elif is_single(value.encoding) and not sentinel.is_nan:
                 yield Draft(f"{name}_{sentinel.name}", REAL, Decimal(sentinel.value), remark, fact, derived=True)
 

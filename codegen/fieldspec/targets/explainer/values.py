@@ -64,7 +64,15 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
             "ranges": intervals(value.ranges),
             "writeRanges": intervals(value.write_ranges),
             "sentinels": [
-                stated({"value": sentinel.value, "name": sentinel.name, "doc": sentinel.doc, "nan": sentinel.is_nan})
+                stated(
+                    {
+                        "value": sentinel.value,
+                        "last": sentinel.last,
+                        "name": sentinel.name,
+                        "doc": sentinel.doc,
+                        "nan": sentinel.is_nan,
+                    }
+                )
                 for sentinel in value.sentinels
             ],
             "unit": value.unit,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 
 from fieldspec.foundation.exhaustive import assert_never
@@ -51,7 +52,7 @@ def _count_unit(value: Value, wide: bool) -> str:
         f"factor: {scale * divisor}n",
         f"shift: {offset * divisor}n",
         f"divisor: {divisor}n",
-        f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
+        f"absent: {_counts(value.special_intervals, 'n')}",
         f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
         f"wide: {flag(wide)}",
     ]
@@ -75,8 +76,17 @@ def absent_of(value: Value) -> str:
     if not value.sentinels:
         return ""
     wide = is_wide(value.encoding)
-    rows = [f"{s.name}: {_sentinel_number(value, s)}{'n' if wide else ''}" for s in value.sentinels]
-    return f"/* @__PURE__ */ absentValues({{ __proto__: null, {', '.join(rows)} }})"
+    suffix = "n" if wide else ""
+    rows = [f"{s.name}: {_sentinel_number(value, s)}{suffix}" for s in value.sentinels]
+    lasts = [f"{s.name}: {s.last}{suffix}" for s in value.sentinels if s.last is not None]
+    further = f", {{ __proto__: null, {', '.join(lasts)} }}" if lasts else ""
+    return f"/* @__PURE__ */ absentValues({{ __proto__: null, {', '.join(rows)} }}{further})"
+
+
+def _counts(intervals: Iterable[tuple[int, int]], suffix: str = "") -> str:
+    """Counts, and intervals of counts, as a list: `[3n, [65024n, 65279n]]`"""
+    texts = (f"{low}{suffix}" if low == high else f"[{low}{suffix}, {high}{suffix}]" for low, high in intervals)
+    return f"[{', '.join(texts)}]"
 
 
 def _sentinel_number(value: Value, sentinel: Sentinel) -> str:
@@ -91,8 +101,8 @@ def power_unit_of(value: Value, exponent: Value) -> str:
     rows = [
         f"unit: {literal(value.quantity_unit)}",
         f"exponents: [{', '.join(f'[{low}, {high}]' for low, high in exponents)}]",
-        f"unknown: [{', '.join(str(sentinel.value) for sentinel in exponent.sentinels)}]",
-        f"absent: [{', '.join(f'{sentinel.value}n' for sentinel in value.sentinels)}]",
+        f"unknown: {_counts(exponent.special_intervals)}",
+        f"absent: {_counts(value.special_intervals, 'n')}",
         f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
         f"wide: {flag(is_wide(value.encoding))}",
     ]

@@ -146,13 +146,13 @@ class Slot:
                 assert_never(whole.sign)
 
     @property
-    def known(self) -> list[int] | None:
+    def known(self) -> list[tuple[int, int]] | None:
         """The numbers of a closed enum that may be sent, with those that stand for no value; None without one."""
         enum = self.device.enums.get(self.value.enum)
         if enum is None or enum.open:
             return None
-        members = {member.value for member in enum.members if not member.unavailable}
-        return sorted(members | {sentinel.value for sentinel in self.value.sentinels})
+        members = ((member.value, member.value) for member in enum.members if not member.unavailable)
+        return merged([*members, *self.value.special_intervals])
 
     @property
     def sendable(self) -> list[tuple[int, int]]:
@@ -161,11 +161,15 @@ class Slot:
         ranges = self.value.writable_ranges
         intervals = [(low, high)]
         if ranges is not None:
-            special = [(sentinel.value, sentinel.value) for sentinel in self.value.sentinels]
-            intervals = merged([*ranges.intervals, *special])
+            intervals = merged([*ranges.intervals, *self.value.special_intervals])
         intervals = [(max(low, first), min(high, last)) for first, last in intervals if last >= low and first <= high]
         if self.known is not None:
-            return merged((n, n) for n in self.known if any(first <= n <= last for first, last in intervals))
+            return [
+                (max(low, first), min(high, last))
+                for low, high in self.known
+                for first, last in intervals
+                if max(low, first) <= min(high, last)
+            ]
         return intervals
 
     def digits(self, number: int) -> str:
@@ -234,7 +238,7 @@ class Slot:
         if const is not None:
             wrong = throw_wrong_number("wrong_const", self.name, variable, literal(f"not {const}"), position)
             yield f"if ({variable} !== {self.digits(const)}) {wrong}"
-        if known is not None and (test := self.test(variable, merged((number, number) for number in known))):
+        if known is not None and (test := self.test(variable, known)):
             text = literal(f"which {self.value.enum} does not list")
             yield f"if (!({test})) {throw_wrong_number('unknown_value', self.name, variable, text, position)}"
 
@@ -303,14 +307,13 @@ class Slot:
         low, high = self.value.type.low, self.value.type.high
         tests = [self.whole(variable)]
         if known is not None:
-            members = merged((number, number) for number in known)
-            test = self.test(variable, members)
+            test = self.test(variable, known)
             test = f"{tests[0]} && ({test})" if test else tests[0]
             arguments = f"{name}, {variable}, {literal(self.value.enum)}, {flag(self.wide)}"
             yield f"if (!({test})) throw refusedMember({arguments});"
         if sendable_test := self.test(variable, self.sendable):
             tests.append(f"({sendable_test})" if " || " in sendable_test else sendable_test)
-        if known is not None and self.sendable == merged((number, number) for number in known):
+        if known is not None and self.sendable == known:
             return
         ranges = self.value.writable_ranges
         allowed = literal(ranges.text() if ranges else f"{low}..{high}")

@@ -270,7 +270,8 @@ def head_tests(link: LinkLayout, frame: FrameLayout, request: MessageLayout | No
         intervals, singles = _allowed(link, frame, part)
         if intervals:
             assert part.value is not None
-            tests.append(within(variable(part), Ranges(intervals), singles, packed(part.value.encoding)))
+            further = ((number, number) for number in singles)
+            tests.append(within(variable(part), Ranges(intervals), further, packed(part.value.encoding)))
         if part.role == "unit_address" and barred is not None:
             tests.append(f"{variable(part)} != {barred}")
     return [test for test in tests if test]

@@ -16,7 +16,7 @@ from fieldspec.targets.python.registers import absent_states, value_expression
 from fieldspec.targets.python.scaling import in_unit, ratio
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import docstring, literal
-from fieldspec.targets.python.writing import pairs, within
+from fieldspec.targets.python.writing import interval_text, pairs, within
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +61,7 @@ def sentinel_views(stored: list[Slots], scope: Scope) -> list[ConstantView]:
     return [
         ConstantView(
             scope.take((Name.of(name) + Name.of(sentinel.name)).upper()),
-            'float("nan")' if sentinel.is_nan else str(sentinel.value),
+            'float("nan")' if sentinel.is_nan else interval_text(sentinel.interval),
             docstring([sentence(f"`{field.title}`: {sentinel.doc or Name.of(sentinel.name).title()}")], 4),
         )
         for field in stored
@@ -81,7 +81,7 @@ def _of_float(field: Slots, scope: Scope) -> ScaledView:
     """The property of a floating-point number, which is in its unit already, but may stand for an absent value."""
     name = scope.take(f"{field.title}_{unit_word(field.value.unit) if field.value.unit else 'value'}")
     raw = "item" if field.is_list else f"self.{field.name}"
-    tests = [f"{raw} == {number}" for number in field.sentinels] + [f"{raw} != {raw}"] * field.value.absent_nan
+    tests = [f"{raw} == {number}" for number, _ in field.sentinels] + [f"{raw} != {raw}"] * field.value.absent_nan
     read = f"None if {' or '.join(tests)} else {raw}"
     unit = f" in {field.value.unit}" if field.value.unit else ""
     item, ranges = "item" if field.is_list else "value", pairs(field.ranges) or "()"
@@ -141,19 +141,6 @@ def state_views(stored: list[Slots], scope: Scope, selector: Slots | None) -> li
     return views
 
 
-def quantities(value: Value) -> list[tuple[int, int]]:
-    """The counts that are quantities: those in range that are no special value."""
-    intervals = list(value.ranges.intervals) if value.ranges is not None else [(value.type.low, value.type.high)]
-    for sentinel in value.sentinels:
-        intervals = [
-            part
-            for low, high in intervals
-            for part in ((low, min(high, sentinel.value - 1)), (max(low, sentinel.value + 1), high))
-            if part[0] <= part[1]
-        ]
-    return intervals
-
-
 def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
     """The properties of all fields with a scale."""
     views = []
@@ -164,7 +151,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
             continue
         scale = ratio(field.value)
         name = scope.take(f"{field.title}_{unit_word(field.value.unit)}")
-        limits = pairs(Ranges(tuple(quantities(field.value))))
+        limits = pairs(Ranges(tuple(field.value.quantity_intervals)))
         function, item = "_counts", "item" if field.is_list else "value"
         arguments = f'"{field.title}", {item}, {scale}, {limits}'
         if field.sentinels:
@@ -174,7 +161,7 @@ def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:
         read = in_unit(raw, scale)
         kind = "float"
         if field.sentinels:
-            absent = within(raw, Ranges(tuple((count, count) for count in field.sentinels)))
+            absent = within(raw, Ranges(field.sentinels))
             read, kind = f"None if {absent} else {read}", "float | None"
         unit = f" in {field.value.unit}" if field.value.unit else ""
         ends = f"It is None where the count stands for an absent value. {_of_none(field)} " if field.sentinels else ""

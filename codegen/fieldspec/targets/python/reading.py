@@ -237,8 +237,10 @@ def _member(field: Slots, owner: str, raw: str, offset: int) -> list[str]:
     lines = ["try:", f"    {attribute} = {enum.table}[{raw}]", "except KeyError:"]
     if not field.sentinels:
         return [*lines, f"    {wrong}"]
-    sentinel_numbers = ", ".join(map(str, field.sentinels)) + ","
-    return [*lines, f"    if {raw} not in ({sentinel_numbers}):", f"        {wrong}", f"    {attribute} = {raw}"]
+    known = ", ".join(str(low) for low, high in field.sentinels if low == high)
+    tests = [f"{raw} not in ({known},)"] if known else []
+    tests += [f"not {low} <= {raw} <= {high}" for low, high in field.sentinels if low != high]
+    return [*lines, f"    if {' and '.join(tests)}:", f"        {wrong}", f"    {attribute} = {raw}"]
 
 
 def _member_table(field: Slots) -> str:
@@ -246,8 +248,9 @@ def _member_table(field: Slots) -> str:
     assert field.enum is not None
     if not field.sentinels:
         return field.enum.table
-    sentinel_entries = ", ".join(f"{value}: {value}" for value in field.sentinels)
-    return f"{{**{field.enum.table}, {sentinel_entries}}}"
+    entries = [f"{low}: {low}" for low, high in field.sentinels if low == high]
+    entries += [f"**{{n: n for n in range({low}, {high + 1})}}" for low, high in field.sentinels if low != high]
+    return f"{{**{field.enum.table}, {', '.join(entries)}}}"
 
 
 CASE = "case"

@@ -30,7 +30,7 @@ from fieldspec.targets.python.registers import value_facts
 from fieldspec.targets.python.scaling import ratio
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal
-from fieldspec.targets.python.writing import pairs, tuple_of
+from fieldspec.targets.python.writing import interval_text, pairs, tuple_of
 
 
 def column_lines(shaped: RecordShape) -> list[str]:
@@ -85,7 +85,7 @@ def _arguments(shaped: RecordShape, field: Slots) -> Iterator[str]:
     if field.stored and field.whole and field.value.scaled and not field.value.enum and not field.value.flags:
         yield f"ratio={ratio(field.value)}"
         if field.sentinels:
-            yield f"absent={tuple_of(field.sentinels)}"
+            yield f"absent={tuple_of(map(interval_text, field.sentinels))}"
 
 
 def column_letter(encoding: Encoding) -> str:
@@ -112,7 +112,7 @@ def _tests(shaped: RecordShape, field: Slots) -> str:
     if field.encoding is not None and is_truth(field.encoding):
         return pairs(Ranges(((0, 1),)))
     if field.field.value is not None and field.enum is not None and not field.enum.open:
-        known = [(value, value) for value in (*field.enum.values, *field.sentinels)]
+        known = [*((value, value) for value in field.enum.values), *field.sentinels]
         return tuple_of(f"({low}, {high})" for low, high in merged(known))
     return ""
 

@@ -22,7 +22,15 @@ from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.scaling import quantity, ratio
 from fieldspec.targets.python.slots import Words
 from fieldspec.targets.python.text import docstring, literal
-from fieldspec.targets.python.writing import bounded_bits, digits_letters, pairs, real_word, text_letters, tuple_of
+from fieldspec.targets.python.writing import (
+    bounded_bits,
+    digits_letters,
+    interval_text,
+    pairs,
+    real_word,
+    text_letters,
+    tuple_of,
+)
 
 
 def register_value(value: Value, order: str, swapped: bool, words: Words, trigger: bool) -> str:
@@ -79,8 +87,8 @@ def _count(value: Value, letters: str, arguments: list[str], words: Words, any_a
         return _call("_Setting", letters, [str(value.const), *arguments])
     ranges = _ranges(value)
     if ranges is not None and value.flags:
-        special = [(sentinel.value, sentinel.value) for sentinel in value.sentinels]
-        ranges = Ranges((*ranges.intervals, *(pair for pair in special if pair[0] not in ranges)))
+        special = [interval for interval in value.special_intervals if not ranges.includes(*interval)]
+        ranges = Ranges((*ranges.intervals, *special))
     if ranges is not None:
         arguments.append(f"ranges={pairs(ranges)}")
     if value.flags:
@@ -108,9 +116,10 @@ def _count(value: Value, letters: str, arguments: list[str], words: Words, any_a
 
 
 def absent_states(value: Value) -> str:
-    """The sentinels as a tuple of names and numbers: `(("not_measured", 65535),)`"""
+    """The sentinels as a tuple of names and numbers: `(("error", range(65024, 65280)), ("not_measured", 65535))`"""
+    nan = f"float({literal('nan')})"
     return tuple_of(
-        f"({literal(sentinel.name)}, {'float(' + literal('nan') + ')' if sentinel.is_nan else sentinel.value})"
+        f"({literal(sentinel.name)}, {nan if sentinel.is_nan else interval_text(sentinel.interval)})"
         for sentinel in value.sentinels
     )
 

@@ -149,9 +149,9 @@ class Slots:
         return self.words.enums[self.value.enum] if self.field.value and self.value.enum else None
 
     @property
-    def sentinels(self) -> tuple[int, ...]:
-        """Values beside the ranges, but for a NaN."""
-        return tuple(sentinel.value for sentinel in self.value.sentinels if not sentinel.is_nan)
+    def sentinels(self) -> tuple[tuple[int, int], ...]:
+        """The intervals of the values beside the ranges, but for a NaN."""
+        return self.value.special_intervals
 
     @property
     def is_raw(self) -> bool:

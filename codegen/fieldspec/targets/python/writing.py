@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import (
     Digits,
@@ -29,16 +31,19 @@ FEW = 3
 
 
 def within(
-    number: str, ranges: Ranges, singles: tuple[int, ...] = (), packed: tuple[int | None, int | None] = (None, None)
+    number: str,
+    ranges: Ranges,
+    further: Iterable[tuple[int, int]] = (),
+    packed: tuple[int | None, int | None] = (None, None),
 ) -> str:
-    """The condition that a number is in one of several intervals, or equals one of some others.
+    """The condition that a number is in one of several intervals, or in one of some further ones.
 
     `packed` are the least and the greatest number that `pack` accepts: the condition does not repeat these limits,
     and is empty where nothing else remains to be tested.
     """
     minimum, maximum = packed
     parts = []
-    for low, high in merged([*ranges.intervals, *((value, value) for value in singles)]):
+    for low, high in merged([*ranges.intervals, *further]):
         if low == minimum and high == maximum:
             return ""
         if low == high:
@@ -130,7 +135,7 @@ def _float_tests(field: Slots, value: str) -> list[str]:
     if field.ranges is None:
         return []
     parts = [f"{low} <= {value} <= {high}" for low, high in field.ranges.intervals]
-    parts += [f"{value} == {number}" for number in field.sentinels]
+    parts += [f"{value} == {number}" for number, _ in field.sentinels]
     parts += [f"{value} != {value}"] * field.value.absent_nan
     return [parts[0] if len(parts) == 1 else f"({' or '.join(parts)})"]
 
@@ -152,10 +157,10 @@ def greatest(field: Slots) -> int:
         return 1
     if field.enum is not None and not field.enum.open:
         members = [value for value in field.enum.values if field.ranges is None or value in field.ranges]
-        return max([*members, *field.sentinels], default=0)
+        return max([*members, *(high for _, high in field.sentinels)], default=0)
     if field.ranges is None:
         return packed(field.value.encoding)[1]
-    return max([high for _, high in field.ranges.intervals] + [*field.sentinels])
+    return max(high for _, high in (*field.ranges.intervals, *field.sentinels))
 
 
 def _member_test(enum: EnumView, field: Slots, number: str) -> str:
@@ -172,7 +177,7 @@ def _member_test(enum: EnumView, field: Slots, number: str) -> str:
         return test
     known = f"{number} in {enum.table}"
     if field.sentinels:
-        known = f"({known} or {within(number, Ranges(tuple((value, value) for value in field.sentinels)))})"
+        known = f"({known} or {within(number, Ranges(field.sentinels))})"
     if field.ranges is None or len(members) == len(enum.values):
         return known
     allowed = within(number, field.ranges, field.sentinels, limits)
@@ -325,7 +330,7 @@ def _refusing(field: Slots) -> tuple[str, list[str]]:
             function = f"_refused_{real_word(encoding.precision)}"
             if field.ranges is None:
                 return function, []
-            absent_numbers = [*map(str, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
+            absent_numbers = [*map(interval_text, field.sentinels), *(['float("nan")'] * field.value.absent_nan)]
             return function, [pairs(field.ranges), *([tuple_of(absent_numbers)] if absent_numbers else [])]
         case Whole() | Digits() | Truth():
             return _refusing_number(field, *bounds_of(encoding))
@@ -339,7 +344,7 @@ def _refusing_number(field: Slots, low: int, high: int) -> tuple[str, list[str]]
     if field.value.flags:
         bits = bounded_bits(field.words.bounded.get(field.value.flags, ()))
         return "_refused_flags", [str(high), *([ranges or "()"] if ranges or bits else []), *bits]
-    arguments = [ranges or "()", tuple_of(field.sentinels)]
+    arguments = [ranges or "()", tuple_of(map(interval_text, field.sentinels))]
     if field.enum is not None and not field.enum.open:
         arguments += [field.enum.table, literal(field.enum.title)]
     while arguments and arguments[-1] == "()":
@@ -362,6 +367,12 @@ def bounded_bits(bits: tuple[Bit, ...]) -> list[str]:
 def pairs(ranges: Ranges | None) -> str:
     """Ranges as a tuple of pairs; an empty text for none."""
     return tuple_of(f"({low}, {high})" for low, high in ranges.intervals) if ranges else ""
+
+
+def interval_text(interval: tuple[int, int]) -> str:
+    """The numbers of an interval: `65535`, `range(65024, 65280)`"""
+    low, high = interval
+    return str(low) if low == high else f"range({low}, {high + 1})"
 
 
 def tuple_of(items: object) -> str:

@@ -94,11 +94,11 @@ class Dialect(Protocol):
     def member(self, number: str, enum: str) -> str:
         """The name of a number by an enum; null where it has none."""
 
-    def cases(self, number: str, names: Mapping[int, str], nan: str = "") -> str:
-        """The names of some numbers, and of a NaN; null for others."""
+    def cases(self, number: str, names: Mapping[tuple[int, int], str], nan: str = "") -> str:
+        """The names of the numbers in some intervals, and of a NaN; null for others."""
 
-    def absent(self, value: str, number: str, numbers: Sequence[int], nan: bool = False) -> str:
-        """A value that is null for some numbers, and for a NaN."""
+    def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
+        """A value that is null for the numbers in some intervals, and for a NaN."""
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
         """The expression of an exact quantity from a number in counts."""

@@ -94,13 +94,13 @@ class Polars:
         """The name of a number by an enum; null where it has none."""
         return f"_names({number}, {enum})"
 
-    def cases(self, number: str, names: Mapping[int, str], nan: str = "") -> str:
-        """The names of some numbers, and of a NaN; null for others."""
+    def cases(self, number: str, names: Mapping[tuple[int, int], str], nan: str = "") -> str:
+        """The names of the numbers in some intervals, and of a NaN; null for others."""
         return f"_states({number}, {dict(names)!r}, {nan!r})"
 
-    def absent(self, value: str, number: str, numbers: Sequence[int], nan: bool = False) -> str:
-        """A value that is null for some numbers, and for a NaN."""
-        return f"_absent({value}, {number}, {list(numbers)!r}, {nan})"
+    def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
+        """A value that is null for the numbers in some intervals, and for a NaN."""
+        return f"_absent({value}, {number}, {list(intervals)!r}, {nan})"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
         """The expression of an exact quantity from a number in counts."""

@@ -194,18 +194,21 @@ class Sql:
         """The name of a number by an enum; null where it has none."""
         return f"{enum}({number})"
 
-    def cases(self, number: str, names: Mapping[int, str], nan: str = "") -> str:
-        """The names of some numbers, and of a NaN; null for others."""
-        rows = [f"WHEN {number} = {key} THEN {literal(text)}" for key, text in names.items()]
+    def cases(self, number: str, names: Mapping[tuple[int, int], str], nan: str = "") -> str:
+        """The names of the numbers in some intervals, and of a NaN; null for others."""
+        rows = [
+            f"WHEN {number} {f'= {low}' if low == high else f'BETWEEN {low} AND {high}'} THEN {literal(text)}"
+            for (low, high), text in names.items()
+        ]
         if nan:
             rows.insert(0, f"WHEN isnan({number}) THEN {literal(nan)}")
         return f"CASE {' '.join(rows)} END"
 
-    def absent(self, value: str, number: str, numbers: Sequence[int], nan: bool = False) -> str:
-        """A value that is null for some numbers, and for a NaN."""
+    def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
+        """A value that is null for the numbers in some intervals, and for a NaN."""
         tests = [f"isnan({number})"] if nan else []
-        if numbers:
-            tests.append(f"{number} IN ({', '.join(map(str, numbers))})")
+        if intervals:
+            tests.append(self.is_in(number, intervals).removeprefix("(").removesuffix(")"))
         return f"CASE WHEN NOT ({' OR '.join(tests)}) THEN {value} END"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from decimal import Decimal
 from fractions import Fraction
 
@@ -23,6 +23,7 @@ from fieldspec.language.model.encoding import (
     sign_of,
 )
 from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import unit_word
 from fieldspec.targets.queries.dialect import DecimalScale, Dialect, Slot
@@ -196,8 +197,7 @@ class ValueQuery:
         value, dialect, number = self.value, self.dialect, self.number(data, offset)
         floating = is_real(value.encoding)
         assert value.ranges is not None
-        numbers = [sentinel.value for sentinel in value.sentinels if not sentinel.is_nan]
-        intervals = [*value.ranges.intervals, *((number, number) for number in numbers)]
+        intervals = [*value.ranges.intervals, *value.special_intervals]
         lowest, highest = bounds_of(value.encoding)
         if is_count(value.encoding) and any(low <= lowest and high >= highest for low, high in intervals):
             return ""
@@ -210,19 +210,18 @@ class ValueQuery:
     def _is_known(self, data: str, offset: int, unavailable: bool) -> str:
         """Whether an enum lists a number, or it is a sentinel."""
         members = self.device.enums[self.value.enum].members
-        numbers = {member.value for member in members if unavailable or not member.unavailable}
-        numbers |= {sentinel.value for sentinel in self.value.sentinels}
-        return self.dialect.is_in(self.number(data, offset), runs_of(numbers))
+        numbers = (member.value for member in members if unavailable or not member.unavailable)
+        intervals = merged([*((number, number) for number in numbers), *self.value.special_intervals])
+        return self.dialect.is_in(self.number(data, offset), intervals)
 
     def _absent(self, column: str, data: str, offset: int) -> str:
-        sentinels = self.value.sentinels
-        numbers = [sentinel.value for sentinel in sentinels if not sentinel.is_nan]
-        if not sentinels:
+        if not self.value.sentinels:
             return column
-        return self.dialect.absent(column, self.number(data, offset), numbers, self.value.absent_nan)
+        intervals = self.value.special_intervals
+        return self.dialect.absent(column, self.number(data, offset), intervals, self.value.absent_nan)
 
     def _state(self, data: str, offset: int) -> str:
-        names = {sentinel.value: sentinel.name for sentinel in self.value.sentinels if not sentinel.is_nan}
+        names = {sentinel.interval: sentinel.name for sentinel in self.value.sentinels if not sentinel.is_nan}
         nan = next((sentinel.name for sentinel in self.value.sentinels if sentinel.is_nan), "")
         return self.dialect.cases(self.number(data, offset), names, nan)
 
@@ -288,14 +287,3 @@ def decimal_scale(value: Value, bounds: tuple[int, int]) -> DecimalScale | None:
     if digits + factor + bool(offset) > MOST_DIGITS or precision > MOST_DIGITS:
         return None
     return DecimalScale(value.scale, value.offset, digits, places, precision)
-
-
-def runs_of(numbers: set[int]) -> Sequence[tuple[int, int]]:
-    """The intervals of some whole numbers: neighbours are in one interval."""
-    runs: list[tuple[int, int]] = []
-    for number in sorted(numbers):
-        if runs and runs[-1][1] == number - 1:
-            runs[-1] = (runs[-1][0], number)
-        else:
-            runs.append((number, number))
-    return runs

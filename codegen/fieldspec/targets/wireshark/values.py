@@ -46,7 +46,17 @@ def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
         "const": None if value.const is None else bound(value.const, wide),
         "ranges": intervals(value.ranges, wide),
         "write_ranges": intervals(value.write_ranges, wide),
-        "special": {"NaN" if sentinel.is_nan else str(sentinel.value): sentinel.name for sentinel in value.sentinels}
+        "special": {
+            "NaN" if sentinel.is_nan else str(sentinel.value): sentinel.name
+            for sentinel in value.sentinels
+            if sentinel.last is None
+        }
+        or None,
+        "special_ranges": [
+            {"range": intervals(Ranges((sentinel.interval,)), wide), "name": sentinel.name}
+            for sentinel in value.sentinels
+            if sentinel.last is not None
+        ]
         or None,
     }
     if is_count(encoding) and value.scaled:

@@ -242,7 +242,8 @@ class Decoder:
         if value.ranges is not None:
             result.verdict[~within(numbers, value.ranges)] = OUT_OF_RANGE
         for sentinel in value.sentinels:
-            is_sentinel = numbers == numbers.dtype.type(sentinel.value)
+            low, high = map(numbers.dtype.type, sentinel.interval)
+            is_sentinel = (numbers >= low) & (numbers <= high)
             result.verdict[is_sentinel] = OK
             result.text[is_sentinel] = self.texts.place(sentinel.name)
             result.has_quantity[is_sentinel] = False

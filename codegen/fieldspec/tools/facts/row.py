@@ -123,7 +123,7 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
         yield _reported(kind, value, report, known)
     for number, sentinel in enumerate(value.sentinels if value else ()):
         path = f"{fact.place.path}/sentinels/{number}"
-        code: Cell = sentinel.text if sentinel.is_nan else sentinel.value
+        code: Cell = sentinel.text if sentinel.is_nan or sentinel.last is not None else sentinel.value
         yield row("sentinel", path, sentinel.sources or fact.sources, code=code, name=sentinel.name)
 
 

@@ -80,7 +80,10 @@ def _named(device: Device, value: Value | None) -> dict[str, Any]:
         for fact in (*members, *bits)
     }
     return {
-        "members": (*((str(member.value), member.name) for member in members), *special),
+        "members": (
+            *((str(member.value), member.name) for member in members),
+            *((number, name) for number, name in special if ".." not in number),
+        ),
         "special": special,
         "bits": tuple((bit.first, bit.last, bit.name) for bit in bits),
         "other_names": other_names,

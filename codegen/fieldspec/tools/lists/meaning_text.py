@@ -109,7 +109,7 @@ def _states(special: Sequence[tuple[str, str]]) -> list[str]:
     return [
         f"{{bits: {number.removeprefix('NaN ')}, name: {name}}}"
         if number.startswith("NaN")
-        else f"{{value: {number}, name: {name}}}"
+        else f"{{{'range' if '..' in number else 'value'}: {number}, name: {name}}}"
         for number, name in special
     ]
 

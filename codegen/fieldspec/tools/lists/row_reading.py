@@ -19,7 +19,7 @@ from fieldspec.tools.lists.words import folded, meaning
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
 
-_STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+) ([a-z0-9_]+)")
+_STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _ASIDE = re.compile(r"[\[(]([^()\[\]]+)[\])]\s*$")
 

@@ -10,6 +10,7 @@ from fractions import Fraction
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.encoding import is_count, is_exact, is_octets, is_real, is_text, is_truth
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
+from fieldspec.language.model.ranges import Ranges, whole_intervals
 from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.entries import FIELD, PARAMETER, REGISTER, SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
@@ -288,10 +289,11 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
         unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max")}
         unread |= {"Range": texts.get("range")} if row.low is not None else {}
         doubts += [f"{heading} in the list: {text}." for heading, text in unread.items() if text]
-    special = {number for number, _ in row.special}
+    states = ", ".join(number for number, _ in row.special if not number.startswith("NaN"))
+    special = Ranges(whole_intervals(states) or ()) if states else Ranges(())
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
         count = _count(number, row) if key == "default" else _whole(number)
-        if key in texts and count is not None and has_counts and (lowest <= count <= highest or str(count) in special):
+        if key in texts and count is not None and has_counts and (lowest <= count <= highest or count in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
             parts.append(f"{unit_key}: {_bound(number)}")
         elif key in texts and row.is_own and is_text(primitive.encoding):

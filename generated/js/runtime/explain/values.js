@@ -52,7 +52,8 @@ export function numberOfBytes(value, bytes, order, swapped) {
 /** The sentinel with a raw value. */
 export function sentinelOf(value, number) {
   const isNan = Number.isNaN(number);
-  return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && sentinel.value == number));
+  const stands = ({ value: first, last = first }) => (last === first ? first == number : first <= number && number <= last);
+  return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && stands(sentinel)));
 }
 
 /** The exact quantity of a raw count, or 120 digits of it, as a decimal number. */

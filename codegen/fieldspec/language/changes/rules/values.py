@@ -178,16 +178,16 @@ def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
 def _compare_sentinels(value_pair: ValuePair) -> Iterator[Change]:
     name = named(value_pair.of.new)
     old, new = (
-        {(sentinel.value, sentinel.text): sentinel.name for sentinel in value.sentinels}
+        {(sentinel.interval, sentinel.text): sentinel.name for sentinel in value.sentinels}
         for value in (value_pair.old, value_pair.new)
     )
     for key in sorted(old.keys() | new.keys()):
-        count, value = key
+        interval, value = key
         if key not in new:
             text = f"{name}: {value} no longer stands for {old[key]}"
             yield _sentinel_change(value_pair, Effect.WIRE, text, f"{value} {old[key]}", "")
         elif key not in old:
-            effect = Effect.WIRE if _possible(value_pair.old, count) else Effect.BEHAVIOUR
+            effect = Effect.WIRE if _possible(value_pair.old, interval) else Effect.BEHAVIOUR
             yield _sentinel_change(
                 value_pair, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}"
             )
@@ -198,9 +198,10 @@ def _compare_sentinels(value_pair: ValuePair) -> Iterator[Change]:
             )
 
 
-def _possible(value: Value, count: int) -> bool:
-    """Whether a raw value was permitted as a quantity."""
-    return value.ranges is None or count in value.ranges
+def _possible(value: Value, interval: tuple[int, int]) -> bool:
+    """Whether a raw value of an interval was permitted as a quantity."""
+    low, high = interval
+    return value.ranges is None or any(first <= high and low <= last for first, last in value.ranges.intervals)
 
 
 def _sentinel_change(

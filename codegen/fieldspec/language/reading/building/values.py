@@ -107,12 +107,20 @@ def _parameter_part(entry: Entry) -> ParameterPart:
 
 
 def _sentinel(entry: Entry) -> Sentinel:
-    bits, number = entry.integer("bits"), entry.integer("value")
-    if (bits is None) == (number is None):
-        key = "value" if number is not None else "name"
-        entry.refuse("missing_key", key, "a special value has either a `value` or `bits`", "use one of them")
-    value = (bits if number is None else number) or 0
-    return Sentinel(value, entry.text("name"), entry.text("doc"), entry.sources, bits is not None and number is None)
+    bits, number, ranges = entry.integer("bits"), entry.integer("value"), entry.whole_ranges("range")
+    stated = [key for key, of_key in (("value", number), ("bits", bits), ("range", ranges)) if of_key is not None]
+    if len(stated) != 1:
+        key = stated[0] if stated else "name"
+        text = "a special value has either a `value`, a `range` or `bits`"
+        entry.refuse("missing_key", key, text, "use one of them")
+    if ranges is not None and len(ranges.intervals) > 1:
+        text = "a special value has one interval"
+        entry.refuse("wrong_form", "range", text, "state each interval as a special value with a name of its own")
+    low, high = ranges.intervals[0] if ranges is not None and number is None else (number or 0, None)
+    is_nan = bits is not None and number is None and ranges is None
+    value = bits if bits is not None and is_nan else low
+    last = None if high == value else high
+    return Sentinel(value, entry.text("name"), entry.text("doc"), entry.sources, is_nan, last)
 
 
 def scale_of(entry: Entry) -> Decimal | Fraction | None:

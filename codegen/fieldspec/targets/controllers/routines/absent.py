@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.encoding import is_count, is_real
+from fieldspec.language.model.ranges import merged
 from fieldspec.targets.controllers.routines.scaling import Quantity, by_name, every_value
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
@@ -45,7 +46,7 @@ def absent_routines(world: World) -> Iterator[Routine]:
         kind = _kind(first)
         number = Variable(f"{PREFIXES[kind.name]}{'Value' if kind is REAL else 'Counts'}", kind)
         owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
-        states = ", ".join(f"{sentinel.value} is {sentinel.name}" for sentinel in first.value.sentinels)
+        states = ", ".join(f"{sentinel.text} is {sentinel.name}" for sentinel in first.value.sentinels)
         owners_text = f"Of {owners}. " if owners else ""
         yield Routine(
             function,
@@ -74,9 +75,13 @@ def _test(quantity: Quantity, number: Expression, kind: Elementary) -> Expressio
         )
     return either(
         [
-            compared(number, "<", Whole(count + 1, kind))
-            if count == kind.low < 0
-            else compared(number, "=", Whole(count, kind))
-            for count in sorted({sentinel.value for sentinel in sentinels})
+            every([compared(number, ">=", Whole(low, kind)), compared(number, "<=", Whole(high, kind))])
+            if kind.low < low < high < kind.high
+            else compared(number, ">=", Whole(low, kind))
+            if kind.low < low < high
+            else compared(number, "=", Whole(low, kind))
+            if low == high and not low == kind.low < 0
+            else compared(number, "<", Whole(high + 1, kind))
+            for low, high in merged(quantity.value.special_intervals)
         ]
     )

@@ -7,7 +7,7 @@ from fractions import Fraction as Ratio
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.encoding import bounds_of, is_count
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Conversion as Share
 from fieldspec.language.model.value import Value
@@ -58,7 +58,7 @@ class Quantity:
     def key(self) -> tuple[object, ...]:
         """The facts in which two quantities of one name must be equal to share a function."""
         value = self.value
-        sentinels = tuple((sentinel.value, sentinel.name) for sentinel in value.sentinels)
+        sentinels = tuple((sentinel.interval, sentinel.name) for sentinel in value.sentinels)
         ranges = value.ranges, value.write_ranges
         return value.type.name, value.scale, value.offset, value.unit, *ranges, sentinels
 
@@ -69,7 +69,7 @@ def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
 
 
 def _has_scale(value: Value) -> bool:
-    return value.scaled and is_count(value.encoding) and bool(_intervals(value))
+    return value.scaled and is_count(value.encoding) and bool(value.quantity_intervals)
 
 
 def by_name(quantities: Iterable[Quantity]) -> dict[str, list[Quantity]]:
@@ -143,21 +143,8 @@ def _about(world: World, same: list[Quantity], direction: str) -> list[str]:
         f"Counts: {ranges.text()}." if ranges is not None else "",
         f"Counts that may be written: {write_ranges.text()}." if write_ranges is not None else "",
         f"Of {owners}. {world.comment(first.fact, None)}" if owners else world.comment(first.fact, None),
-        " ".join(f"{sentinel.value} is {sentinel.name}, no quantity." for sentinel in first.value.sentinels),
+        " ".join(f"{sentinel.text} is {sentinel.name}, no quantity." for sentinel in first.value.sentinels),
     ]
-
-
-def _intervals(value: Value) -> list[tuple[int, int]]:
-    """The counts that are quantities: those in range that do not stand for something else."""
-    intervals = list(value.ranges.intervals) if value.ranges is not None else [bounds_of(value.encoding)]
-    for sentinel in value.sentinels:
-        intervals = [
-            part
-            for low, high in intervals
-            for part in ((low, min(high, sentinel.value - 1)), (max(low, sentinel.value + 1), high))
-            if part[0] <= part[1]
-        ]
-    return sorted(set(intervals))
 
 
 def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
@@ -168,7 +155,7 @@ def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     counts = draft.declare(f"{PREFIXES[first.kind.name]}Counts", first.kind, "input")
     value = draft.declare("lrValue", LREAL, "output", f"in {first.value.unit}" if first.value.unit else "")
     draft.add([Assignment(value, _ZERO)])
-    wrong = outside(counts, _intervals(first.value), first.kind)
+    wrong = outside(counts, first.value.quantity_intervals, first.kind)
     if wrong is not None:
         draft.refuse(wrong, "out_of_range")
     scaled = times(Conversion(counts, LREAL), Ratio(first.value.scale))
@@ -195,7 +182,8 @@ def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     )
     value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
     shifted = _plus(value, -Ratio(first.value.offset))
-    _rounded(draft, times(shifted, 1 / Ratio(first.value.scale)), first.kind, _intervals(first.value.for_writing()))
+    sendable = first.value.for_writing().quantity_intervals
+    _rounded(draft, times(shifted, 1 / Ratio(first.value.scale)), first.kind, sendable)
     return draft.finished()
 
 

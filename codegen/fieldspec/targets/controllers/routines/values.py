@@ -26,7 +26,7 @@ from fieldspec.language.model.encoding import (
 from fieldspec.language.model.encoding import Truth as TruthValue
 from fieldspec.language.model.encoding import Whole as WholeNumber
 from fieldspec.language.model.encoding import number_of as number_of_encoding
-from fieldspec.language.model.ranges import Ranges, bound_text
+from fieldspec.language.model.ranges import Ranges, bound_text, merged
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.holders import Holder
 from fieldspec.targets.controllers.routines.reals import outside_precision
@@ -263,7 +263,7 @@ def _write_count(
     if ranges is None and bounds != (wire.whole.low, wire.whole.high):
         ranges = Ranges((bounds,))
     if ranges is not None:
-        sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
+        sentinels = [interval for interval in value.special_intervals if not ranges.includes(*interval)]
         wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
@@ -285,7 +285,7 @@ def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) ->
 def _outside_real(value: Value, tested: Expression) -> Expression:
     """Whether a floating-point number is neither in range nor a sentinel."""
     pairs = list(value.ranges.intervals) if value.ranges is not None else []
-    pairs += [(sentinel.value, sentinel.value) for sentinel in value.sentinels if not sentinel.is_nan]
+    pairs += value.special_intervals
     intervals = [
         every([compared(tested, ">=", Fraction(_real(low), REAL)), compared(tested, "<=", Fraction(_real(high), REAL))])
         for low, high in sorted(pairs)
@@ -331,8 +331,8 @@ def _closed(draft: Draft, world: World, wire: Wire, tested: Expression) -> list[
         return []
     members = world.layout.device.enums[name].members
     known = {member.value for member in members if not member.unavailable}
-    known |= {sentinel.value for sentinel in wire.value.sentinels}
-    refused = outside(converted(tested, wire.whole), runs(known), wire.whole) if known else Truth(True)
+    intervals = merged([*((number, number) for number in known), *wire.value.special_intervals])
+    refused = outside(converted(tested, wire.whole), intervals, wire.whole) if intervals else Truth(True)
     return [] if refused is None else [draft.refusal(refused, "unknown_value")]
 
 

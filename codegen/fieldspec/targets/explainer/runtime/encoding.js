@@ -77,7 +77,7 @@ function checkedNumber(device, name, value, raw) {
 function inRange(name, value, number) {
   const [low, high] = typeBounds(value);
   const ranges = value.writeRanges ?? value.ranges;
-  const isKnown = value.sentinels?.some((sentinel) => sentinel.value == number);
+  const isKnown = sentinelOf(value, number);
   if (number < low || number > high || (ranges && !isWithin(ranges, number) && !isKnown)) {
     throw new CodecError("out_of_range", `${name} is ${number}, not in ${ranges ? intervalsText(ranges) : `${low}..${high}`}`);
   }

@@ -155,6 +155,8 @@ function quantityEntry(name, value, text, quantity) {
  * named have their defaults, else 0; throws CodecError where 0 would mean something.
  */
 function wordOf(device, name, value, text) {
+  const special = value.sentinels?.find((other) => other.name === text);
+  if (special) return special.value;
   const word = device.flags.get(value.flags);
   const named = new Set();
   let result = 0n;

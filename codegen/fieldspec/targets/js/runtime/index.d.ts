@@ -57,7 +57,7 @@ export interface Unit {
 
 /** The values that stand for a state and not for a quantity. */
 export interface AbsentValues {
-  /** The values by the names of their states. A NaN means any NaN. */
+  /** The values by the names of their states: the least of those that stand for it. A NaN means any NaN. */
   readonly values: Readonly<Record<string, number | bigint>>;
   /** The name of the state that a value stands for; null for a quantity. */
   nameOf(value: number | bigint): string | null;

@@ -9,13 +9,9 @@ from ._error import CodecError
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import TypeVar
+    from typing import Any
 
-    from ._typing import Quantity
-
-    N = TypeVar("N", int, float)
-else:
-    N = None
+    from ._typing import Absent, Others, Quantity
 
 _REALS = {2: Struct(">e"), 4: Struct(">f"), 8: Struct(">d")}
 
@@ -33,23 +29,38 @@ LEFT_OUT = LeftOut()
 """Stands for an argument that a call leaves out, where None is an absent value."""
 
 
-def state_of(value: float, absent: tuple[tuple[str, float], ...]) -> str | None:
+def state_of(value: float, absent: Absent) -> str | None:
     """The name of the state that a value stands for, None for a quantity. Every NaN is the same."""
     for name, other in absent:
-        if value == other or (value != value and other != other):
+        if is_among(value, (other,)):
             return name
     return None
 
 
-def absent_number(name: str, absent: tuple[tuple[str, N], ...]) -> N:
+def is_among(value: float, others: Others) -> bool:
+    """Whether a number is one of some others, or in a range of them, where every NaN equals every other NaN."""
+    for other in others:
+        if isinstance(other, range):
+            if other.start <= value < other.stop:
+                return True
+        elif value == other or (value != value and other != other):
+            return True
+    return False
+
+
+def first_number(state: float | range) -> float:
+    """The number that is written for a state: the least of a range."""
+    return state[0] if isinstance(state, range) else state
+
+
+def absent_number(name: str, absent: Absent) -> Any:
     """The value for None: the only absent one. Raises CodecError where there are several, or none."""
-    numbers = [number for _, number in absent]
-    if not numbers:
+    if not absent:
         raise CodecError("wrong_type", f"{name} is a number, not None")
-    if len(numbers) > 1:
-        states = " or ".join(f"{state} ({other})" for state, other in absent)
+    if len(absent) > 1:
+        states = " or ".join(f"{state} ({first_number(other)})" for state, other in absent)
         raise CodecError("wrong_type", f"None is no single value of {name}: write {states}")
-    return numbers[0]
+    return first_number(absent[0][1])
 
 
 def counts_or_absent(
@@ -57,10 +68,11 @@ def counts_or_absent(
     value: Quantity | None,
     ratio: tuple[int, int, int],
     ranges: tuple[tuple[int, int], ...],
-    absent: tuple[tuple[str, int], ...],
+    absent: Absent,
 ) -> int:
     """The count that is nearest to a value in the unit, as `counts` gives it; for None the only absent one."""
-    return absent_number(name, absent) if value is None else counts(name, value, ratio, ranges)
+    count: int = absent_number(name, absent) if value is None else counts(name, value, ratio, ranges)
+    return count
 
 
 def real_or_absent(
@@ -68,16 +80,18 @@ def real_or_absent(
     value: Quantity | None,
     size: int,
     ranges: tuple[tuple[float, float], ...],
-    absent: tuple[tuple[str, float], ...],
+    absent: Absent,
 ) -> float:
     """The number of `size` bytes that is nearest to a value in the unit; for None the only absent one.
 
     Raises CodecError out of range, for a number that stands for a state, and for what is no number.
     """
+    number: float
     if value is None:
-        return absent_number(name, absent)
+        number = absent_number(name, absent)
+        return number
     try:
-        number: float = _REALS[size].unpack(_REALS[size].pack(float(value)))[0]
+        number = _REALS[size].unpack(_REALS[size].pack(float(value)))[0]
     except OverflowError:
         raise CodecError("out_of_range", f"{name} is {value}, more than {8 * size} bits can hold") from None
     except (TypeError, ValueError):

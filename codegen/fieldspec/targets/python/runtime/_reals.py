@@ -11,7 +11,7 @@ from ._values import Value
 if TYPE_CHECKING:
     from typing import Any
 
-    from ._typing import Quantity
+    from ._typing import Absent, Quantity
 
 
 class Float(Value[float]):
@@ -26,7 +26,7 @@ class Float(Value[float]):
         swapped: bool = False,
         ranges: tuple[tuple[float, float], ...] = (),
         unit: str = "",
-        absent: tuple[tuple[str, float], ...] = (),
+        absent: Absent = (),
     ) -> None:
         super().__init__(letters, swapped=swapped, unit=unit, absent=absent)
         self.ranges = ranges  # type: ignore[assignment]  # those of other values are whole numbers

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from struct import Struct
 
-from ._absent import absent_number, state_of
+from ._absent import absent_number, is_among, state_of
 from ._conversions import Integer, counts, number_struct, text, turned
 from ._digits import Digits, digits, no_digits
 from ._error import CodecError, no_boolean, unknown_member, wrong_const
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from typing import Any, TypeVar
 
     from ._refusals import BoundedBits
-    from ._typing import Data, Quantity
+    from ._typing import Absent, Data, Quantity
 
     E = TypeVar("E", bound=IntEnum)
     F = TypeVar("F", bound=Flags)
@@ -61,7 +61,7 @@ class Value(Generic[T]):
         ranges: tuple[tuple[int, int], ...] = (),
         unit: str = "",
         ratio: tuple[int, int, int] = (1, 0, 1),
-        absent: tuple[tuple[str, float], ...] = (),
+        absent: Absent = (),
     ) -> None:
         self.struct: Struct | Integer | Digits
         if " " in letters:
@@ -119,7 +119,7 @@ class Value(Generic[T]):
 
     def in_unit(self, count: float, ratio: tuple[int, int, int] | None = None) -> float | None:
         """A count in the unit, by another scale than its own where one is stated; None where it is an absent value."""
-        if count in self.others:
+        if is_among(count, self.others):
             return None
         a, b, c = ratio or self.ratio
         return (count * a + b) / c
@@ -133,7 +133,7 @@ class Value(Generic[T]):
         if value is None:
             return absent_number(name, self.absent)
         count = counts(name, value, ratio or self.ratio, self.ranges or ((self.low, self.high),))
-        if count in self.others:
+        if is_among(count, self.others):
             raise CodecError(
                 "out_of_range", f"{name} is {value}, whose count {count} stands for {state_of(count, self.absent)}"
             )
@@ -233,7 +233,7 @@ class Open(Value["E | int"], Generic[E]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
-        absent: tuple[tuple[str, float], ...] = (),
+        absent: Absent = (),
         closed: bool = False,
     ) -> None:
         super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent)
@@ -243,7 +243,7 @@ class Open(Value["E | int"], Generic[E]):
         member = self.members.get(raw)
         if member is not None:
             return member
-        if self.closed and raw not in self.others:
+        if self.closed and not is_among(raw, self.others):
             raise unknown_member(name, raw, self.enum, 0)
         return raw
 
@@ -265,7 +265,7 @@ class Trigger(Open[E]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
-        absent: tuple[tuple[str, float], ...] = (),
+        absent: Absent = (),
     ) -> None:
         super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, absent=absent, closed=True)
 
@@ -285,7 +285,7 @@ class Word(Value[F]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
-        absent: tuple[tuple[str, float], ...] = (),
+        absent: Absent = (),
         bits: tuple[BoundedBits, ...] = (),
     ) -> None:
         super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent)

@@ -95,6 +95,19 @@ function values.quantity(number, value)
     return text .. unit, approximate
 end
 
+-- The name of the state that a number stands for, nil for a quantity.
+local function state_of(value, number, key)
+    if value.special and value.special[key] then
+        return value.special[key]
+    end
+    for _, state in ipairs(value.special_ranges or {}) do
+        if is_within(number, state.range, value) then
+            return state.name
+        end
+    end
+    return nil
+end
+
 -- The name of a number, the reason for which a codec refuses it or people should look at it, and the details.
 local function judged(value, number, ranges)
     local key = numbers.text(number)
@@ -104,11 +117,9 @@ local function judged(value, number, ranges)
     if value.const and number ~= numbers.bound(value.const, value) then
         return nil, "wrong_const", "should be " .. numbers.text(numbers.bound(value.const, value))
     end
-    if value.special then
-        local name = value.special[key]
-        if name then
-            return name
-        end
+    local state = state_of(value, number, key)
+    if state then
+        return state
     end
     local enum = value.enum and device.enums[value.enum]
     local name = enum and enum.names[tonumber(key)]
@@ -219,7 +230,7 @@ function values.show(tree, entry, range, bytes, options)
     end
     local name, reason, detail = judged(value, number, options.ranges or value.ranges)
     local quantity, approximate
-    if not (value.special and value.special[numbers.text(number)]) then
+    if not state_of(value, number, numbers.text(number)) then
         quantity, approximate = values.quantity(number, value)
     end
     local meaning = name or quantity

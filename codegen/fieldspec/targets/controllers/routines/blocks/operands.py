@@ -153,7 +153,7 @@ def _ranged(block: BlockDraft, value: Value, raw: Variable, kind: Elementary) ->
     ranges = value.writable_ranges
     if ranges is None or kind.family not in ("signed", "unsigned"):
         return
-    sentinels = [(sentinel.value, sentinel.value) for sentinel in value.sentinels if sentinel.value not in ranges]
+    sentinels = [interval for interval in value.special_intervals if not ranges.includes(*interval)]
     wrong = outside(raw, [*ranges.intervals, *sentinels], kind)
     if wrong is not None:
         yield when(wrong, [Assignment(block.result, block.status.of("out_of_range")), block.refuse()])
