@@ -1,0 +1,214 @@
+"""The server of the Language Server Protocol: it keeps the projects of the open documents, and sends their findings."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from lsprotocol import types
+from pygls.lsp.server import LanguageServer
+from pygls.uris import from_fs_path, to_fs_path
+
+from fieldspec import __version__
+from fieldspec.command.console.usage import UsageError
+from fieldspec.command.editor.positions import Positions
+from fieldspec.command.editor.projects import EditedProject, folder_of, named_project, project_in
+from fieldspec.command.rendering.finding_text import marked_characters
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.line_text import visible_text
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.diagnostics import Diagnostic, Severity
+
+PAUSE = 0.05
+"""Seconds without a key after which the specs are judged."""
+IDLE = 2.0
+"""Seconds without a key after which memory is tidied up: nobody else does, and the server runs for long."""
+
+_SEVERITIES = {Severity.ERROR: types.DiagnosticSeverity.Error, Severity.WARNING: types.DiagnosticSeverity.Warning}
+
+
+class Server(LanguageServer):
+    """A server with the projects of all documents that have been opened, by folder.
+
+    Editors send the whole text of a document: where lines end is not the same for YAML, for editors and for Python.
+    """
+
+    def __init__(self, specs_option: str | None = None) -> None:
+        super().__init__("fieldspec", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full)
+        self.projects: dict[Path, EditedProject] = {}
+        if specs_option is not None:
+            project = named_project(specs_option)
+            self.projects[project.folder] = project
+        self._stale: set[Path] = set()
+        """The folders of projects that have changed since they were read."""
+        self._marked: dict[Path, set[str]] = {}
+        """The documents of each project that findings were sent for."""
+        self._waiting: asyncio.TimerHandle | None = None
+        self._tidying: asyncio.TimerHandle | None = None
+        self._positions: ByIdentity[SourceFile, Positions] = ByIdentity(200)
+
+    def open_paths(self) -> dict[Path, str]:
+        """The open documents that are files: their addresses, as the editor writes them, by path."""
+        paths = ((path_of(uri), uri) for uri in self.workspace.text_documents)
+        return {path: uri for path, uri in paths if path is not None}
+
+    def project_of(self, uri: str) -> EditedProject | None:
+        """The project of a document, read as it is now; None for a document that is no spec."""
+        folder = self._folder_of(uri)
+        if folder is None:
+            return None
+        project = self.projects[folder]
+        if folder in self._stale:
+            self._read(project)
+        return project
+
+    def _folder_of(self, uri: str) -> Path | None:
+        path = path_of(uri)
+        if path is None:
+            return None
+        folder = next((folder for folder in self.projects if folder in path.parents), None) or folder_of(path)
+        if folder is not None and folder not in self.projects:
+            self.add(EditedProject(folder))
+        return folder
+
+    def add(self, project: EditedProject) -> None:
+        """Adds a project, which is then read."""
+        self.projects[project.folder] = project
+        self._stale.add(project.folder)
+
+    def _read(self, project: EditedProject) -> None:
+        folder, documents = project.folder, self.workspace.text_documents
+        unsaved = {path: documents[uri].source for path, uri in self.open_paths().items() if folder in path.parents}
+        specs = {path: text for path, text in unsaved.items() if folder_of(path) == folder}
+        try:
+            project.read(specs)
+            self._stale.discard(folder)
+        except UsageError as error:
+            self.window_show_message(types.ShowMessageParams(types.MessageType.Error, visible_text(str(error))))
+
+    def changed(self, uri: str | None = None) -> None:
+        """Notes that a document has changed, or that any file may have, and judges the specs when no key follows."""
+        if uri is None:
+            self._stale |= self.projects.keys()
+        elif (folder := self._folder_of(uri)) is not None:
+            self._stale.add(folder)
+        loop = asyncio.get_running_loop()
+        for timer in (self._waiting, self._tidying):
+            if timer is not None:
+                timer.cancel()
+        self._waiting = loop.call_later(PAUSE, self.judge)
+        self._tidying = loop.call_later(IDLE, gc.collect)
+
+    def judge(self) -> None:
+        """Sends the findings of the projects that have changed."""
+        for folder in [*self._stale]:
+            project = self.projects[folder]
+            self._read(project)
+            self._send(project)
+
+    def _send(self, project: EditedProject) -> None:
+        by_document: dict[str, list[types.Diagnostic]] = {}
+        for path, uri in self.open_paths().items():
+            if project.folder in path.parents:
+                by_document[uri] = []
+        before = self._marked.get(project.folder, set())
+        for finding in project.findings():
+            uri = self.uri(project, finding.span)
+            by_document.setdefault(uri, []).append(self._diagnostic(project, finding))
+        self._marked[project.folder] = {uri for uri, diagnostics in by_document.items() if diagnostics}
+        for uri in sorted(before | by_document.keys()):
+            document = self.workspace.text_documents.get(uri)
+            version = document.version if document is not None else None
+            parameters = types.PublishDiagnosticsParams(uri, by_document.get(uri, []), version)
+            self.text_document_publish_diagnostics(parameters)
+
+    def _diagnostic(self, project: EditedProject, finding: Diagnostic) -> types.Diagnostic:
+        lines = [finding.message, *([f"help: {finding.help}"] if finding.help else [])]
+        return types.Diagnostic(
+            range=self.range(marked(finding.span)),
+            message="\n".join(map(visible_text, lines)),
+            severity=_SEVERITIES[finding.severity],
+            code=finding.code,
+            source="fieldspec",
+            related_information=[
+                types.DiagnosticRelatedInformation(self.location(project, label.span), visible_text(label.text))
+                for label in finding.labels
+            ],
+        )
+
+    def positions(self, file: SourceFile) -> Positions:
+        """The positions in a file."""
+        encoding = self.workspace.position_encoding or types.PositionEncodingKind.Utf16
+        return self._positions.get_or_compute(file, lambda file: Positions(file.text, encoding))
+
+    def range(self, span: Span) -> types.Range:
+        """The range of a span."""
+        return self.positions(span.file).range(span.start, span.end)
+
+    def location(self, project: EditedProject, span: Span) -> types.Location:
+        """The document and the marked range of a span."""
+        return types.Location(self.uri(project, span), self.range(marked(span)))
+
+    def uri(self, project: EditedProject, span: Span) -> str:
+        """The address of the document that a span is in, as the editor writes it."""
+        path = project.path(span.file.path)
+        return self.open_paths().get(path) or from_fs_path(str(path)) or ""
+
+    def folders(self) -> Iterator[Path]:
+        """The folders that the editor has open."""
+        for folder in (*self.workspace.folders, *([self.workspace.root_uri] if self.workspace.root_uri else ())):
+            if (path := path_of(folder)) is not None:
+                yield path
+
+
+def path_of(uri: str) -> Path | None:
+    """The path of a document; None for one that is no file, such as a text without a name."""
+    path = to_fs_path(uri) if uri.startswith("file:") else None
+    return Path(os.path.realpath(path)) if path and "\0" not in path else None
+
+
+def marked(span: Span) -> Span:
+    """What carets in a terminal mark of a span."""
+    return Span(span.file, span.start, span.start + marked_characters(span))
+
+
+def server(specs_option: str | None) -> Server:
+    """A server with all that it answers. Raises UsageError for a folder without specs."""
+    result = Server(specs_option)
+    _add_findings(result)
+    return result
+
+
+def _add_findings(server: Server) -> None:
+    """Adds what an editor tells about its documents."""
+
+    @server.feature(types.INITIALIZED)
+    def initialized(_: types.InitializedParams) -> None:
+        if not server.projects:
+            for folder in server.folders():
+                if (project := project_in(folder)) is not None:
+                    server.add(project)
+        server.changed()
+
+    @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
+    def opened(parameters: types.DidOpenTextDocumentParams) -> None:
+        server.changed(parameters.text_document.uri)
+
+    @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
+    def changed(parameters: types.DidChangeTextDocumentParams) -> None:
+        server.changed(parameters.text_document.uri)
+
+    @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
+    def closed(parameters: types.DidCloseTextDocumentParams) -> None:
+        server.changed(parameters.text_document.uri)
+
+    @server.feature(types.TEXT_DOCUMENT_DID_SAVE)
+    def saved(_: types.DidSaveTextDocumentParams) -> None:
+        server.changed()
+
+    @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def files_changed(_: types.DidChangeWatchedFilesParams) -> None:
+        server.changed()
