@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.editor.positions import moved
 from fieldspec.command.sources import spec_files
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.foundation.source import SourceFile, Span
-from fieldspec.language.diagnostics import Diagnostic, Label, in_order
+from fieldspec.language.checks.layout_conditions import has_layout
+from fieldspec.language.diagnostics import Diagnostic, Label, has_errors, in_order
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS
-from fieldspec.language.reading.project import DeviceSpec, Memory, Project, read
+from fieldspec.language.reading.project import DeviceSpec, FileRead, Memory, Project, read
 from fieldspec.tools.proofs.running import Outcome, outcome
 
 
@@ -36,6 +39,7 @@ class EditedProject:
     memory: Memory = field(default_factory=Memory)
     origins: Mapping[str, str] = field(default_factory=dict)
     outcomes: dict[str, tuple[DeviceSpec, Outcome]] = field(default_factory=dict)
+    layouts: ByIdentity[DeviceSpec, dict[str, DeviceLayout | None]] = field(default_factory=lambda: ByIdentity(50))
 
     def read(self, unsaved: Mapping[Path, str]) -> None:
         """Reads the files, and the texts of documents in the editor in place of theirs. Raises UsageError."""
@@ -88,6 +92,24 @@ class EditedProject:
             if path in self.memory.files:
                 return self.memory.files[path].file
         return None
+
+    def read_file(self, path: Path) -> FileRead | None:
+        """A file as it was read; None for one that is none of the specs."""
+        return self.memory.files.get(path.relative_to(self.folder).as_posix())
+
+    def specs_with(self, file: SourceFile) -> list[DeviceSpec]:
+        """The devices that a file belongs to: one, or those that use a protocol."""
+        paths = {path for path, read in self.memory.files.items() if read.file.path == file.path}
+        return [spec for spec in self.project.devices.values() if not paths.isdisjoint(spec.files)]
+
+    def layout(self, spec: DeviceSpec, version: str) -> DeviceLayout | None:
+        """The layout of a device at a version; None where it has none."""
+        layouts = self.layouts.get_or_compute(spec, lambda _: {})
+        if version not in layouts:
+            device, broken = spec.at(version)
+            sound = not has_errors(broken) and has_layout(device)
+            layouts[version] = device_layout(device) if sound else None
+        return layouts[version]
 
     def path(self, shown_path: str) -> Path:
         """The path on this machine of a file that findings show by a path."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import gc
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from lsprotocol import types
@@ -14,6 +14,8 @@ from pygls.uris import from_fs_path, to_fs_path
 
 from fieldspec import __version__
 from fieldspec.command.console.usage import UsageError
+from fieldspec.command.editor.cursor import Cursor, cursor
+from fieldspec.command.editor.hover import hover
 from fieldspec.command.editor.positions import Positions
 from fieldspec.command.editor.projects import EditedProject, folder_of, named_project, project_in
 from fieldspec.command.rendering.finding_text import marked_characters
@@ -44,6 +46,8 @@ class Server(LanguageServer):
             self.projects[project.folder] = project
         self._stale: set[Path] = set()
         """The folders of projects that have changed since they were read."""
+        self._unjudged: set[Path] = set()
+        """The folders of projects that have changed since their findings were sent."""
         self._marked: dict[Path, set[str]] = {}
         """The documents of each project that findings were sent for."""
         self._waiting: asyncio.TimerHandle | None = None
@@ -74,10 +78,22 @@ class Server(LanguageServer):
             self.add(EditedProject(folder))
         return folder
 
+    def cursor(self, uri: str, position: types.Position) -> Cursor | None:
+        """What is at a position of a document; None where that is no spec, or cannot be read there."""
+        project, path = self.project_of(uri), path_of(uri)
+        read = project.read_file(path) if project is not None and path is not None else None
+        if project is None or read is None:
+            return None
+        return cursor(project, read, self.positions(read.file).offset(position))
+
     def add(self, project: EditedProject) -> None:
         """Adds a project, which is then read."""
         self.projects[project.folder] = project
-        self._stale.add(project.folder)
+        self._note({project.folder})
+
+    def _note(self, folders: Iterable[Path]) -> None:
+        self._stale |= {*folders}
+        self._unjudged |= {*folders}
 
     def _read(self, project: EditedProject) -> None:
         folder, documents = project.folder, self.workspace.text_documents
@@ -92,9 +108,9 @@ class Server(LanguageServer):
     def changed(self, uri: str | None = None) -> None:
         """Notes that a document has changed, or that any file may have, and judges the specs when no key follows."""
         if uri is None:
-            self._stale |= self.projects.keys()
+            self._note(self.projects)
         elif (folder := self._folder_of(uri)) is not None:
-            self._stale.add(folder)
+            self._note([folder])
         loop = asyncio.get_running_loop()
         for timer in (self._waiting, self._tidying):
             if timer is not None:
@@ -104,10 +120,12 @@ class Server(LanguageServer):
 
     def judge(self) -> None:
         """Sends the findings of the projects that have changed."""
-        for folder in [*self._stale]:
+        for folder in sorted(self._unjudged):
             project = self.projects[folder]
-            self._read(project)
+            if folder in self._stale:
+                self._read(project)
             self._send(project)
+        self._unjudged.clear()
 
     def _send(self, project: EditedProject) -> None:
         by_document: dict[str, list[types.Diagnostic]] = {}
@@ -179,6 +197,7 @@ def server(specs_option: str | None) -> Server:
     """A server with all that it answers. Raises UsageError for a folder without specs."""
     result = Server(specs_option)
     _add_findings(result)
+    _add_hover(result)
     return result
 
 
@@ -212,3 +231,13 @@ def _add_findings(server: Server) -> None:
     @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def files_changed(_: types.DidChangeWatchedFilesParams) -> None:
         server.changed()
+
+
+def _add_hover(server: Server) -> None:
+    """Adds what an editor shows under the pointer."""
+
+    @server.feature(types.TEXT_DOCUMENT_HOVER)
+    def hovered(parameters: types.HoverParams) -> types.Hover | None:
+        place = server.cursor(parameters.text_document.uri, parameters.position)
+        text = hover(place) if place is not None else None
+        return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text)) if text else None

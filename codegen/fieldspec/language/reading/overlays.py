@@ -7,6 +7,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.reading.findings import near, quoted
 from fieldspec.language.reading.nodes import (
+    LISTS,
     Mapping,
     Node,
     Scalar,
@@ -258,7 +259,7 @@ class _Application:
             return
         node = node_at(self.tree, node_keys)
         if isinstance(node, Mapping):
-            inner = next((key for key in ("rows", "members", "fields", "bits") if key in node.values), None)
+            inner = next((key for key in LISTS if key in node.values), None)
             if inner is None:
                 self._refuse("overlay_fact_missing", "this is not a list of facts", path, "name a list of facts")
                 return
