@@ -91,8 +91,8 @@ def numbers(range: types.Range) -> tuple[int, int, int, int]:
 
 
 def copied(folder: Path, *devices: str) -> Path:
-    """A folder of specs with some of the made-up devices."""
-    for device in devices:
+    """A folder of specs with some of the made-up devices, and the protocols of all of them."""
+    for device in ("protocols", *devices):
         shutil.copytree(SPECS / device, folder / "specs" / device)
     return folder / "specs"
 
@@ -128,3 +128,20 @@ async def editor(specs: Path) -> AsyncIterator[Editor]:
     yield Editor(client, specs)
     await client.shutdown_session()
     await client.stop()
+
+
+def place_of(text: str, offset: int) -> types.Position:
+    """The position of an offset, in units of UTF-16."""
+    before = text[:offset]
+    return types.Position(before.count("\n"), len(before.rpartition("\n")[2].encode("utf-16-le")) // 2)
+
+
+def applied(text: str, edits: list[types.TextEdit]) -> str:
+    """A text after edits of an editor."""
+    lines = text.split("\n")
+    for edit in sorted(edits, key=lambda edit: numbers(edit.range), reverse=True):
+        line, first, last_line, last = numbers(edit.range)
+        assert line == last_line
+        units = lines[line].encode("utf-16-le")
+        lines[line] = (units[: 2 * first] + edit.new_text.encode("utf-16-le") + units[2 * last :]).decode("utf-16-le")
+    return "\n".join(lines)

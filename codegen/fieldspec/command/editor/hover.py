@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.editor.cursor import Cursor
+from fieldspec.command.editor.index import meant
 from fieldspec.command.editor.projects import EditedProject
 from fieldspec.command.rendering import explanation_text, item_blocks
 from fieldspec.command.rendering.blocks import Block, Line, bare_text
@@ -17,12 +18,14 @@ from fieldspec.foundation.line_text import visible_text
 from fieldspec.language.model.texts import Example
 from fieldspec.language.reading.nodes import Mapping, Scalar, children
 from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.references import used_by
 from fieldspec.language.schema.manual import key_text
 
 _Place = tuple[str, int, int]
 
 _BY_PLACE: ByIdentity[DeviceLayout, dict[_Place, list[Item]]] = ByIdentity(limit=50)
 """The items of a layout by the places that state them: several, where a row stands for a series."""
+_USERS: ByIdentity[Mapping, dict[str, list[str]]] = ByIdentity(limit=50)
 MOST_ITEMS = 4
 """How many items of one row are shown."""
 
@@ -32,7 +35,7 @@ def hover(place: Cursor) -> str | None:
     if place.key is not None:
         part = place.part()
         return key_text(part, place.key) if part is not None and place.key in part.get("properties", {}) else None
-    for node in reversed(place.nodes):
+    for node in (*(fact.stated for fact in meant(place)), *reversed(place.nodes)):
         if not isinstance(node, Mapping):
             continue
         # A copy of a row is stated by the values that are its own.
@@ -71,7 +74,9 @@ def _item(project: EditedProject, spec: DeviceSpec, version: str, layout: Device
     """An item as `show` has it; an example also as `decode` explains it."""
     fact = fact_of(item)
     path = fact.place.path
-    text = f"{code(f'{spec.id}@{version} {path}')}\n\n{fenced(item_blocks.blocks(layout, item))}"
+    users = _USERS.get_or_compute(spec.tree_at(version), used_by)
+    shown = item_blocks.blocks(layout, item, users=users.get(path, ()))
+    text = f"{code(f'{spec.id}@{version} {path}')}\n\n{fenced(shown)}"
     if isinstance(fact, Example) and fact.link in layout.links:
         text += f"\n{fenced(explained(layout, fact))}"
     if other := [*_differing(project, spec, version, layout, item)]:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from lsprotocol import types
+from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 from pygls.uris import from_fs_path, to_fs_path
 
@@ -16,8 +17,10 @@ from fieldspec import __version__
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.editor.cursor import Cursor, cursor
 from fieldspec.command.editor.hover import hover
+from fieldspec.command.editor.index import meant
 from fieldspec.command.editor.positions import Positions
 from fieldspec.command.editor.projects import EditedProject, folder_of, named_project, project_in
+from fieldspec.command.editor.renaming import name_at, renaming
 from fieldspec.command.rendering.finding_text import marked_characters
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.line_text import visible_text
@@ -170,6 +173,11 @@ class Server(LanguageServer):
         """The document and the marked range of a span."""
         return types.Location(self.uri(project, span), self.range(marked(span)))
 
+    def named(self, project: EditedProject, names: Iterable[Span]) -> list[types.Location]:
+        """The places of names, as they are in the documents now."""
+        spans = (project.current(span) for span in names)
+        return [types.Location(self.uri(project, span), self.range(span)) for span in spans if span is not None]
+
     def uri(self, project: EditedProject, span: Span) -> str:
         """The address of the document that a span is in, as the editor writes it."""
         path = project.path(span.file.path)
@@ -198,6 +206,8 @@ def server(specs_option: str | None) -> Server:
     result = Server(specs_option)
     _add_findings(result)
     _add_hover(result)
+    _add_references(result)
+    _add_rename(result)
     return result
 
 
@@ -241,3 +251,67 @@ def _add_hover(server: Server) -> None:
         place = server.cursor(parameters.text_document.uri, parameters.position)
         text = hover(place) if place is not None else None
         return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text)) if text else None
+
+
+def _add_references(server: Server) -> None:
+    """Adds where facts are defined and used."""
+
+    @server.feature(types.TEXT_DOCUMENT_DEFINITION)
+    def defined(parameters: types.DefinitionParams) -> list[types.Location]:
+        place = server.cursor(parameters.text_document.uri, parameters.position)
+        facts = meant(place) if place is not None else []
+        names = [span for fact in facts for span in fact.definition]
+        return server.named(place.project, names) if place is not None else []
+
+    @server.feature(types.TEXT_DOCUMENT_REFERENCES)
+    def used(parameters: types.ReferenceParams) -> list[types.Location]:
+        place = server.cursor(parameters.text_document.uri, parameters.position)
+        if place is None:
+            return []
+        facts = meant(place)
+        names = [span for fact in facts for span in fact.uses]
+        if parameters.context.include_declaration:
+            names += (span for fact in facts for span in fact.spans)
+        return server.named(place.project, names)
+
+
+def _add_rename(server: Server) -> None:
+    """Adds new names for facts."""
+
+    def place_of(uri: str, position: types.Position) -> Cursor:
+        place = server.cursor(uri, position)
+        if place is None:
+            raise UsageError("this document cannot be read here")
+        return place
+
+    @server.feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
+    def name(parameters: types.PrepareRenameParams) -> types.Range:
+        try:
+            place = place_of(parameters.text_document.uri, parameters.position)
+            span = place.project.current(name_at(place))
+            assert span is not None  # the place itself is there
+            return server.range(span)
+        except UsageError as error:
+            raise refusal(error) from None
+
+    @server.feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
+    def renamed(parameters: types.RenameParams) -> types.WorkspaceEdit:
+        try:
+            place = place_of(parameters.text_document.uri, parameters.position)
+            edits: dict[str, list[types.TextEdit]] = {}
+            for span in renaming(place, parameters.new_name):
+                edit = types.TextEdit(server.range(span), parameters.new_name)
+                edits.setdefault(server.uri(place.project, span), []).append(edit)
+            return types.WorkspaceEdit(edits)
+        except UsageError as error:
+            raise refusal(error) from None
+
+
+def refusal(error: UsageError) -> JsonRpcException:
+    """The answer to a request that cannot be fulfilled, with the reason, which editors show."""
+    return JsonRpcException(visible_text(str(error)), types.LSPErrorCodes.RequestFailed)
+
+
+def is_refusal(raised: object) -> bool:
+    """Whether what a log shows was raised to refuse a request."""
+    return isinstance(raised, tuple) and isinstance(raised[1], JsonRpcException)
