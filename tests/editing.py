@@ -48,8 +48,8 @@ class Editor:
     async def opened(self, name: str, text: str | None = None) -> list[types.Diagnostic]:
         """Opens a document, with another text than that of its file where one is given, and waits for the findings."""
         self.client.diagnostics.pop(self.uri(name), None)
-        shown = self.text(name) if text is None else text
-        document = types.TextDocumentItem(self.uri(name), "yaml", self.version, shown)
+        content = self.text(name) if text is None else text
+        document = types.TextDocumentItem(self.uri(name), "yaml", self.version, content)
         self.client.text_document_did_open(types.DidOpenTextDocumentParams(document))
         return await self.findings(name)
 
@@ -106,10 +106,10 @@ def fresh(specs: Path, unsaved: dict[str, str]) -> list[Diagnostic]:
 
 def expected_places(findings: list[Diagnostic]) -> set[Place]:
     """The findings of a check as an editor counts their places."""
-    return {(finding.span.file.path, *_counted(finding.span), finding.code) for finding in findings}
+    return {(finding.span.file.path, *_lines_and_columns(finding.span), finding.code) for finding in findings}
 
 
-def _counted(span: Span) -> Iterator[int]:
+def _lines_and_columns(span: Span) -> Iterator[int]:
     for offset in (span.start, span.start + marked_characters(span)):
         before = span.file.text[:offset].replace("\r\n", "\n").replace("\r", "\n")
         yield before.count("\n")

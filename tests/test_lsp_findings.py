@@ -52,12 +52,15 @@ async def test_a_finding_has_its_rule_its_help_and_the_other_places(tmp_path: Pa
     async with editor(specs) as session:
         await session.opened(GIZMO)
         text = session.text(GIZMO).replace(ROW, ROW + ROW.replace("at: 0", "at: 77"))
-        shown = await session.typed(GIZMO, text)
+        diagnostics = await session.typed(GIZMO, text)
     expected = {
         (finding.code, f"{finding.message}\nhelp: {finding.help}", len(finding.labels))
         for finding in fresh(specs, {GIZMO: text})
     }
-    assert {(str(one.code), one.message, len(one.related_information or ())) for one in shown} == expected
+    assert {
+        (str(diagnostic.code), diagnostic.message, len(diagnostic.related_information or ()))
+        for diagnostic in diagnostics
+    } == expected
 
 
 async def test_findings_of_one_document_depend_on_another_one_that_is_not_saved(tmp_path: Path) -> None:
@@ -83,14 +86,14 @@ async def test_a_broken_document_keeps_the_findings_of_the_rest(tmp_path: Path) 
         await session.opened(GIZMO)
         wrong = session.text(GIZMO).replace(ROW, ROW + ROW.replace("at: 0", "at: 77"))
         await session.typed(GIZMO, wrong)
-        found = session.places()
+        places = session.places()
         broken = wrong + "enums: [{\n"
         await session.typed(GIZMO, broken)
         only_broken = expected_places(fresh(specs, {GIZMO: broken}))
-        assert session.places() == found | only_broken
+        assert session.places() == places | only_broken
         unreadable = session.text(WIDGET) + "links: [\n"
         await session.typed(WIDGET, unreadable)
-        assert session.places() == found | expected_places(fresh(specs, {GIZMO: broken, WIDGET: unreadable}))
+        assert session.places() == places | expected_places(fresh(specs, {GIZMO: broken, WIDGET: unreadable}))
 
 
 async def test_a_file_that_changes_on_the_disk_is_judged_when_the_editor_says_so(tmp_path: Path) -> None:

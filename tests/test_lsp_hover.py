@@ -39,7 +39,7 @@ def position(span: Span) -> types.Position:
     return types.Position(before.count("\n"), len(before.rpartition("\n")[2].encode("utf-16-le")) // 2)
 
 
-async def shown(session: Editor, span: Span) -> str:
+async def hover_text(session: Editor, span: Span) -> str:
     """The Markdown of a hover."""
     document = types.TextDocumentIdentifier(session.uri(span.file.path))
     answer = await session.client.text_document_hover_async(types.HoverParams(document, position(span)))
@@ -68,7 +68,7 @@ async def test_a_hover_says_what_show_and_decode_say_word_for_word(
             span = stated(fact.place)
             if span is None:
                 continue
-            text = await shown(session, span)
+            text = await hover_text(session, span)
             assert f"`{device}@{layout.device.version} {fact.place.path}`" in text
             if isinstance(fact, Example):
                 options = ["--link", fact.link, "--direction", fact.direction]
@@ -83,17 +83,17 @@ async def test_a_hover_says_what_show_and_decode_say_word_for_word(
 def described_keys(text: str, file: str) -> list[tuple[str, Span]]:
     """The keys of a file that the language describes, each once for each key of the mapping that holds it."""
     tree, _ = parsed(SourceFile(file, text))
-    found: dict[tuple[str, str], Span] = {}
+    key_places: dict[tuple[str, str], Span] = {}
 
     def search(node: Node, holder: str) -> None:
         for key, span in key_spans(node) if isinstance(node, Mapping) else ():
-            found.setdefault((holder, key), span)
+            key_places.setdefault((holder, key), span)
         for name, child in children(node) if holder not in FREE else ():
             search(child, name if isinstance(name, str) else holder)
 
     assert tree is not None
     search(tree, "")
-    return [(key, span) for (holder, key), span in found.items() if holder not in FREE]
+    return [(key, span) for (holder, key), span in key_places.items() if holder not in FREE]
 
 
 FREE = ("allow", "expected", "inferred", "printed", "standard", "values")
@@ -115,7 +115,7 @@ async def test_a_key_is_shown_as_the_manual_of_the_language_has_it(specs: Path) 
             described = [(key, span) for key, span in keys if any(row.startswith(f"`{key}`: ") for row in rows)]
             assert len(described) > 50
             for key, span in described:
-                text = await shown(session, span)
+                text = await hover_text(session, span)
                 # What is needed of the keys of every fact is said in a sentence below the table.
                 row, _, words = text.replace(", needed\n", "\n", 1).partition("\n\n|")
                 assert row.partition("\n\nWords:")[0].rstrip() in rows, (file, key, words)
@@ -128,7 +128,7 @@ async def test_texts_of_a_spec_end_no_block_of_code_and_make_no_link(specs: Path
         text = session.text(name).replace("name: speed,", f'name: speed, doc: "{hostile}", label: "````",')
         await session.opened(name, text)
         start = text.index("rpm")
-        answer = await shown(session, Span(SourceFile(name, text), start, start + 1))
+        answer = await hover_text(session, Span(SourceFile(name, text), start, start + 1))
     nodes = MarkdownIt().parse(answer)
     assert [node.type for node in nodes] == ["paragraph_open", "inline", "paragraph_close", "fence"]
     assert [child.type for node in nodes for child in node.children or ()] == ["code_inline"]
@@ -143,7 +143,7 @@ async def test_a_version_in_which_a_fact_differs_is_named(tmp_path: Path) -> Non
         register = next(register for register in device.registers() if register.name == "resolution")
         span = stated(register.place)
         assert span is not None
-        assert "differs in" not in await shown(session, span)
+        assert "differs in" not in await hover_text(session, span)
         name = span.file.path
         text = session.text(name)
         row = text.splitlines()[span.position()[0] - 1]
@@ -151,7 +151,7 @@ async def test_a_version_in_which_a_fact_differs_is_named(tmp_path: Path) -> Non
         await session.opened(name, text.replace(row, "\n".join(both)))
         changed = SourceFile(name, text.replace(row, "\n".join(both)))
         offset = changed.text.index("Finer.")
-        assert "\ndiffers in `1.0`\n" in await shown(session, Span(changed, offset, offset + 1))
+        assert "\ndiffers in `1.0`\n" in await hover_text(session, Span(changed, offset, offset + 1))
 
 
 async def test_a_place_that_says_nothing_has_no_hover_in_a_document_that_is_broken(specs: Path) -> None:
@@ -163,5 +163,5 @@ async def test_a_place_that_says_nothing_has_no_hover_in_a_document_that_is_brok
         await session.typed(name, broken)
         file = SourceFile(name, broken)
         start = text.index("rpm")
-        assert "gizmo@1 registers/speed" in await shown(session, Span(file, start, start + 1))
-        assert await shown(session, Span(file, len(broken) - 2, len(broken))) == ""
+        assert "gizmo@1 registers/speed" in await hover_text(session, Span(file, start, start + 1))
+        assert await hover_text(session, Span(file, len(broken) - 2, len(broken))) == ""

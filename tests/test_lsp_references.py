@@ -17,8 +17,10 @@ from fieldspec.language.reading.nodes import Scalar, find, identity, mappings
 from fieldspec.language.reading.references import Reference, references, used_by
 from fieldspec.targets import OUTPUTS
 
-GLIDER, METER, OVERLAY = "glider-x/device.yaml", "wattmeter/device.yaml", "wattmeter/versions/2.yaml"
-NOTE = "notes: [{name: codes, title: Codes, text: They are few., about: [enums/exception_code/illegal_data_address], source: 1 L2}]\n"
+GLIDER, METER = "glider-x/device.yaml", "wattmeter/device.yaml"
+OVERLAY = "wattmeter/versions/2.yaml"
+ABOUT = "enums/exception_code/illegal_data_address"
+NOTE = f"notes: [{{name: codes, title: Codes, text: They are few., about: [{ABOUT}], source: 1 L2}}]\n"
 Spot = tuple[str, int, int, int, int]
 
 
@@ -28,8 +30,8 @@ def spot(session: Editor, location: types.Location) -> Spot:
 
 def spots(name: str, text: str, pattern: str) -> set[Spot]:
     """The places of the first group of a pattern in a document."""
-    found = (match.span(1) for match in re.finditer(pattern, text, re.MULTILINE))
-    return {(name, *numbers(types.Range(place_of(text, start), place_of(text, end)))) for start, end in found}
+    matches = (match.span(1) for match in re.finditer(pattern, text, re.MULTILINE))
+    return {(name, *numbers(types.Range(place_of(text, start), place_of(text, end)))) for start, end in matches}
 
 
 async def used(session: Editor, name: str, position: types.Position, declaration: bool) -> set[Spot]:
@@ -114,15 +116,15 @@ def unresolved() -> list[tuple[str, Reference]]:
     """A reference of each key in each section of the made-up devices, in their own files."""
     project = EditedProject(TEST_SPECS)
     project.read({})
-    found: dict[tuple[str, str, str], tuple[str, Reference]] = {}
+    matches: dict[tuple[str, str, str], tuple[str, Reference]] = {}
     for device in ("glider-x", "widget", "flowmeter"):
         spec = project.project.devices[device]
         for reference in references(spec.tree_at(spec.versions()[-1])):
             section = reference.holder.partition("/")[0]
             own = reference.scalar.file.path.startswith(f"{device}/")
             if own and section not in ("accepts", "changes", "reviews"):
-                found.setdefault((device, section, reference.key), (device, reference))
-    return [*found.values()]
+                matches.setdefault((device, section, reference.key), (device, reference))
+    return [*matches.values()]
 
 
 @pytest.mark.parametrize(("device", "reference"), unresolved(), ids=lambda part: getattr(part, "holder", part))
@@ -191,8 +193,8 @@ IDENTITY = re.compile(r"\b[0-9a-f]{16}\b")
 def respelled(text: str, old: str, new: str) -> str:
     """A text in which a name is the same before and after, in all the cases of the outputs."""
     text = IDENTITY.sub("", text)  # names are part of it
-    for one, other in ((old, new), (old.upper(), new.upper())):
-        text = text.replace(one, other)
+    for old_case, other in ((old, new), (old.upper(), new.upper())):
+        text = text.replace(old_case, other)
     camel, other_camel = (name.title().replace("_", "") for name in (old, new))
     lower, other_lower = (name[:1].lower() + name[1:] for name in (camel, other_camel))
     return text.replace(camel, other_camel).replace(lower, other_lower)
@@ -221,11 +223,11 @@ async def test_a_rename_that_breaks_something_is_refused_with_the_reason(tmp_pat
 
 def test_show_says_what_uses_a_fact(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     run = CommandLine(capsys, monkeypatch, TEST_SPECS)
-    shown = run("show", "glider-x", "enums/alarm").out
+    enum_text = run("show", "glider-x", "enums/alarm").out
     assert (
         "  used by   signals/fault, messages/telegram_11/response/fault, enums/internal_alarm, "
         "parameters/profile/fault_codes, parameters/monitor/alarm_code\n"
-    ) in shown
+    ) in enum_text
     examples = run("show", "glider-x", "links/channel").out
     assert re.search(r"used by .*examples/[\w-]+, \d+ more examples\n", examples)
 

@@ -98,7 +98,7 @@ def _within_fact(spec: DeviceSpec, place: Cursor) -> list[str | int] | None:
             continue
         if place.keys[2] == "set":
             return [*steps, *inner[:1]]
-        listed = node_at(spec.tree_at(version), steps)
-        lists = [key for key in LISTS if isinstance(listed, Mapping) and key in listed.values]
+        list_node = node_at(spec.tree_at(version), steps)
+        lists = [key for key in LISTS if isinstance(list_node, Mapping) and key in list_node.values]
         return [*steps, *lists[:1], 0, *inner]
     return None

@@ -46,20 +46,20 @@ def hover(place: Cursor) -> str | None:
     return None
 
 
-def _facts(place: Cursor, where: _Place) -> str | None:
+def _facts(place: Cursor, fact_place: _Place) -> str | None:
     """The items that a place states, at the newest version that has them."""
     for spec in place.specs:
         for version in reversed(spec.versions()):
             layout = place.project.layout(spec, version)
-            stated = items_at(layout, where) if layout is not None else []
+            stated = items_at(layout, fact_place) if layout is not None else []
             if layout is not None and stated:
                 return "\n".join(_item(place.project, spec, version, layout, item) for item in stated[:MOST_ITEMS])
     return None
 
 
-def items_at(layout: DeviceLayout, where: _Place) -> list[Item]:
+def items_at(layout: DeviceLayout, fact_place: _Place) -> list[Item]:
     """The items of a layout that a place states."""
-    return _BY_PLACE.get_or_compute(layout, _by_place).get(where, [])
+    return _BY_PLACE.get_or_compute(layout, _by_place).get(fact_place, [])
 
 
 def _by_place(layout: DeviceLayout) -> dict[_Place, list[Item]]:
@@ -75,8 +75,8 @@ def _item(project: EditedProject, spec: DeviceSpec, version: str, layout: Device
     fact = fact_of(item)
     path = fact.place.path
     users = _USERS.get_or_compute(spec.tree_at(version), used_by)
-    shown = item_blocks.blocks(layout, item, users=users.get(path, ()))
-    text = f"{code(f'{spec.id}@{version} {path}')}\n\n{fenced(shown)}"
+    visible = item_blocks.blocks(layout, item, users=users.get(path, ()))
+    text = f"{code(f'{spec.id}@{version} {path}')}\n\n{fenced(visible)}"
     if isinstance(fact, Example) and fact.link in layout.links:
         text += f"\n{fenced(explained(layout, fact))}"
     if other := [*_differing(project, spec, version, layout, item)]:
@@ -87,12 +87,12 @@ def _item(project: EditedProject, spec: DeviceSpec, version: str, layout: Device
 def explained(layout: DeviceLayout, example: Example) -> Iterator[Block]:
     """An example as `decode` explains it, which is told its link, direction, message and request."""
     request = layout.device.examples.get(example.reply_to)
-    asked = None
+    open_request = None
     if request is not None and example.direction == "response":
         reading = read(layout, request.frame, FrameOptions(((example.link, "request"),), example.message))
-        asked = OpenRequest(reading.explanation, True)
+        open_request = OpenRequest(reading.explanation, True)
     options = FrameOptions(((example.link, example.direction),), example.message)
-    reading = read(layout, example.frame, options, open_request=asked)
+    reading = read(layout, example.frame, options, open_request=open_request)
     yield from explanation_text.blocks(layout, reading, remarks(layout, reading, 0, options))
     yield from map(Line, explanation_text.footnotes(layout, reading.explanation))
 
@@ -124,7 +124,7 @@ def fenced(blocks: Iterable[Block]) -> str:
 
 def code(text: str) -> str:
     """A text of a spec as code in a line of Markdown, which nothing in it ends."""
-    shown = visible_text(text)
-    ticks = "`" * max(1, *(len(run) + 1 for run in re.findall("`+", shown)), 0)
+    visible = visible_text(text)
+    ticks = "`" * max(1, *(len(run) + 1 for run in re.findall("`+", visible)), 0)
     blank = " " if len(ticks) > 1 else ""
-    return f"{ticks}{blank}{shown}{blank}{ticks}"
+    return f"{ticks}{blank}{visible}{blank}{ticks}"

@@ -63,17 +63,17 @@ def meant(place: Cursor) -> list[NamedFact]:
     node = place.scalar
     if node is None:
         return []
-    found: dict[PlaceInFile, NamedFact] = {}
+    results: dict[PlaceInFile, NamedFact] = {}
     for spec in place.specs:
         index = _INDEXES.get_or_compute(spec, lambda spec: _indexed(place.project, spec))
         parts = index.meant.get(place_in_file(node), {})
         under = [span for span in parts if span.start <= place.offset <= span.end] or [*parts][-1:]
-        for where in [where for span in under for where in parts[span]]:
-            fact = index.facts[where]
-            known = found.setdefault(where, NamedFact(fact.stated))
+        for fact_place in [fact_place for span in under for fact_place in parts[span]]:
+            fact = index.facts[fact_place]
+            known = results.setdefault(fact_place, NamedFact(fact.stated))
             known.names.update(fact.names)
             known.uses.update(fact.uses)
-    return [*found.values()]
+    return [*results.values()]
 
 
 def _indexed(project: EditedProject, spec: DeviceSpec) -> _Index:
@@ -82,9 +82,9 @@ def _indexed(project: EditedProject, spec: DeviceSpec) -> _Index:
     overlays = [*_overlays(project, spec)]
     for tree in trees:
         _names(tree, index)
-    found = [reference for tree in trees for reference in references(tree)]
-    found += (reference for base, overlay in overlays for reference in references(spec.tree_at(base), overlay))
-    for reference in found:
+    results = [reference for tree in trees for reference in references(tree)]
+    results += (reference for base, overlay in overlays for reference in references(spec.tree_at(base), overlay))
+    for reference in results:
         if _text(reference.span) not in {_text(unquoted(name)) for name in index.fact(reference.target).names.values()}:
             continue  # no text has it: it comes from an expansion
         index.fact(reference.target).uses.setdefault(reference.span, reference)

@@ -61,21 +61,21 @@ def moved(span: Span, file: SourceFile) -> Span | None:
         return span
     old, new = span.file.text, file.text
     before = _equal(old, new)
-    behind = min(_equal(old[::-1], new[::-1]), len(old) - before, len(new) - before)
+    equal_end = min(_equal(old[::-1], new[::-1]), len(old) - before, len(new) - before)
     if span.end <= before:
         return Span(file, span.start, span.end)
-    if span.start >= len(old) - behind:
+    if span.start >= len(old) - equal_end:
         shift = len(new) - len(old)
         return Span(file, span.start + shift, span.end + shift)
     return None
 
 
-def _equal(one: str, other: str) -> int:
+def _equal(left: str, other: str) -> int:
     """How many characters two texts have in common at their beginning."""
-    low, high = 0, min(len(one), len(other))
+    low, high = 0, min(len(left), len(other))
     while low < high:
         middle = (low + high + 1) // 2
-        if one[:middle] == other[:middle]:
+        if left[:middle] == other[:middle]:
             low = middle
         else:
             high = middle - 1

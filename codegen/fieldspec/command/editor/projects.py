@@ -69,10 +69,10 @@ class EditedProject:
 
         Of a document that cannot be read, those of its last sound text stay where that has not changed.
         """
-        found = [*self.project.findings]
+        findings = [*self.project.findings]
         for device in self.project.devices:
-            found += self.outcome(device).findings
-        return in_order(placed for finding in found if (placed := self._placed(finding)) is not None)
+            findings += self.outcome(device).findings
+        return in_order(placed for finding in findings if (placed := self._placed(finding)) is not None)
 
     def _placed(self, finding: Diagnostic) -> Diagnostic | None:
         span = self.current(finding.span)
@@ -86,9 +86,9 @@ class EditedProject:
         file = self.file(span.file.path)
         return span if file is None else moved(span, file)
 
-    def file(self, shown_path: str) -> SourceFile | None:
+    def file(self, display_path: str) -> SourceFile | None:
         """The file that findings show by a path."""
-        for path in (shown_path, *(path for path, origin in self.origins.items() if origin == shown_path)):
+        for path in (display_path, *(path for path, origin in self.origins.items() if origin == display_path)):
             if path in self.memory.files:
                 return self.memory.files[path].file
         return None
@@ -111,9 +111,9 @@ class EditedProject:
             layouts[version] = device_layout(device) if sound else None
         return layouts[version]
 
-    def path(self, shown_path: str) -> Path:
+    def path(self, display_path: str) -> Path:
         """The path on this machine of a file that findings show by a path."""
-        return self.folder / shown_path
+        return self.folder / display_path
 
 
 def project_in(folder: Path) -> EditedProject | None:

@@ -55,9 +55,9 @@ def blocks(layout: DeviceLayout, item: Item, number: int | None = None, users: S
 def _users_text(users: Sequence[str]) -> str:
     """The facts that refer to an item; of many examples the first ones."""
     examples = [path for path in users if path.startswith("examples/")]
-    shown = [path for path in users if path not in examples[_MOST_EXAMPLES:]]
-    more = [f"{len(examples) - _MOST_EXAMPLES} more examples"] * (len(examples) > _MOST_EXAMPLES)
-    return ", ".join([*shown, *more])
+    paths = [path for path in users if path not in examples[_MOST_EXAMPLES:]]
+    remarks = [f"{len(examples) - _MOST_EXAMPLES} more examples"] * (len(examples) > _MOST_EXAMPLES)
+    return ", ".join([*paths, *remarks])
 
 
 def fact_name(fact: object) -> str:

@@ -72,10 +72,10 @@ def unquoted(scalar: Scalar) -> Span:
     return Span(scalar.file, scalar.start + mark, scalar.end - mark)
 
 
-def references(tree: Mapping, within: Mapping | None = None) -> Iterator[Reference]:
-    """All references in the tree of a version, in its order; or those in the overlay `within` of the next version."""
+def references(tree: Mapping, overlay: Mapping | None = None) -> Iterator[Reference]:
+    """All references in the tree of a version, in its order; or those in the `overlay` of the next version."""
     names = {section: _names(node) for section, node in tree.values.items()}
-    for section, node in (within or tree).values.items():
+    for section, node in (overlay or tree).values.items():
         yield from _Search(names, section).below(node, section, section, "", None)
 
 
@@ -92,11 +92,11 @@ def used_by(tree: Mapping) -> dict[str, list[str]]:
     for reference in last.values():
         path = paths.get(place_in_file(reference.target), "")
         section = reference.holder.partition("/")[0]
-        listed = users.setdefault(path, [])
-        if section not in _SAYING and reference.holder not in (path, *listed):
-            listed.append(reference.holder)
+        holders = users.setdefault(path, [])
+        if section not in _SAYING and reference.holder not in (path, *holders):
+            holders.append(reference.holder)
     users.pop("", None)
-    return {path: listed for path, listed in users.items() if listed}
+    return {path: holders for path, holders in users.items() if holders}
 
 
 _SAYING = frozenset(("accepts", "audit", "changes", "errata", "notes", "reviews"))
@@ -143,8 +143,8 @@ class _Search:
                 if isinstance(item, Mapping):
                     own = f"{path}/{identity(item) or number}"
                     rows = self.section if "group" in item.values and path == self.section else own
-                    named = own if identity(item) is not None or path == self.section else holder
-                    yield from self._within(item, rows, named, fact or item)
+                    holder_path = own if identity(item) is not None or path == self.section else holder
+                    yield from self._within(item, rows, holder_path, fact or item)
                 else:
                     yield from self.below(item, path, holder, key, fact)
             return
@@ -179,14 +179,14 @@ class _Search:
         section, *steps = path.split("/")
         node: Node | None = self.names.get(section, {}).get(steps[0])
         start = len(section) + 1
-        found = []
+        facts = []
         for number, step in enumerate(steps):
             node = find(node, step) if number and node is not None else node
             if isinstance(node, Mapping) and identity(node) == step:
-                found.append((start, start + len(step), node))
+                facts.append((start, start + len(step), node))
             start += len(step) + 1
         if node is not None:
-            yield from found
+            yield from facts
 
 
 def _part(fact: Mapping, name: str) -> Mapping | None:

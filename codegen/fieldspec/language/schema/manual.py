@@ -99,9 +99,9 @@ def key_text(part: Schema, key: str) -> str:
     inner = part["properties"][key]
     while "/properties/" in inner.get("$ref", ""):  # the key of all facts, or values, has the row
         inner = referred(inner["$ref"])
-    needed = ", needed" if key in part.get("required", []) else ""
+    need = ", needed" if key in part.get("required", []) else ""
     words = _words(resolved(inner))
-    text = "\n".join([f"`{key}`: {form_of(key, inner)}{needed}", "", described(inner), *words])
+    text = "\n".join([f"`{key}`: {form_of(key, inner)}{need}", "", described(inner), *words])
     return _LINK.sub(r"\1", text)
 
 
