@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 from lsprotocol import types
-from pygls.exceptions import JsonRpcException
 
 from bounded import HANGING
 from editing import Editor, copied, editor, place_of
@@ -45,7 +44,6 @@ async def asked(session: Editor, name: str, text: str, chance: random.Random) ->
         await client.text_document_definition_async(types.DefinitionParams(document, position))
         context = types.ReferenceContext(include_declaration=True)
         await client.text_document_references_async(types.ReferenceParams(context, document, position))
-        try:
-            await client.text_document_rename_async(types.RenameParams(document, position, "other"))
-        except JsonRpcException as refusal:
-            assert refusal.code == types.LSPErrorCodes.RequestFailed
+        rename = client.text_document_rename_async(types.RenameParams(document, position, "other"))
+        (answer,) = await asyncio.gather(rename, return_exceptions=True)
+        assert getattr(answer, "code", types.LSPErrorCodes.RequestFailed) == types.LSPErrorCodes.RequestFailed
