@@ -7,7 +7,7 @@ import shutil
 import sys
 from collections.abc import AsyncIterator, Iterator
 from contextlib import asynccontextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import cast
 
@@ -36,6 +36,7 @@ class Editor:
     client: LanguageClient
     specs: Path
     version: int = 0
+    open_names: set[str] = field(default_factory=set)
 
     def uri(self, name: str) -> str:
         """The address of a spec file."""
@@ -47,7 +48,8 @@ class Editor:
 
     async def opened(self, name: str, text: str | None = None) -> list[types.Diagnostic]:
         """Opens a document, with another text than that of its file where one is given, and waits for the findings."""
-        self.client.diagnostics.pop(self.uri(name), None)
+        self.client.diagnostics.clear()
+        self.open_names.add(name)
         content = self.text(name) if text is None else text
         document = types.TextDocumentItem(self.uri(name), "yaml", self.version, content)
         self.client.text_document_did_open(types.DidOpenTextDocumentParams(document))
@@ -61,16 +63,17 @@ class Editor:
     def change(self, name: str, text: str) -> None:
         """Changes a document that is open."""
         self.version += 1
-        self.client.diagnostics.pop(self.uri(name), None)
+        self.client.diagnostics.clear()
         document = types.VersionedTextDocumentIdentifier(self.version, self.uri(name))
         change = types.TextDocumentContentChangeWholeDocument(text)
         self.client.text_document_did_change(types.DidChangeTextDocumentParams(document, [change]))
 
     async def findings(self, name: str) -> list[types.Diagnostic]:
-        """The next findings of a document."""
+        """The next findings of a document, when those of all open documents are there."""
+        awaited = {self.uri(known) for known in (name, *self.open_names)}
 
         async def arrived() -> None:
-            while self.uri(name) not in self.client.diagnostics:
+            while not awaited <= self.client.diagnostics.keys():
                 await asyncio.sleep(0.005)
 
         await asyncio.wait_for(arrived(), HANGING)

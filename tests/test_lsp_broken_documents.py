@@ -39,6 +39,8 @@ async def asked(session: Editor, name: str, text: str, chance: random.Random) ->
     """Sends all requests at some places, and at one that is not there."""
     client, document = session.client, types.TextDocumentIdentifier(session.uri(name))
     places = [place_of(text, chance.randrange(len(text) + 1)) for _ in range(3)]
+    await client.text_document_document_symbol_async(types.DocumentSymbolParams(document))
+    await client.text_document_folding_range_async(types.FoldingRangeParams(document))
     for position in (*places, types.Position(10**6, 10**6)):
         await client.text_document_hover_async(types.HoverParams(document, position))
         await client.text_document_definition_async(types.DefinitionParams(document, position))

@@ -18,6 +18,7 @@ from fieldspec.command.console.usage import UsageError
 from fieldspec.command.editor.cursor import Cursor, cursor
 from fieldspec.command.editor.hover import hover
 from fieldspec.command.editor.index import meant
+from fieldspec.command.editor.outline import Ranged, folds, symbols
 from fieldspec.command.editor.positions import Positions
 from fieldspec.command.editor.projects import EditedProject, folder_of, named_project, project_in
 from fieldspec.command.editor.renaming import name_at, renaming
@@ -26,6 +27,7 @@ from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.line_text import visible_text
 from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.reading.nodes import Mapping
 
 PAUSE = 0.05
 """Seconds without a key after which the specs are judged."""
@@ -208,6 +210,7 @@ def server(specs_option: str | None) -> Server:
     _add_hover(result)
     _add_references(result)
     _add_rename(result)
+    _add_outline(result)
     return result
 
 
@@ -305,6 +308,32 @@ def _add_rename(server: Server) -> None:
             return types.WorkspaceEdit(edits)
         except UsageError as error:
             raise refusal(error) from None
+
+
+def _add_outline(server: Server) -> None:
+    """Adds the outline of a document, and what can be folded."""
+
+    def tree_of(uri: str) -> tuple[Mapping, Ranged] | None:
+        project, path = server.project_of(uri), path_of(uri)
+        read = project.read_file(path) if project is not None and path is not None else None
+        if project is None or read is None or read.tree is None:
+            return None
+
+        def ranged(span: Span) -> types.Range | None:
+            current = project.current(span)
+            return server.range(current) if current is not None else None
+
+        return read.tree, ranged
+
+    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    def outlined(parameters: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
+        document = tree_of(parameters.text_document.uri)
+        return symbols(*document) if document is not None else []
+
+    @server.feature(types.TEXT_DOCUMENT_FOLDING_RANGE)
+    def folded(parameters: types.FoldingRangeParams) -> list[types.FoldingRange]:
+        document = tree_of(parameters.text_document.uri)
+        return [*folds(*document)] if document is not None else []
 
 
 def refusal(error: UsageError) -> JsonRpcException:

@@ -159,8 +159,9 @@ class _Search:
 
     def _targets(self, text: str, key: str, holder: str, fact: Mapping | None) -> Iterator[tuple[int, int, Mapping]]:
         """The facts that a text names, each with the part of the text that is its name."""
-        if "/" in text:
-            yield from self._on_path(text.partition("[")[0])
+        path = text.partition("[")[0]  # an element of a list has its number behind its path
+        if "/" in path:
+            yield from self._on_path(path)
         elif (target := self._named(text, key, holder, fact)) is not None:
             yield 0, len(text), target
 
