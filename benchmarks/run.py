@@ -43,6 +43,7 @@ FILES = (
     "yaml_reading",
     "builds",
     "watching",
+    "editing",
     "command_line",
 )
 HEAD = """\

@@ -50,6 +50,8 @@ HOMES = {
     "can": ("tools/carriers/can_bus.py",),
     "textual": COMMANDS,
     "mcp": COMMANDS,
+    "pygls": ("command/editor/",),
+    "lsprotocol": ("command/editor/",),
     "platform": (),
     "getpass": (),
     "datetime": ("tools/lists/workbook_writer.py",),  # workbooks have one that is the same in all of them

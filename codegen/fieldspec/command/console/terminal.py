@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from functools import cache
 from itertools import zip_longest
 
-from fieldspec.command.rendering.blocks import Block, Line, Table, aligned, split
+from fieldspec.command.rendering.blocks import Block, Line, Table, aligned, bare_text, split
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.foundation.line_text import visible_text
 from fieldspec.language.diagnostics import Diagnostic
@@ -47,10 +47,8 @@ def print_blocks(blocks: Iterable[Block]) -> None:
     for block in blocks:
         if pretty:
             _print_pretty(block)
-        elif isinstance(block, Line):
-            print(visible_text(block.text))
         else:
-            print(aligned(block.headings, block.rows), end="")
+            print(bare_text(block), end="")
 
 
 def _print_pretty(block: Block) -> None:

@@ -59,6 +59,12 @@ class Table:
 
 Block: TypeAlias = Line | Table
 
+
+def bare_text(block: Block) -> str:
+    """A block as lines of bare text."""
+    return visible_text(block.text) + "\n" if isinstance(block, Line) else aligned(block.headings, block.rows)
+
+
 _GAP = 2
 _FIXED = 2
 """The columns that stay in a table that is split: they tell its rows apart."""

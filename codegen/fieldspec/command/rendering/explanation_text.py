@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import groupby
 
 from fieldspec.codec.explain.examples import printed
 from fieldspec.codec.explain.explanation import Explanation, ExplanationRow, Meaning
+from fieldspec.codec.explain.readings import ChosenReading
 from fieldspec.codec.explain.recognition import Reading
 from fieldspec.codec.explain.row import IDENTIFIER, citations
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.command.rendering.blocks import Table, narrowed
+from fieldspec.command.rendering.blocks import Block, Line, Table, narrowed
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.address_space import BYTE, WORD
 from fieldspec.language.model.texts import Example
@@ -107,6 +108,21 @@ def register_table(explanation: Explanation) -> Table:
         first = (f"0x{row.address:04X}", str(row.words), _hex(row.raw), name, _label(row), row.access)
         lines += _lines(row, (*first, raw_text(row, False), row.value), 2, 6)
     return _table(headings, lines)
+
+
+def blocks(layout: DeviceLayout, reading: ChosenReading, remarks: Iterable[str], before: str = "") -> Iterator[Block]:
+    """A frame under its reading: what it is, after a text `before`, remarks, bytes with meanings, faults, examples."""
+    explanation = reading.explanation
+    own = explanation.link, explanation.direction
+    sure = all((link, direction) != own for link, direction, _, _ in reading.alternatives)
+    yield Line(before + title(layout, explanation, sure), "bold")
+    yield from (Line(remark, "red" if reading.wrong else "yellow") for remark in remarks)
+    yield frame_table(layout, explanation)
+    if explanation.registers:
+        yield Line(accessed(layout, explanation), "bold")
+        yield register_table(explanation)
+    yield from (Line(fault, "red") for fault in faults(explanation))
+    yield from (Line(example, "dim") for example in examples(layout, explanation))
 
 
 def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:

@@ -68,7 +68,7 @@ def _marked_lines(span: Span, mark: str, paint: _Paint, style: str) -> list[str]
     if not source.strip():
         return []
     first = column - 1
-    last = max(first + 1, min(len(source), first + span.end - span.start))
+    last = first + marked_characters(span)
     start = max(0, first - 20) if len(source) > LONGEST_LINE else 0
     excerpt = source[start : start + LONGEST_LINE]
     before = visible_text(("..." if start else "") + source[start:first])
@@ -79,6 +79,12 @@ def _marked_lines(span: Span, mark: str, paint: _Paint, style: str) -> list[str]
         paint("dim", gutter) + ("..." if start else "") + visible_text(excerpt) + after,
         paint("dim", " " * 6 + " | ") + " " * width(before) + paint(style, mark * max(1, width(under))),
     ]
+
+
+def marked_characters(span: Span) -> int:
+    """How many characters of the source line the marks stand under: those of the span in its first line, or one."""
+    number, column = span.position()
+    return max(1, min(len(span.file.line(number)) - column + 1, span.end - span.start))
 
 
 def place(span: Span) -> str:

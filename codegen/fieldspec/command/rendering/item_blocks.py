@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.message import MessageLayout
@@ -30,19 +30,34 @@ _NARROWEST = 9
 """The characters of the column with the names of details; longer names widen it."""
 
 
-def blocks(layout: DeviceLayout, item: Item, number: int | None = None) -> Iterator[Block]:
-    """An item as lines and tables; `number` is the address or number that a user asked for."""
+_MOST_EXAMPLES = 3
+
+
+def blocks(layout: DeviceLayout, item: Item, number: int | None = None, users: Sequence[str] = ()) -> Iterator[Block]:
+    """An item as lines and tables.
+
+    `number` is the address or number that a user asked for, `users` are the paths of the facts that refer to the item.
+    """
     fact = fact_of(item)
     names = handles(item)
     yield Line("  ".join(dict.fromkeys(name for name in names if name)) or fact_name(fact), "bold")
     pairs = [*details(layout, item, number)]
     if isinstance(fact, Fact):
         pairs += fact_details(layout.device, fact)
+    pairs.append(("used by", _users_text(users)))
     width = max(_NARROWEST, *(len(key) for key, text in pairs if text), 0)
     for key, text in pairs:
         if text:
             yield Line(f"  {key:<{width}} {text}", drawn=True)
     yield from _inner_blocks(layout, item)
+
+
+def _users_text(users: Sequence[str]) -> str:
+    """The facts that refer to an item; of many examples the first ones."""
+    examples = [path for path in users if path.startswith("examples/")]
+    paths = [path for path in users if path not in examples[_MOST_EXAMPLES:]]
+    remarks = [f"{len(examples) - _MOST_EXAMPLES} more examples"] * (len(examples) > _MOST_EXAMPLES)
+    return ", ".join([*paths, *remarks])
 
 
 def fact_name(fact: object) -> str:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 
 KIND = "devices"
+USERS = "users"
 MARK = b"\xef\xbb\xbf"
 """The byte order mark that some editors write before UTF-8."""
 
@@ -38,8 +39,7 @@ def requested_layout(arguments: argparse.Namespace) -> DeviceLayout:
 def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLayout:
     """The layout of `DEVICE` or `DEVICE@VERSION`. With `anew`, the cache is not used. Raises UsageError."""
     name, version = spec_files.split(text)
-    path, contents = spec_files.of_devices(specs_option, frozenset([name]))
-    files = {path: content for path, content in contents.items() if not path.endswith(f"/{spec_files.INDEX}")}
+    path, files = _files(specs_option, name)
     folder = spec_files.relative_path(path)
     origins = spec_files.origins(files)
 
@@ -60,6 +60,31 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
         cache_folder.store(KIND, key, content)
     new_layout: DeviceLayout = from_json(content, source)
     return new_layout
+
+
+def users(specs_option: str | None, text: str, anew: bool = False) -> dict[str, list[str]]:
+    """The paths of what refers to each fact of `DEVICE` or `DEVICE@VERSION`, by its path. Raises UsageError."""
+    name, version = spec_files.split(text)
+    _, files = _files(specs_option, name)
+    key = "" if anew else _key(text, files)
+    content = cache_folder.cached(USERS, key) if key else None
+    if content is None:
+        from fieldspec.command.sources.specs import picked
+        from fieldspec.language.reading.project import read
+        from fieldspec.language.reading.references import used_by
+
+        spec = read(files, frozenset([name])).devices[name]
+        content = json.dumps(used_by(spec.tree_at(picked(spec, version)))).encode()
+        if key:
+            cache_folder.store(USERS, key, content)
+    users: dict[str, list[str]] = json.loads(content)
+    return users
+
+
+def _files(specs_option: str | None, device: str) -> tuple[str, dict[str, bytes]]:
+    """The folder of the specs, and the files that a device is read from. Raises UsageError."""
+    path, contents = spec_files.of_devices(specs_option, frozenset([device]))
+    return path, {name: content for name, content in contents.items() if not name.endswith(f"/{spec_files.INDEX}")}
 
 
 def _key(text: str, files: dict[str, bytes]) -> str:

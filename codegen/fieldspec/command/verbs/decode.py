@@ -60,18 +60,8 @@ class FramePrinter:
         print_blocks(self._blocks(reading, remarks, number))
 
     def _blocks(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
-        own = reading.explanation
-        line_text = f"line {number}: " if number else ""
-        sure = all((link, direction) != (own.link, own.direction) for link, direction, _, _ in reading.alternatives)
-        yield Line(line_text + texts.title(self.layout, own, sure), "bold")
-        yield from (Line(remark, "red" if reading.wrong else "yellow") for remark in remarks)
-        yield texts.frame_table(self.layout, own)
-        if own.registers:
-            yield Line(texts.accessed(self.layout, own), "bold")
-            yield texts.register_table(own)
-        yield from (Line(fault, "red") for fault in texts.faults(own))
-        yield from (Line(example, "dim") for example in texts.examples(self.layout, own))
-        for line in texts.footnotes(self.layout, own):
+        yield from texts.blocks(self.layout, reading, remarks, f"line {number}: " if number else "")
+        for line in texts.footnotes(self.layout, reading.explanation):
             if line not in self.said:
                 self.said.add(line)
                 yield Line(line, "dim")

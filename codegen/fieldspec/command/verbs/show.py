@@ -23,10 +23,12 @@ def run(arguments: argparse.Namespace) -> int:
         print_blocks(overview(layout))
         return 0
     number = number_of(arguments.item)
+    users = layout_cache.users(arguments.specs, arguments.device, arguments.no_cache)
     for index, item in enumerate(_meant(layout, arguments.item, number)):
         if index:
             print_line("")
-        print_blocks(blocks(layout, item, _address_in(layout, item, number)))
+        path = fact_of(item).place.path
+        print_blocks(blocks(layout, item, _address_in(layout, item, number), users.get(path, ())))
     return 0
 
 

@@ -89,6 +89,9 @@ class Mapping:
 ALL_THERE: dict[str, Scalar | Mapping] = {}
 """The `keys` of a mapping whose text has all of its keys, as nearly every mapping."""
 
+LISTS = ("rows", "members", "fields", "bits")
+"""The keys of lists that paths leave out."""
+
 Node: TypeAlias = Scalar | Sequence | Mapping
 
 
@@ -237,7 +240,7 @@ def _inner(mapping: Mapping, step: str) -> tuple[str, Node] | None:
     """The key under which a step finds its node in a mapping, and that node's holder."""
     if step in mapping.values:
         return step, mapping.values[step]
-    for key in ("rows", "members", "fields", "bits"):
+    for key in LISTS:
         value = mapping.values.get(key)
         if isinstance(value, Sequence) and _index(value, step) is not None:
             return key, value

@@ -7,6 +7,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.reading.findings import near, quoted
 from fieldspec.language.reading.nodes import (
+    LISTS,
     Mapping,
     Node,
     Scalar,
@@ -19,6 +20,7 @@ from fieldspec.language.reading.nodes import (
     put,
     schema_path,
 )
+from fieldspec.language.reading.references import REFERENCES
 from fieldspec.language.reading.removals import RemovedFact, removal_findings, removed_changes
 from fieldspec.language.reading.scalars import part_at, typed_at
 from fieldspec.language.schema import schema
@@ -28,23 +30,11 @@ OVERLAY_PARTS = ("changes", "removes", "adds", "renames")
 
 # The keys by which the rows of lists are in order.
 _ORDERED_BY = ("at", "number", "value", "bit", "base")
-# Where a name of each section is referred to, besides paths.
-_REFERENCES = {
-    "enums": ("enum",),
-    "flags": ("flags",),
-    "records": ("record",),
-    "signals": ("signal", "signals"),
-    "messages": ("message", "messages", "supplements"),
-    "links": ("link", "links", "answered_on"),
-    "spaces": ("space",),
-    "registers": ("same_as", "copy_of", "of", "scale_by", "count_by", "base_by"),
-    "parameters": ("set",),
-}
 _STEPS = ("write", "set", "clear", "pulse", "send", "read", "wait", "timeout")
 _PATHS = ("fact", "about", "references", "saved_by", "opposite_of", "sum_of", "within", "limit", *_STEPS)
 _OF_ALL_VERSIONS = frozenset(("accepts", "audit", "reviews", "uses", "versions"))
 """Sections that are not of one version, so that no overlay changes them."""
-_REFERRING = frozenset((*_PATHS, *(key for keys in _REFERENCES.values() for key in keys)))
+_REFERRING = frozenset((*_PATHS, *(key for keys in REFERENCES.values() for key in keys)))
 
 
 class Silent:
@@ -258,7 +248,7 @@ class _Application:
             return
         node = node_at(self.tree, node_keys)
         if isinstance(node, Mapping):
-            inner = next((key for key in ("rows", "members", "fields", "bits") if key in node.values), None)
+            inner = next((key for key in LISTS if key in node.values), None)
             if inner is None:
                 self._refuse("overlay_fact_missing", "this is not a list of facts", path, "name a list of facts")
                 return
@@ -338,7 +328,7 @@ def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -
     text = node.text
     if key in _PATHS:
         text = renaming.path_of(text)
-    elif text == renaming.old and renaming.referred and key in _REFERENCES.get(renaming.section, ()):
+    elif text == renaming.old and renaming.referred and key in REFERENCES.get(renaming.section, ()):
         text = renaming.new
     return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
 

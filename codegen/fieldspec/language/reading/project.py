@@ -8,7 +8,7 @@ from collections.abc import Mapping as Table
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.names import Name, folded
 from fieldspec.foundation.reserved import file_name_fault
-from fieldspec.foundation.source import Span
+from fieldspec.foundation.source import Refused, SourceFile, Span
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.building.context import Reused
@@ -35,6 +35,8 @@ MOST_OVERLAYS = 250
 """Versions of a device that may be written as changes of others, a file each."""
 LARGEST_VERSIONS = 32 * 1024 * 1024
 """Bytes of the files of a device, once for each of its versions: what reading all versions takes grows with it."""
+
+_SHARED = f"{PROTOCOLS}/"
 
 JOINT = "+"
 """The separator of versions of different lines that are picked together."""
@@ -89,25 +91,59 @@ class Project:
     findings: list[Diagnostic]
 
 
+@dataclass(frozen=True, slots=True)
+class FileRead:
+    """A file as it was read: its bytes, its text, what is wrong with its text or else its nodes, and its typed tree.
+
+    Where something is wrong, the tree is that of an earlier text, if there is one in memory.
+    """
+
+    data: bytes
+    file: SourceFile
+    unread: list[Diagnostic]
+    findings: list[Diagnostic]
+    tree: Mapping | None
+
+
+@dataclass(frozen=True, slots=True)
+class Memory:
+    """What reading remembers for a project that is read again and again: what has not changed is not read again.
+
+    Of a file that cannot be used, the tree of its last sound text stands in, so that the rest is judged all the same:
+    findings and places in another text than that of `files` are of that one.
+    """
+
+    files: dict[str, FileRead] = field(default_factory=dict)
+    devices: dict[str, tuple[dict[str, bytes], DeviceSpec | None, list[Diagnostic]]] = field(default_factory=dict)
+
+
 def read(
     files: Table[str, bytes],
     only: frozenset[str] = frozenset(),
     folder: str = "",
     origins: Table[str, str] | None = None,
     installed: Callable[[], Iterable[str]] = tuple,
+    memory: Memory | None = None,
 ) -> Project:
     """Reads spec files, given by path relative to the specs' folder; of all devices, or of `only` these folders.
 
     Findings show the files below `folder`, but those that `origins` gives other paths, and name `installed` protocols.
+    A project that is read again is read with the `memory` of the last time.
     """
-    return _Reader(files, folder, origins or {}, installed).project(only)
+    return _Reader(files, folder, origins or {}, installed, memory).project(only)
 
 
 class _Reader:
     def __init__(
-        self, files: Table[str, bytes], folder: str, origins: Table[str, str], installed: Callable[[], Iterable[str]]
+        self,
+        files: Table[str, bytes],
+        folder: str,
+        origins: Table[str, str],
+        installed: Callable[[], Iterable[str]],
+        memory: Memory | None,
     ) -> None:
         self.files, self.folder, self.origins, self.installed = files, folder, origins, installed
+        self.memory = memory
         self.findings: list[Diagnostic] = []
         self.protocols: dict[str, Mapping | None] = {}
         self.uses: dict[str, set[str]] = {}
@@ -127,7 +163,7 @@ class _Reader:
         for folder, paths in folders.items():
             if only and folder not in only:
                 continue
-            spec = self._device(folder, paths)
+            spec = self._device(folder, paths) if self.memory is None else self._remembered(folder, paths, self.memory)
             if spec is None:
                 continue
             other = next((device for device in devices.values() if Name.of(device.id) == Name.of(spec.id)), None)
@@ -146,25 +182,32 @@ class _Reader:
                 self._loaded(name.removesuffix(".yaml"), ())
         return Project(devices, self.findings)
 
+    def _remembered(self, folder: str, paths: list[str], memory: Memory) -> DeviceSpec | None:
+        """A device as it was read before, where none of its files and no protocol has changed since then."""
+        contents = {path: data for path, data in self.files.items() if path in paths or path.startswith(_SHARED)}
+        before, spec, findings = memory.devices.get(folder, ({}, None, []))
+        if before == contents and all(self.folded.setdefault(folded(path), path) == path for path in paths):
+            self.findings += findings
+            return spec
+        known = len(self.findings)
+        spec = self._device(folder, paths)
+        memory.devices[folder] = contents, spec, self.findings[known:]
+        return spec
+
     def _tree(self, path: str) -> Mapping | None:
         """The typed tree of one file, or None where it cannot be used."""
-        display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
-        file, findings = decoded(display_path, self.files[path])
-        findings = [*findings, *self._unportable(path, Span(file, 0, 0))]
-        if not findings:
-            node, findings = parsed(file)
-            if node is None and not findings:
-                text = "the file is empty"
-                findings = [
-                    Diagnostic("file_empty", text, Span(file, 0, 0), help="write a section, or remove the file")
-                ]
-            elif node is not None:
-                result, type_findings = typed(node)
-                findings += type_findings
-                if isinstance(result, Mapping) and not findings:
-                    return result
-        self.findings += bounded(findings)
-        return None
+        data = self.files[path]
+        before = self.memory.files.get(path) if self.memory is not None else None
+        if before is not None and before.data == data and not isinstance(data, Refused):
+            result = before
+        else:
+            display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
+            result = _file(display_path, data, before.tree if before is not None else None)
+        if self.memory is not None:
+            self.memory.files[path] = result
+        unportable = [*self._unportable(path, Span(result.file, 0, 0))]
+        self.findings += bounded([*result.unread, *unportable] if unportable or result.unread else result.findings)
+        return None if unportable else result.tree
 
     def _unportable(self, path: str, span: Span) -> Iterator[Diagnostic]:
         """Finds what keeps a file from the file systems of some users: a name, and another one like it."""
@@ -312,6 +355,23 @@ class _Reader:
                 self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
             self.protocols[name] = self._with_protocols(tree, (*users, name)) if tree is not None else None
         return self.protocols[name]
+
+
+def _file(path: str, data: bytes, before: Mapping | None) -> FileRead:
+    """A file with its typed tree; with the one `before` where something is wrong."""
+    file, unread = decoded(path, data)
+    if unread:
+        return FileRead(data, file, unread, [], before)
+    node, findings = parsed(file)
+    if node is None and not findings:
+        help = "write a section, or remove the file"
+        findings = [Diagnostic("file_empty", "the file is empty", Span(file, 0, 0), help=help)]
+    elif node is not None:
+        result, type_findings = typed(node)
+        findings += type_findings
+        if isinstance(result, Mapping) and not findings:
+            return FileRead(data, file, [], [], result)
+    return FileRead(data, file, [], findings, before)
 
 
 def _id_span(tree: Node) -> Span:

@@ -308,13 +308,27 @@ def key_span(mapping: Mapping, key: str) -> Span:
         holder = inner
     if isinstance(holder, Scalar):
         return holder.span
-    text = holder.file.text
-    column = holder.start - 1 - max(text.rfind(end, 0, holder.start) for end in _BREAK)
-    shift = holder.start - column
-    for word, start, end in _keys(" " * column + text[holder.start : holder.end]):
+    for word, span in key_spans(holder):
         if word == key:
-            return Span(holder.file, start + shift, end + shift)
+            return span
     return Span(holder.file, holder.start, holder.start + 1)  # the key is an alias
+
+
+def key_at(mapping: Mapping, offset: int) -> str | None:
+    """The key of a mapping whose text is at an offset of its file; None where there is none."""
+    for word, span in key_spans(mapping):
+        if span.start <= offset <= span.end:
+            return word
+    return None
+
+
+def key_spans(mapping: Mapping) -> Iterator[tuple[str, Span]]:
+    """The keys that the text of a mapping has, with their places."""
+    text = mapping.file.text
+    column = mapping.start - 1 - max(text.rfind(end, 0, mapping.start) for end in _BREAK)
+    shift = mapping.start - column
+    for word, start, end in _keys(" " * column + text[mapping.start : mapping.end]):
+        yield word, Span(mapping.file, start + shift, end + shift)
 
 
 def _keys(text: str) -> Iterator[tuple[str, int, int]]:

@@ -35,19 +35,20 @@ def built_in_units() -> list[dict[str, Any]]:
 def resolved(part: Schema) -> Schema:
     """A part of the schema, or what it refers to: `#/$defs/fact/properties/label` is the key `label` of all facts."""
     while "$ref" in part:
-        part = _referred(part["$ref"])
+        part = referred(part["$ref"])
     return part
 
 
 def described(part: Schema) -> str:
     """The description of a part of the schema, or else that of the part to which it refers."""
     while "description" not in part and "$ref" in part:
-        part = _referred(part["$ref"])
+        part = referred(part["$ref"])
     return str(part.get("description", ""))
 
 
 @cache
-def _referred(reference: str) -> Schema:
+def referred(reference: str) -> Schema:
+    """The part of the schema that a reference names."""
     part: Any = schema()
     for key in reference.removeprefix("#/").split("/"):
         part = part[key]

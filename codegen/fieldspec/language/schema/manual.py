@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from functools import cache
 from importlib import resources
 
-from fieldspec.language.schema import Schema, built_in_units, described, resolved, schema
+from fieldspec.language.schema import Schema, built_in_units, described, referred, resolved, schema
 
 ROOT = "file"
 """The name under which the template asks for the sections of a file."""
 
 _MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
 _INCLUDED = re.compile(r"^<!-- include: ([a-z_]+\.md) -->$", re.MULTILINE)
+_LINK = re.compile(r"\[([^\]]*)\]\(#[^)]*\)")
 _UNITS = "<!-- units -->"
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
@@ -88,9 +89,20 @@ def _section(name: str) -> Iterator[str]:
         yield "| key | form | needed | what it is |"
         yield "|---|---|---|---|"
         for key, inner in own.items():
-            path = key if name == ROOT else f"{name}.{key}"
-            yield f"| `{key}` | {_form(path, inner)} | {'yes' * (key in required)} | {_cell(described(inner))} |"
+            form = form_of(key if name == ROOT else f"{name}.{key}", inner)
+            yield f"| `{key}` | {form} | {'yes' * (key in required)} | {_cell(described(inner))} |"
     yield from _also(part, required)
+
+
+def key_text(part: Schema, key: str) -> str:
+    """A key of a part of the schema as its table has it: form, need and description, and the words that it takes."""
+    inner = part["properties"][key]
+    while "/properties/" in inner.get("$ref", ""):  # the key of all facts, or values, has the row
+        inner = referred(inner["$ref"])
+    need = ", needed" if key in part.get("required", []) else ""
+    words = _words(resolved(inner))
+    text = "\n".join([f"`{key}`: {form_of(key, inner)}{need}", "", described(inner), *words])
+    return _LINK.sub(r"\1", text)
 
 
 def _shared_by(part: Schema) -> str:
@@ -133,11 +145,11 @@ def _words(part: Schema) -> Iterator[str]:
         yield "Words: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
 
 
-def _form(path: str, part: Schema) -> str:
+def form_of(path: str, part: Schema) -> str:
     """The form of a key's value in a few words, with a link to its section."""
     if "$ref" in part:
         name = part["$ref"].removeprefix("#/$defs/")
-        return _link(name) if "/" not in name else _form(name.replace("/properties/", "."), resolved(part))
+        return _link(name) if "/" not in name else form_of(name.replace("/properties/", "."), resolved(part))
     if "properties" in part:
         return f"[mapping](#{anchor(path)})"
     if "enum" in part:
@@ -153,7 +165,7 @@ def _form(path: str, part: Schema) -> str:
 def _plural_form(path: str, part: Schema) -> str:
     """The items of a list, or the values of a mapping."""
     if "$ref" in part or "properties" in part or "enum" in part:
-        return _form(path, part).replace("[mapping]", "[mappings]")
+        return form_of(path, part).replace("[mapping]", "[mappings]")
     kinds = [part["type"]] if isinstance(part["type"], str) else part["type"]
     return " or ".join(_KINDS[kind][1] for kind in kinds if kind != "integer" or "number" not in kinds)
 

@@ -1,0 +1,104 @@
+"""What is at a place of a document: the nodes that hold it, and the part of the language that describes them."""
+
+from __future__ import annotations
+
+from fieldspec.command.editor.positions import moved
+from fieldspec.command.editor.projects import EditedProject
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.source import Span
+from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, children, keys, node_at, schema_path
+from fieldspec.language.reading.project import DeviceSpec, FileRead
+from fieldspec.language.reading.scalars import part_at
+from fieldspec.language.reading.yaml_reader import key_at
+from fieldspec.language.schema import Schema
+
+
+@dataclass(frozen=True, slots=True)
+class Cursor:
+    """A place in a document: the `nodes` that hold it, the tree of the file first, and the keys that lead to them.
+
+    The place is an offset in the text of the nodes. `key` is the key of the last node that is there, if it is at one.
+    """
+
+    project: EditedProject
+    read: FileRead
+    offset: int
+    nodes: tuple[Node, ...]
+    keys: tuple[str | int, ...]
+    key: str | None
+
+    @property
+    def specs(self) -> list[DeviceSpec]:
+        """The devices that the document belongs to."""
+        return self.project.specs_with(self.read.file)
+
+    @property
+    def scalar(self) -> Scalar | None:
+        """The value at the place, if it is one without values in it."""
+        node = self.nodes[-1]
+        return node if isinstance(node, Scalar) else None
+
+    def part(self) -> Schema | None:
+        """The part of the language that describes the last node; None where the language leaves it open."""
+        parts = (_part([*self.keys]), *(_part(_within_fact(spec, self)) for spec in self.specs))
+        return next((part for part in parts if part is not None), None)
+
+
+def cursor(project: EditedProject, read: FileRead, offset: int) -> Cursor | None:
+    """What is at an offset of a file; None where its text has no tree, or has changed there since it had one."""
+    if read.tree is None:
+        return None
+    place = moved(Span(read.file, offset, offset), read.tree.file)
+    if place is None:
+        return None
+    node: Node = read.tree
+    nodes, path = [node], []
+    while (step := _below(node, place.start)) is not None:
+        key, node = step
+        nodes.append(node)
+        path.append(key)
+    word = key_at(node, place.start) if isinstance(node, Mapping) else None
+    return Cursor(project, read, place.start, tuple(nodes), tuple(path), word)
+
+
+def _below(node: Node, offset: int) -> tuple[str | int, Node] | None:
+    """The child of a node that holds an offset, with its key. What an alias names is at another place.
+
+    A list or mapping may end where the next one begins, a value just before the pointer.
+    """
+    for key, child in children(node):
+        end = child.end + 1 if isinstance(child, Scalar) else child.end
+        if node.start <= child.start <= offset < end and child.end <= node.end:
+            return key, child
+    return None
+
+
+def _part(steps: list[str | int] | None) -> Schema | None:
+    try:
+        return part_at(schema_path(steps)) if steps is not None else None
+    except KeyError:
+        return None
+
+
+def _within_fact(spec: DeviceSpec, place: Cursor) -> list[str | int] | None:
+    """The keys of a tree that those of an entry of an overlay mean: of a fact that it changes, or of one that it adds.
+
+    None for any other place.
+    """
+    entry = place.nodes[2] if len(place.nodes) > 2 else None
+    if not isinstance(entry, Mapping) or len(place.keys) < 3:
+        return None
+    holder = entry.values.get({"set": "fact", "item": "in"}.get(str(place.keys[2]), ""))
+    if not isinstance(holder, Scalar):
+        return None
+    inner = [*place.keys[3:]]
+    for version in reversed(spec.versions()):
+        steps = keys(spec.tree_at(version), holder.text)
+        if steps is None:
+            continue
+        if place.keys[2] == "set":
+            return [*steps, *inner[:1]]
+        list_node = node_at(spec.tree_at(version), steps)
+        lists = [key for key in LISTS if isinstance(list_node, Mapping) and key in list_node.values]
+        return [*steps, *lists[:1], 0, *inner]
+    return None

@@ -1,0 +1,199 @@
+"""Which facts of a tree refer to which: by names under keys that name facts of one section, by paths, within a fact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TypeAlias
+
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.source import Span
+from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, Sequence, children, find, identity, mappings
+
+REFERENCES = {
+    "enums": ("enum",),
+    "flags": ("flags",),
+    "records": ("record",),
+    "signals": ("signal", "signals"),
+    "messages": ("message", "messages", "supplements"),
+    "links": ("link", "links", "answered_on"),
+    "spaces": ("space",),
+    "registers": ("same_as", "copy_of", "of", "scale_by", "count_by", "base_by"),
+    "parameters": ("set",),
+    "examples": ("reply_to",),
+    "versions": ("since", "until", "only", "based_on", "after"),
+}
+"""The keys under which facts of each section are named, besides paths."""
+
+_INNER = frozenset(
+    (
+        *("same_as", "scale_by", "by", "number", "start", "count", "values", "and_mask", "or_mask", "counter", "data"),
+        *("field", "bytes", "items", "from", "to", "part", "set", "clear", "aliases", "last", "size", "unsized"),
+    )
+)
+"""The keys under which parts of the same fact are named: fields of a message, parts of a link, bits, members."""
+_HOLDERS = frozenset(("enums", "flags", "links", "messages", "records", "tables"))
+"""The sections of facts that have such parts."""
+_ASKED = ("request", "fields", "bits", "members", "response")
+"""Their lists, in the order in which a name is looked for: a response repeats what a request asked."""
+
+PlaceInFile: TypeAlias = tuple[str, int, int]
+"""A file and the offsets of a node in it, which is the same fact at all versions, under whatever name."""
+
+
+def place_in_file(node: Node) -> PlaceInFile:
+    """The place of a node."""
+    return node.file.path, node.start, node.end
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """A name of the fact `target` under a `key` of the fact at the path `holder`.
+
+    The name is the text `start` to `end` of the scalar: all of it, or a step of a path, of which each step is one.
+    """
+
+    scalar: Scalar
+    start: int
+    end: int
+    key: str
+    holder: str
+    target: Mapping
+
+    @property
+    def span(self) -> Span:
+        """The place of the name."""
+        whole = unquoted(self.scalar)
+        return Span(whole.file, whole.start + self.start, whole.start + self.end)
+
+
+def unquoted(scalar: Scalar) -> Span:
+    """The place of the text of a scalar, within its quotation marks."""
+    mark = int(scalar.file.text[scalar.start : scalar.start + 1] in ("'", '"'))
+    return Span(scalar.file, scalar.start + mark, scalar.end - mark)
+
+
+def references(tree: Mapping, overlay: Mapping | None = None) -> Iterator[Reference]:
+    """All references in the tree of a version, in its order; or those in the `overlay` of the next version."""
+    names = {section: _names(node) for section, node in tree.values.items()}
+    for section, node in (overlay or tree).values.items():
+        yield from _Search(names, section).below(node, section, section, "", None)
+
+
+def used_by(tree: Mapping) -> dict[str, list[str]]:
+    """The paths of the facts that refer to each fact, by its path. What errata and notes are about is theirs to say."""
+    paths: dict[PlaceInFile, str] = {}
+    for section in tree.values:
+        for path, node in _facts(tree.values[section], section):
+            paths.setdefault(place_in_file(node), path)
+    users: dict[str, list[str]] = {}
+    last: dict[tuple[int, str], Reference] = {}
+    for reference in references(tree):
+        last[id(reference.scalar), reference.holder] = reference  # a path is about what its last step names
+    for reference in last.values():
+        path = paths.get(place_in_file(reference.target), "")
+        section = reference.holder.partition("/")[0]
+        holders = users.setdefault(path, [])
+        if section not in _SAYING and reference.holder not in (path, *holders):
+            holders.append(reference.holder)
+    users.pop("", None)
+    return {path: holders for path, holders in users.items() if holders}
+
+
+_SAYING = frozenset(("accepts", "audit", "changes", "errata", "notes", "reviews"))
+
+
+def _facts(node: Node, section: str) -> Iterator[tuple[str, Mapping]]:
+    """The facts of a section with their paths: items of its list, and rows of its groups."""
+    for item in mappings(node):
+        yield f"{section}/{identity(item)}", item
+        for key in _ROWS:
+            if key in item.values:
+                yield from ((f"{section}/{identity(row)}", row) for row in _rows(item, key))
+
+
+def _names(node: Node) -> dict[str, Mapping]:
+    """The facts of a section by name; a group gives way to a row."""
+    groups = {name: item for item in mappings(node) if (name := identity(item)) is not None}
+    rows = (row for item in mappings(node) for key in _ROWS if key in item.values for row in _rows(item, key))
+    return {**groups, **{name: row for row in rows if (name := identity(row)) is not None}}
+
+
+_ROWS = {"group": "rows", "line": "members"}
+"""The lists of groups of registers, and of lines of versions, whose items are named as if they were in the section."""
+
+
+def _rows(item: Mapping, key: str) -> Iterator[Mapping]:
+    yield from mappings(item.values.get(_ROWS[key]))
+
+
+class _Search:
+    """Looks for references in one section of a tree."""
+
+    def __init__(self, names: dict[str, dict[str, Mapping]], section: str) -> None:
+        self.names, self.section = names, section
+
+    def below(self, node: Node, path: str, holder: str, key: str, fact: Mapping | None) -> Iterator[Reference]:
+        """The references in a node. `holder` is the path of the fact that has it, `fact` the item of the section."""
+        if isinstance(node, Scalar):
+            for start, end, target in self._targets(node.text, key, holder, fact):
+                yield Reference(node, start, end, key, holder, target)
+            return
+        if isinstance(node, Sequence):
+            for number, item in enumerate(node.items):
+                if isinstance(item, Mapping):
+                    own = f"{path}/{identity(item) or number}"
+                    rows = self.section if "group" in item.values and path == self.section else own
+                    holder_path = own if identity(item) is not None or path == self.section else holder
+                    yield from self._within(item, rows, holder_path, fact or item)
+                else:
+                    yield from self.below(item, path, holder, key, fact)
+            return
+        yield from self._within(node, path, holder, fact)
+
+    def _within(self, node: Mapping, path: str, holder: str, fact: Mapping | None) -> Iterator[Reference]:
+        name = node.values.get("name")
+        for key, child in children(node):
+            if child is not name:
+                inner = path if key in LISTS else f"{path}/{key}"
+                yield from self.below(child, inner, holder, str(key), fact)
+
+    def _targets(self, text: str, key: str, holder: str, fact: Mapping | None) -> Iterator[tuple[int, int, Mapping]]:
+        """The facts that a text names, each with the part of the text that is its name."""
+        path = text.partition("[")[0]  # an element of a list has its number behind its path
+        if "/" in path:
+            yield from self._on_path(path)
+        elif (target := self._named(text, key, holder, fact)) is not None:
+            yield 0, len(text), target
+
+    def _named(self, text: str, key: str, holder: str, fact: Mapping | None) -> Mapping | None:
+        if key in _INNER and fact is not None and self.section in _HOLDERS and holder.count("/"):
+            whole = key == "same_as" and self.section == "records" and holder.count("/") == 1
+            inner = None if whole else _part(fact, text)
+            if inner is not None or key == "same_as":
+                return self.names["records"].get(text) if whole else inner
+        sections = (section for section, keys in REFERENCES.items() if key in keys)
+        known = (self.names.get(section, {}).get(text) for section in sections)
+        return next((target for target in known if target is not None), None)
+
+    def _on_path(self, path: str) -> Iterator[tuple[int, int, Mapping]]:
+        """The facts on a path, if it leads to one."""
+        section, *steps = path.split("/")
+        node: Node | None = self.names.get(section, {}).get(steps[0])
+        start = len(section) + 1
+        facts = []
+        for number, step in enumerate(steps):
+            node = find(node, step) if number and node is not None else node
+            if isinstance(node, Mapping) and identity(node) == step:
+                facts.append((start, start + len(step), node))
+            start += len(step) + 1
+        if node is not None:
+            yield from facts
+
+
+def _part(fact: Mapping, name: str) -> Mapping | None:
+    """The part of a fact with a name: a field, a part of a frame, a bit, a member."""
+    for key in _ASKED:
+        for item in mappings(fact.values.get(key)):
+            if identity(item) == name:
+                return item
+    return None
