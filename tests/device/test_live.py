@@ -16,7 +16,7 @@ from simulators import SPECS
 
 @pytest.fixture
 def tc100() -> Iterator[SimulatedDevice]:
-    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+    with simulation("tc100", ports={"ascii": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
         yield device
 
 
@@ -41,13 +41,13 @@ def test_values_are_read_by_name_role_and_address(tc100: SimulatedDevice, capsys
     assert rows["points[2].mode"]["meaning"] == "relative_move"
 
 
-def test_the_unit_address_that_nobody_has_chosen_is_printed(
+def test_the_settings_of_an_exchange_are_printed(
     tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]
 ) -> None:
     capsys.readouterr()
     for more, expected in (
-        ((), "unit address 1; --unit NUMBER chooses another\n"),
-        (("--unit", "1"), ""),
+        ((), "tc100: link ascii, unit address 1\n"),
+        (("--unit", "1"), "tc100: link ascii, unit address 1\n"),
         (("--format", "json"), ""),
     ):
         assert live(tc100, "read", "alarm", *more) == 0
@@ -126,7 +126,7 @@ def test_wrong_use_writes_nothing(
 
 def test_a_dry_run_shows_the_frame_and_needs_no_device(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["live", "tc100", "write", "servo=servo_off", "--dry-run", "--specs", SPECS]) == 0
-    assert capsys.readouterr().out == "servo: 01 06 20 11 00 01 13 CF\n"
+    assert capsys.readouterr().out == f"servo: {b':010620110001C7'.hex(' ').upper()} 0D 0A\n"
 
 
 @pytest.mark.parametrize("kind", ["no_answer", "wrong_checksum", "truncated", "garbage", "wrong_unit", "late_answer"])
