@@ -207,7 +207,7 @@ def _unit_address(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.
 
 
 def settings_text(layout: DeviceLayout, link: LinkLayout, arguments: argparse.Namespace, unit: int) -> str:
-    """The settings with which a device is reached: `tc100: link ascii, 19200 baud, ..., unit address 1`."""
+    """The settings with which a device is reached: `DEVICE: link NAME, 19200 baud, ..., unit address 1`."""
     line = [line_settings(link, arguments).text] if arguments.port and has_line_settings(arguments.port) else []
     address = [f"unit address {unit}"] if link.request.role("unit_address") is not None else []
     return f"{layout.device.id}: {', '.join([f'link {link.name}', *line, *address])}"

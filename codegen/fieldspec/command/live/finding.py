@@ -66,7 +66,7 @@ class Setting:
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class AnsweringUnit:
     """A unit that answers with a setting; `answer` is what was read, or the exception response."""
 
     setting: Setting
@@ -107,9 +107,9 @@ def units(link: LinkLayout, arguments: argparse.Namespace, usual: int) -> list[i
         return [arguments.unit]
     addresses = link.link.unit_addresses
     ranges = addresses.ranges.intervals if addresses is not None and addresses.ranges is not None else ((1, 247),)
-    others = [number for low, high in ranges for number in range(low, high + 1)]
+    other_units = [number for low, high in ranges for number in range(low, high + 1)]
     broadcast = addresses.broadcast if addresses is not None else None
-    return [usual, *(number for number in others if number not in (usual, broadcast))]
+    return [usual, *(number for number in other_units if number not in (usual, broadcast))]
 
 
 def find_device(layout: DeviceLayout, arguments: argparse.Namespace) -> int:
@@ -123,28 +123,28 @@ def find_device(layout: DeviceLayout, arguments: argparse.Namespace) -> int:
         raise UsageError(f"no link of {layout.device.id} reads over {arguments.port}; `fieldspec show` lists the links")
     usual = usual_unit_address(layout)
     first = [(setting, units(setting.link, arguments, usual)[:1]) for setting in tried]
-    rest = [(setting, others) for setting in tried if (others := units(setting.link, arguments, usual)[1:])]
+    rest = [(setting, other_units) for setting in tried if (other_units := units(setting.link, arguments, usual)[1:])]
     count = sum(len(numbers) for _, numbers in (*first, *rest))
     seconds = count * (arguments.timeout or _TIMEOUT)
     print_note(f"{layout.device.id}: {count} attempts, at most {seconds:.0f} s; each only reads")
-    found: list[Found] = []
+    answering_units: list[AnsweringUnit] = []
     reads: dict[str, tuple[Access, Item]] = {}
     try:
         with progress(count, "looking") as done:
             for setting, numbers in (*first, *rest):
-                found = list(_answers(layout, arguments, setting, numbers, reads, done))
-                if found:
-                    known = {own.unit for own in found}
-                    others = [
+                answering_units = list(_answers(layout, arguments, setting, numbers, reads, done))
+                if answering_units:
+                    known = {own.unit for own in answering_units}
+                    other_units = [
                         unit for unit in units(setting.link, arguments, usual) if unit not in (known | set(numbers))
                     ]
-                    found += _answers(layout, arguments, setting, others, reads, done)
+                    answering_units += _answers(layout, arguments, setting, other_units, reads, done)
                     break
     except CarrierError as error:
         raise UsageError(str(error)) from None
     except CodecError as error:
         raise unsent(error) from None
-    return _print(layout, arguments, found, count)
+    return _print(layout, arguments, answering_units, count)
 
 
 def _answers(
@@ -154,7 +154,7 @@ def _answers(
     numbers: Sequence[int | None],
     reads: dict[str, tuple[Access, Item]],
     done: Callable[[int], None],
-) -> Iterator[Found]:
+) -> Iterator[AnsweringUnit]:
     """The units that answer with a setting. `reads` has a read without an effect for each link that was tried."""
     if not numbers:
         return
@@ -169,7 +169,7 @@ def _answers(
             answer = _answer(client, *reads[setting.link.name])
             done(1)
             if answer:
-                yield Found(setting, unit, answer)
+                yield AnsweringUnit(setting, unit, answer)
 
 
 def _harmless_item(client: Client, access: Access) -> Item:
@@ -194,7 +194,9 @@ def _answer(client: Client, access: Access, item: Item) -> str:
     return f"{value.path}: {value.refusal or (value.decoded.text if value.decoded is not None else '')}"
 
 
-def _print(layout: DeviceLayout, arguments: argparse.Namespace, found: Sequence[Found], count: int) -> int:
+def _print(
+    layout: DeviceLayout, arguments: argparse.Namespace, answering_units: Sequence[AnsweringUnit], count: int
+) -> int:
     rows = [
         {
             "link": own.setting.link.name,
@@ -204,7 +206,7 @@ def _print(layout: DeviceLayout, arguments: argparse.Namespace, found: Sequence[
             "unit": own.unit,
             "answer": own.answer,
         }
-        for own in found
+        for own in answering_units
     ]
     if arguments.format == "json":
         print_json(rows, indent=1)
@@ -218,7 +220,9 @@ def _print(layout: DeviceLayout, arguments: argparse.Namespace, found: Sequence[
     used = [name for name in rows[0] if any(row[name] is not None for row in rows)]
     table = tuple(tuple("" if row[name] is None else str(row[name]) for name in used) for row in rows)
     print_blocks([Table(tuple(name.replace("_", " ") for name in used), table)])
-    print_note(f"use it: {_command(layout, arguments, 'read', found[0].setting.options(found[0].unit))}")
+    print_note(
+        f"use it: {_command(layout, arguments, 'read', answering_units[0].setting.options(answering_units[0].unit))}"
+    )
     return 0
 
 
@@ -232,10 +236,10 @@ def ways_on(client: Client, arguments: argparse.Namespace) -> Iterator[str]:
     """The other settings that a device can have which does not answer, and the commands that try them."""
     layout, link = client.layout, client.frames.link
     free = argparse.Namespace(**{**vars(arguments), "link": None, "baud": None, "data_bits": None, "parity": None})
-    others = [own for own in settings(layout, free) if own.link.name != link.name]
+    other_links = [own for own in settings(layout, free) if own.link.name != link.name]
     serial = link.link.serial if has_line_settings(arguments.port) else None
     text = []
-    names = list(dict.fromkeys(own.link.name for own in others))
+    names = list(dict.fromkeys(own.link.name for own in other_links))
     if names:
         text.append(f"link {_either(names)}")
     if serial is not None:
