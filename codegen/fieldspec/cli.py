@@ -228,6 +228,8 @@ def _parser() -> argparse.ArgumentParser:
     add_frame_options(decode, direction_names, "the message, if the frame does not identify it")
     decode.add_argument("--request", metavar="HEX", help="the request that the response answers")
     decode.add_argument("--format", choices=("text", "json"), default="text")
+    all_errata = "also print errata about other links, and about the message and the link as a whole"
+    decode.add_argument("--errata", action="store_true", help=all_errata)
     to = "decode captures and logs in bulk, into tables of frames and values"
     decode.add_argument("--to", choices=("parquet", "csv", "jsonl", "arrow"), help=to)
     out_help = "with --to: the folder for the tables; a repeated run goes on where the last one stopped"

@@ -41,9 +41,7 @@ def test_values_are_read_by_name_role_and_address(tc100: SimulatedDevice, capsys
     assert rows["points[2].mode"]["meaning"] == "relative_move"
 
 
-def test_the_settings_of_an_exchange_are_printed(
-    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_settings_of_an_exchange_are_printed(tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     for more, expected in (
         ((), "tc100: link ascii, unit address 1\n"),
