@@ -246,7 +246,7 @@ def _parser() -> argparse.ArgumentParser:
         nargs="*",
         default=[],
         metavar="MESSAGE NAME=VALUE",
-        help="raw values, quantities such as 20.00mm (2.0 with a point where a scale has no unit), or names of enum "
+        help="a message, or `write` with registers and parameters by their names; raw values, quantities such as 20.00mm (2.0 with a point where a scale has no unit), or names of enum "
         "members and bits; lists as 1,2,3, "
         "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )

@@ -88,8 +88,8 @@ class FrameHints:
                     visited.add(inner)
                     end = start + len(inner) - 1
                     surplus = [f"{start} before" if start else "", f"{len(frame) - 1 - end} after"]
-                    sides = " and ".join(side for side in surplus if side and not side.startswith("0 "))
-                    yield f"bytes {start}..{end} are {_text(reading)}, with {sides} it: {_hex(inner)}"
+                    surplus_text = " and ".join(side for side in surplus if side and not side.startswith("0 "))
+                    yield f"bytes {start}..{end} are {_text(reading)}, with {surplus_text} it: {_hex(inner)}"
 
     def _of_another_version(self, frame: bytes) -> Iterator[str]:
         """The other versions that read the frame without a fault."""

@@ -218,6 +218,19 @@ def unit_address_text(unit: int) -> str:
     return f"unit address {unit}; --unit NUMBER chooses another"
 
 
+def unit_address_option(layout: DeviceLayout, link: str | None, pairs: Sequence[str]) -> tuple[list[str], int | None]:
+    """The assignments `NAME=VALUE` without that of the unit address of a link, and its value. Raises UsageError."""
+    part = layout.links[link].request.role("unit_address") if link and link in layout.links else None
+    own = [pair for pair in pairs if part is not None and pair.partition("=")[0] == part.name]
+    rest = [pair for pair in pairs if pair not in own]
+    if not own:
+        return rest, None
+    text = own[-1].partition("=")[2]
+    if not text.isdecimal():
+        raise UsageError(f"`{own[-1]}` is not a unit address; write a number, such as {own[-1].partition('=')[0]}=1")
+    return rest, int(text)
+
+
 def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str, Raw]:
     """The name and the raw value of a field of requests, from `NAME=VALUE`. Raises UsageError."""
     name, equals, entered = text.partition("=")

@@ -121,11 +121,12 @@ def footnotes(layout: DeviceLayout, explanation: Explanation, all_errata: bool) 
     of_fields = {number for row in rows for number in row.errata}
     touching = [own for own in layout.device.errata if own.id in of_fields or own.id in explanation.errata]
     link = layout.device.links[explanation.link]
-    shown = {own.id for own in touching if own.id in of_fields and concerns_link(layout.device, own, link)}
-    if not all_errata and len(shown) < len(touching):
-        yield f"{len(touching) - len(shown)} more errata about this message or other links; print them with --errata"
+    printed_ids = {own.id for own in touching if own.id in of_fields and concerns_link(layout.device, own, link)}
+    if not all_errata and len(printed_ids) < len(touching):
+        count = len(touching) - len(printed_ids)
+        yield f"{count} more errata about this message or other links; print them with --errata"
     for erratum in touching:
-        if all_errata or erratum.id in shown:
+        if all_errata or erratum.id in printed_ids:
             pairs = erratum.printed.items()
             keys = ", ".join(f"{key} {'absent' if value is None else value}" for key, value in pairs)
             yield f"erratum {erratum.id}: " + (f"printed {keys}. " if keys else "") + erratum.reason
