@@ -308,6 +308,7 @@ def test_a_count_of_a_register_has_no_leading_zeros(run: CommandLine) -> None:
     [
         ("tc100", ["motion_speed=50%"], "01 06 20 14 00 32 43 DB"),
         ("tc100", ["station=3", "motion_speed=50%", "--link", "rtu"], "03 06 20 14 00 32 42 39"),
+        ("tc100", ["unit=3", "motion_speed=50%"], "03 06 20 14 00 32 42 39"),
     ],
 )
 def test_a_register_is_written_by_its_name_with_a_value_in_its_unit(

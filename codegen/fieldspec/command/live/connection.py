@@ -74,7 +74,10 @@ def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = F
     try:
         carrier: Carrier = _Nothing() if dry else opened(link, arguments)
         try:
-            yield client_at(layout, link, arguments, carrier)
+            client = client_at(layout, link, arguments, carrier)
+            if arguments.format == "text" and not dry:
+                print_note(settings_text(layout, link, arguments, client.unit_address))
+            yield client
         finally:
             carrier.close()
     except CarrierError as error:
@@ -174,8 +177,6 @@ def client_at(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.Name
     link = chosen.link
     unit = _unit_address(layout, chosen, arguments)
     settings = line_settings(chosen, arguments)
-    if arguments.format == "text":
-        print_note(settings_text(layout, chosen, arguments, unit))
     pause = arguments.pause
     if pause is None:
         printed = float(link.silence_milliseconds or 0) / 1000
@@ -221,7 +222,7 @@ def unit_address_text(unit: int) -> str:
 def unit_address_option(layout: DeviceLayout, link: str | None, pairs: Sequence[str]) -> tuple[list[str], int | None]:
     """The assignments `NAME=VALUE` without that of the unit address of a link, and its value. Raises UsageError."""
     part = layout.links[link].request.role("unit_address") if link and link in layout.links else None
-    own = [pair for pair in pairs if part is not None and pair.partition("=")[0] == part.name]
+    own = [pair for pair in pairs if part is not None and pair.partition("=")[0] in (part.name, "unit")]
     rest = [pair for pair in pairs if pair not in own]
     if not own:
         return rest, None

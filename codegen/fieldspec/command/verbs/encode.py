@@ -28,6 +28,8 @@ from fieldspec.language.model.record import Message, RegisterAccess
 
 _MOST = 20
 _WRITE = "write"
+_UNIT = "unit"
+"""The name of the unit address on the command line, whatever the manual calls it."""
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -42,6 +44,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"only the device sends {frame_kind.message}; use: --direction response")
     texts = _nested(pairs)
     fields = _fields(layout, frame_kind)
+    address = layout.links[frame_kind.link].frame(frame_kind.direction).role("unit_address")
+    if address is not None and _UNIT in texts and _UNIT not in fields and address.name not in texts:
+        texts[address.name] = texts.pop(_UNIT)
     body = body_of(layout, frame_kind.link, frame_kind.direction, frame_kind.message, False)
     _by_print(layout, frame_kind, texts)
     for name in texts:
