@@ -255,8 +255,8 @@ def _parser() -> argparse.ArgumentParser:
         nargs="*",
         default=[],
         metavar="MESSAGE NAME=VALUE",
-        help="a message, or `write` with registers or parameters; raw values, quantities such as 20.00mm (2.0 with a point "
-        "where a scale has no unit), or names of enum members and bits; lists as 1,2,3, "
+        help="a message, or `write` with registers or parameters; raw values, quantities such as 20.00mm (2.0 "
+        "with a point where a scale has no unit), or names of enum members and bits; lists as 1,2,3, "
         "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )
     add_frame_options(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")

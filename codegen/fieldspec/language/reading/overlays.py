@@ -355,7 +355,7 @@ def _near_path(tree: Mapping, path: str) -> str:
     holder: Node = node_at(tree, keys(tree, before) or []) if before else tree
     close = near(steps[known], _names_below(holder, 2))
     if not close.startswith("did you mean"):
-        names = _names_below(holder, 1)[:_MOST_NAMES]
+        names = [name for name in _names_below(holder, 1) if name not in ("group", "section", "rows")][:_MOST_NAMES]
         place = f"`{before}`" if before else "the base version"
         return f"correct the path; {place} contains {', '.join(names)}" if names else f"{place} contains no facts"
     name = close.partition("`")[2].partition("`")[0]
