@@ -91,8 +91,8 @@ def test_a_write_that_the_device_does_not_take_over_is_told(
     [
         (["read", "motion_sped"], "did you mean motion_speed?"),
         (["write"], "name what to write"),
-        (["write", "motion_speed"], "write NAME=VALUE"),
-        (["write", "points[1]=5"], "names 11 values"),
+        (["write", "motion_speed"], "has no value; write motion_speed=VALUE"),
+        (["write", "points[1]=5"], "`points[1]` is the name of 11 values"),
         (["write", "motion_speed=101%"], "out_of_range"),
         (["write", "motion_speed=fast"], "`fast` is no number"),
         (["write", "action_status=1"], "can only be read"),
