@@ -18,7 +18,8 @@ WRITES = (0x06, 0x10)
 def command(device: SimulatedDevice, *arguments: str, name: str = "tc100") -> list[str]:
     """The arguments of a verb."""
     place = device.place.replace("tcp://", "socket://")
-    return ["live", name, *arguments, "--port", place, "--timeout", "0.3", "--specs", SPECS]
+    link = device.simulation.places[0][0]
+    return ["live", name, *arguments, "--link", link, "--port", place, "--timeout", "0.3", "--specs", SPECS]
 
 
 def live(device: SimulatedDevice, *arguments: str, name: str = "tc100") -> int:

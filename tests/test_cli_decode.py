@@ -243,7 +243,10 @@ def test_a_misprint_of_the_manual_is_recognised(
         (["decode", "widget", ANSWER, "--request", ANSWER], "--request is not a valid request of widget: "),
         (["decode", "widget", ANSWER, "--request", READ, "--direction", "request"], "--direction cannot be request"),
         (["decode", "widget", READ, "--direction", "up"], "there is no direction up; there are request, response"),
-        (["decode", "widget", READ, "--format", "xml"], "invalid choice: 'xml'"),
+        (
+            ["decode", "widget", READ, "--format", "xml"],
+            "there is no value of --format xml; there are json, text; see: fieldspec decode",
+        ),
         (["decode"], "the following arguments are required: DEVICE[@VERSION]"),
     ],
 )

@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 import tracemalloc
+from argparse import Namespace
 from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ import pytest
 
 from command_line import TEST_SPECS, CommandLine
 from fieldspec.codec.explain.readings import FrameOptions
+from fieldspec.command.frames.frame_hints import FrameHints
 from fieldspec.command.verbs.decode import LONGEST_LINE, FramePrinter, Log
 from layouts import newest
 
@@ -233,9 +235,11 @@ class Weighed(io.BytesIO):
 def test_memory_does_not_grow_with_the_log() -> None:
     layout = newest(TEST_SPECS, "widget")
     log = Weighed(f"{READ}\n{ANSWER}\n".encode() * 60, (20, 120))
+    options = FrameOptions()
+    hints = FrameHints(layout, options, Namespace())
     with open(os.devnull, "w", encoding="utf-8") as nothing, redirect_stdout(nothing):
         tracemalloc.start()
-        Log(layout, FrameOptions(), None, FramePrinter(layout, "text")).explain(log)
+        Log(layout, options, None, FramePrinter(layout, "text"), hints).explain(log)
         tracemalloc.stop()
     early, late = log.weights
     assert late - early < 2000

@@ -10,6 +10,7 @@ from crccheck.crc import Crc16Modbus
 
 from command_line import SPECS, TEST_SPECS, CommandLine
 from fieldspec.language.model.texts import Example
+from fieldspec_devices import esc11
 from layouts import newest
 
 WIDGET = newest(TEST_SPECS, "widget")
@@ -300,3 +301,29 @@ def test_a_count_of_a_register_has_no_leading_zeros(run: CommandLine) -> None:
     ran = run("encode", "widget", *WRITE, "values=-1.00 mm, 007")
     assert (ran.code, ran.out) == (2, "")
     assert "`007` is no number" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("device", "arguments", "frame"),
+    [
+        ("tc100", ["motion_speed=50%"], "01 06 20 14 00 32 43 DB"),
+        ("tc100", ["station=3", "motion_speed=50%", "--link", "rtu"], "03 06 20 14 00 32 42 39"),
+        ("tc100", ["unit=3", "motion_speed=50%"], "03 06 20 14 00 32 42 39"),
+    ],
+)
+def test_a_register_is_written_by_its_name_with_a_value_in_its_unit(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, device: str, arguments: list[str], frame: str
+) -> None:
+    result = CommandLine(capsys, monkeypatch, SPECS)("encode", device, "write", *arguments, "--format", "hex")
+    assert (result.code, result.out.strip()) == (0, frame)
+
+
+@pytest.mark.parametrize(("quantity", "count"), [(20.004, 2000), (20.005, 2000), (20.015, 2002), (20.006, 2001)])
+def test_the_command_line_rounds_as_the_generated_code(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, quantity: float, count: int
+) -> None:
+    arguments = ["esc11", "move_relative", "address=0", f"distance={quantity}mm", "speed=50", "--format", "hex"]
+    result = CommandLine(capsys, monkeypatch, SPECS)("encode", *arguments)
+    assert bytes.fromhex(result.out)[3:7] == count.to_bytes(4, "little")
+    assert f"counts; {count} is sent" in result.err
+    assert esc11.MoveRelativeRequest(distance_mm=quantity, speed=50).distance == count

@@ -194,10 +194,13 @@ def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
     ("arguments", "message"),
     [
         (["show", "widget", "positon"], "there is no item of widget positon; did you mean position?"),
-        (["show", "widget", "0x7000"], "there is no item of widget 0x7000; "),
-        (["show", "widget", "0x1002"], "there is no item of widget 0x1002; "),
+        (["show", "widget", "0x7000"], "there is no item of widget at 0x7000 (28672); the nearest are "),
+        (
+            ["show", "widget", "0x1002"],
+            "there is no item of widget at 0x1002 (4098); the nearest are status_word at 0x1000",
+        ),
         (["show", "widget", ""], "there is no item of widget "),
-        (["show", "glider-x", "0x3000"], "there is no item of glider-x 0x3000"),
+        (["show", "glider-x", "0x3000"], "there is no item of glider-x at 0x3000"),
         (["show", "glider-x", "Xt100"], "there is no item of glider-x Xt100; did you mean Ut100?"),
         (["show", "nothing"], "there is no device nothing"),
         (["show"], "the following arguments are required"),

@@ -127,7 +127,6 @@ def test_the_value_of_the_parameter_is_encoded(
     ("number", "entered", "reason"),
     [
         ("2", "-31.234mm", "zero_offset is -31234"),
-        ("2", "-1.2345mm", "no whole number of counts"),
         ("3", "window", "no bit of inputs: door, lamp"),
         ("4", "backward", "no member of mode"),
         ("1", "-1", "out_of_range"),

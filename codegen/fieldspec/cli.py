@@ -15,7 +15,7 @@ from importlib import import_module
 
 from fieldspec import __version__
 from fieldspec.command.console import streams
-from fieldspec.command.console.usage import WRONG_USE, UsageError
+from fieldspec.command.console.usage import WRONG_USE, UsageError, unknown
 
 TYPE_CHECKING = False  # as of `typing`, which takes longer to import than the help to print
 if TYPE_CHECKING:
@@ -39,6 +39,15 @@ class _Parser(argparse.ArgumentParser):
 
     def __init__(self, **options: Any) -> None:
         super().__init__(formatter_class=_help, **options)
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """Reports a value that is not among the choices of an argument, with the nearest ones. Raises UsageError."""
+        if action.choices is not None and value not in action.choices:
+            name = "/".join(action.option_strings) or str(action.metavar or action.dest)
+            text = str(
+                unknown("command" if name == "VERB" else f"value of {name}", str(value), map(str, action.choices))
+            )
+            raise UsageError(f"{text}; see: {self.prog} --help")
 
     def error(self, message: str) -> None:  # type: ignore[override]
         raise UsageError(f"{message}; see: {self.prog} --help")
@@ -230,6 +239,8 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--format", choices=("text", "json"), default="text")
     strict = "exit code 1 also for doubtful values, which are outside of what the manual prints, and not refused"
     decode.add_argument("--strict", action="store_true", help=strict)
+    all_errata = "also print errata about other links, and about the message and the link as a whole"
+    decode.add_argument("--errata", action="store_true", help=all_errata)
     to = "decode captures and logs in bulk, into tables of frames and values"
     decode.add_argument("--to", choices=("parquet", "csv", "jsonl", "arrow"), help=to)
     out_help = "with --to: the folder for the tables; a repeated run goes on where the last one stopped"
@@ -246,8 +257,8 @@ def _parser() -> argparse.ArgumentParser:
         nargs="*",
         default=[],
         metavar="MESSAGE NAME=VALUE",
-        help="raw values, quantities such as 20.00mm (2.0 with a point where a scale has no unit), or names of enum "
-        "members and bits; lists as 1,2,3, "
+        help="a message, or `write` with registers or parameters; raw values, quantities such as 20.00mm (2.0 "
+        "with a point where a scale has no unit), or names of enum members and bits; lists as 1,2,3, "
         "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )
     add_frame_options(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")

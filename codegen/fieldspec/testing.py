@@ -27,7 +27,7 @@ __all__ = ["ManualClock", "SimulatedDevice", "simulated", "simulation"]
 
 
 class SimulatedDevice:
-    """A simulated device. `place` is where its first link is served, `places` where each link is."""
+    """A simulated device. `place` is where it is served, or the first of `places`, which has each link."""
 
     def __init__(self, running: Simulation) -> None:
         self.simulation = running
@@ -39,7 +39,7 @@ class SimulatedDevice:
 
     @property
     def place(self) -> str:
-        """The place of the first link."""
+        """The place of the link that is served, or of the first one."""
         return self.simulation.places[0][1]
 
     def command(self, **command: Any) -> dict[str, Any]:
@@ -75,8 +75,8 @@ def simulation(
     """A simulated device, `DEVICE` or `DEVICE@VERSION`, for as long as the context lasts.
 
     `ports` has the place of each link that is served: `pty`, `tcp://127.0.0.1:0`, `udp://127.0.0.1:0`, a serial port
-    or `can://virtual/NAME`; the usual place of the first link where it is left out. `folder` is the folder with the
-    specs. Raises UsageError.
+    or `can://virtual/NAME`; without it, the link of the factory settings is served at its usual place.
+    `folder` is the folder with the specs. Raises UsageError.
     """
     spec, version = specs.sound_at(folder, device)
     layout = specs.layout_of(spec, version)
@@ -90,8 +90,8 @@ def simulation(
         seed=seed,
     )
     with running:
-        first = next(iter(layout.links))
-        for link, place in (ports or {first: usual_place(layout.links[first])}).items():
+        usual = layout.device.default_link
+        for link, place in (ports or {usual: usual_place(layout.links[usual])}).items():
             running.serve(link, place, settings_of(layout.links[link].link))
         yield SimulatedDevice(running)
 

@@ -4943,7 +4943,7 @@ static inline tc100_codec_status tc100_rtu_encode_error(uint8_t unit_address, ui
  * Note: The vendor's software needs this mode.
  * Note: In two tables of 8.5 (L2046-2047, L2057-2058) the words for the high and the low byte have slipped
  * onto the rows of the LRC, which is one byte, and of the end mark.
- * Source: 8.1 L1463-1483; 8.5 L2015, 2078, 2136
+ * Source: 8.1 L1463-1483; 5.8 L1275; 8.5 L2015, 2078, 2136
  */
 /** Removes the delimiters and writes the bytes between them. `out` may be the frame itself. */
 static inline tc100_codec_status tc100_ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity,

@@ -8600,6 +8600,15 @@ local device = {
     ["servo-reading"] = "Every value but 0 switches the drive on. The rows around it say what reading gives, 0 or the last value; this one does not, and chapter 2 warns that it may be something else than was written.",
     ["user-output-reading"] = "Every value but 0 switches user output 0 on, and the rows of the outputs 1 to 8 have no text at all. What reading any of the nine gives after another value than 0 and 1 is not printed.",
   },
+  errata_elsewhere = {
+    ["word-order"] = { ascii = true },
+    ["ascii-order-example"] = { rtu = true },
+    ["crc-start-value"] = { ascii = true },
+    ["crc-low-bit"] = { ascii = true },
+    ["rtu-check-size"] = { ascii = true },
+    ["rtu-silence"] = { ascii = true },
+    ["lrc-columns"] = { rtu = true },
+  },
 }
 
 -- Numbers in bytes: byte and word orders, bits, and whole numbers of up to 64 bits.
@@ -9020,10 +9029,13 @@ function values.report(item, reason, text)
     item:add_proto_expert_info(experts[reason], text)
 end
 
--- Adds the errata of a fact to its item.
+-- Adds the errata of a fact to its item, without those that concern only other links than `values.link`.
 function values.cite(item, errata)
     for _, id in ipairs(errata or {}) do
-        values.report(item, "misprint", id .. ": " .. device.errata[id])
+        local elsewhere = device.errata_elsewhere[id]
+        if not (elsewhere and elsewhere[values.link]) then
+            values.report(item, "misprint", id .. ": " .. device.errata[id])
+        end
     end
 end
 
@@ -10277,6 +10289,7 @@ local function show_frame(link, note, tvb, pinfo, root, message)
     local tree = root:add(protocol, tvb())
     tree:append_text(", " .. link.title)
     tree:add(fields[device.common.direction], note.direction):set_generated()
+    values.link = link.name
     local context = frames.show(link, note.direction, tvb, tree, note.asked, message)
     if note.direction == "request" and not context.is_broken then
         -- The response needs the values of the whole request.

@@ -3562,6 +3562,7 @@ local device = {
     ["resend-request-bit"] = "Status bit 4 asks for the command again and bit 7 tells of a communication error, which a controller that stays silent cannot do. They may speak of the packet before; that is not printed.",
     ["sign-of-opening"] = "Whether the positive direction opens or closes the gripper is printed nowhere: 12h and 13h speak of plus and minus, 14h and 15h of open and close, and parameter 5 of the direction of homing.",
   },
+  errata_elsewhere = {},
 }
 
 -- Numbers in bytes: byte and word orders, bits, and whole numbers of up to 64 bits.
@@ -3982,10 +3983,13 @@ function values.report(item, reason, text)
     item:add_proto_expert_info(experts[reason], text)
 end
 
--- Adds the errata of a fact to its item.
+-- Adds the errata of a fact to its item, without those that concern only other links than `values.link`.
 function values.cite(item, errata)
     for _, id in ipairs(errata or {}) do
-        values.report(item, "misprint", id .. ": " .. device.errata[id])
+        local elsewhere = device.errata_elsewhere[id]
+        if not (elsewhere and elsewhere[values.link]) then
+            values.report(item, "misprint", id .. ": " .. device.errata[id])
+        end
     end
 end
 
@@ -5239,6 +5243,7 @@ local function show_frame(link, note, tvb, pinfo, root, message)
     local tree = root:add(protocol, tvb())
     tree:append_text(", " .. link.title)
     tree:add(fields[device.common.direction], note.direction):set_generated()
+    values.link = link.name
     local context = frames.show(link, note.direction, tvb, tree, note.asked, message)
     if note.direction == "request" and not context.is_broken then
         -- The response needs the values of the whole request.

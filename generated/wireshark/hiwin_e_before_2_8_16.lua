@@ -9626,6 +9626,42 @@ local device = {
     ["control-by-plc-message"] = "MELDW.11 has the label of STW1.10, which the controller sends. Whether it returns that bit, or ZSW1.9, which permits control, is not printed.",
     ["ramp-generator-without-bits"] = "The mode with a ramp function generator has none of its bits: in the telegrams of speed the bits 4 to 6 of STW1, where PROFIdrive has them, are reserved.",
   },
+  errata_elsewhere = {
+    ["write-parameter-number-position"] = { cyclic = true },
+    ["write-subindex-position"] = { cyclic = true },
+    ["write-format-position"] = { cyclic = true },
+    ["write-value-count-position"] = { cyclic = true },
+    ["write-array-parameter-number-position"] = { cyclic = true },
+    ["write-array-subindex-position"] = { cyclic = true },
+    ["write-array-format-position"] = { cyclic = true },
+    ["write-array-value-count-position"] = { cyclic = true },
+    ["write-values-position"] = { cyclic = true },
+    ["write-array-values-position"] = { cyclic = true },
+    ["read-array-subindex"] = { cyclic = true },
+    ["byte-order-missing"] = { cyclic = true },
+    ["telegram-102-sent-encoder-1-position-1"] = { parameter_channel = true },
+    ["telegram-102-sent-encoder-1-position-2"] = { parameter_channel = true },
+    ["telegram-105-sent-encoder-1-position-1"] = { parameter_channel = true },
+    ["telegram-105-sent-encoder-1-position-2"] = { parameter_channel = true },
+    ["telegram-105-received-position-error"] = { parameter_channel = true },
+    ["telegram-105-received-position-controller-gain"] = { parameter_channel = true },
+    ["telegram-111-received-mdi-acceleration"] = { parameter_channel = true },
+    ["telegram-111-received-mdi-deceleration"] = { parameter_channel = true },
+    ["telegram-111-sent-fault-code"] = { parameter_channel = true },
+    ["telegram-111-sent-warning-code"] = { parameter_channel = true },
+    ["override-name"] = { parameter_channel = true },
+    ["mdi-mode-name"] = { parameter_channel = true },
+    ["last-word-of-telegram-111"] = { parameter_channel = true },
+    ["profinet-name"] = { parameter_channel = true },
+    ["telegram-111-received-mdi-velocity"] = { parameter_channel = true },
+    ["telegram-111-sent-speed-actual"] = { parameter_channel = true },
+    ["cyclic-byte-order-missing"] = { parameter_channel = true },
+    ["cyclic-word-order-missing"] = { parameter_channel = true },
+    ["telegram-750-main-telegrams"] = { parameter_channel = true },
+    ["apdu-status-name"] = { parameter_channel = true },
+    ["vlan-tag-name"] = { parameter_channel = true },
+    ["status-bytes-order"] = { parameter_channel = true },
+  },
 }
 
 -- Numbers in bytes: byte and word orders, bits, and whole numbers of up to 64 bits.
@@ -10046,10 +10082,13 @@ function values.report(item, reason, text)
     item:add_proto_expert_info(experts[reason], text)
 end
 
--- Adds the errata of a fact to its item.
+-- Adds the errata of a fact to its item, without those that concern only other links than `values.link`.
 function values.cite(item, errata)
     for _, id in ipairs(errata or {}) do
-        values.report(item, "misprint", id .. ": " .. device.errata[id])
+        local elsewhere = device.errata_elsewhere[id]
+        if not (elsewhere and elsewhere[values.link]) then
+            values.report(item, "misprint", id .. ": " .. device.errata[id])
+        end
     end
 end
 
@@ -11303,6 +11342,7 @@ local function show_frame(link, note, tvb, pinfo, root, message)
     local tree = root:add(protocol, tvb())
     tree:append_text(", " .. link.title)
     tree:add(fields[device.common.direction], note.direction):set_generated()
+    values.link = link.name
     local context = frames.show(link, note.direction, tvb, tree, note.asked, message)
     if note.direction == "request" and not context.is_broken then
         -- The response needs the values of the whole request.

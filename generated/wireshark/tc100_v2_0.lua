@@ -3942,6 +3942,29 @@ local device = {
     ["executed-point-example"] = "The seven digits are 41, as in the example of the inputs; the rows below them have bit 2 too and add up to 45.",
     ["error-output-bits"] = "Four outputs tell 16 states; alarms go to 17 and faults to 13. Which of the two the outputs show, and what they show for alarm 17, is not printed.",
   },
+  errata_elsewhere = {
+    ["ascii-read-characters"] = { rtu = true },
+    ["ascii-read-bytes"] = { rtu = true },
+    ["ascii-homing-data-byte"] = { rtu = true },
+    ["ascii-write-characters"] = { rtu = true },
+    ["ascii-write-bytes"] = { rtu = true },
+    ["rtu-read-word-count"] = { ascii = true },
+    ["rtu-read-byte-count"] = { ascii = true },
+    ["ascii-read-byte-count"] = { rtu = true },
+    ["rtu-write-word-count"] = { ascii = true },
+    ["ascii-write-word-count"] = { rtu = true },
+    ["rtu-write-byte-count"] = { ascii = true },
+    ["rtu-write-response-word-count"] = { ascii = true },
+    ["ascii-write-response-least-word-count"] = { rtu = true },
+    ["rtu-write-refusal-code"] = { ascii = true },
+    ["crc-order-in-tables"] = { ascii = true },
+    ["ascii-station-digits"] = { rtu = true },
+    ["ascii-read-word-count-digits"] = { rtu = true },
+    ["rtu-line"] = { ascii = true },
+    ["write-register-response-value-label"] = { ascii = true },
+    ["crc-order-unit"] = { ascii = true },
+    ["lrc-carry"] = { rtu = true },
+  },
 }
 
 -- Numbers in bytes: byte and word orders, bits, and whole numbers of up to 64 bits.
@@ -4362,10 +4385,13 @@ function values.report(item, reason, text)
     item:add_proto_expert_info(experts[reason], text)
 end
 
--- Adds the errata of a fact to its item.
+-- Adds the errata of a fact to its item, without those that concern only other links than `values.link`.
 function values.cite(item, errata)
     for _, id in ipairs(errata or {}) do
-        values.report(item, "misprint", id .. ": " .. device.errata[id])
+        local elsewhere = device.errata_elsewhere[id]
+        if not (elsewhere and elsewhere[values.link]) then
+            values.report(item, "misprint", id .. ": " .. device.errata[id])
+        end
     end
 end
 
@@ -5619,6 +5645,7 @@ local function show_frame(link, note, tvb, pinfo, root, message)
     local tree = root:add(protocol, tvb())
     tree:append_text(", " .. link.title)
     tree:add(fields[device.common.direction], note.direction):set_generated()
+    values.link = link.name
     local context = frames.show(link, note.direction, tvb, tree, note.asked, message)
     if note.direction == "request" and not context.is_broken then
         -- The response needs the values of the whole request.

@@ -37,7 +37,7 @@ def device() -> Iterator[SimulatedDevice]:
 @pytest.fixture
 def client(device: SimulatedDevice) -> Iterator[tc100_client.Client]:
     with serial.Serial(device.places["rtu"], 19200, timeout=0.02) as port:
-        client = tc100_client.Client(port, timeout=0.6, settle=0.02)
+        client = tc100_client.Client(port, link="rtu", timeout=0.6, settle=0.02)
         client.home()
         yield client
 

@@ -16,7 +16,7 @@ from simulators import SPECS
 
 @pytest.fixture
 def tc100() -> Iterator[SimulatedDevice]:
-    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+    with simulation("tc100", ports={"ascii": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
         yield device
 
 
@@ -41,13 +41,11 @@ def test_values_are_read_by_name_role_and_address(tc100: SimulatedDevice, capsys
     assert rows["points[2].mode"]["meaning"] == "relative_move"
 
 
-def test_the_unit_address_that_nobody_has_chosen_is_printed(
-    tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_settings_of_an_exchange_are_printed(tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     for more, expected in (
-        ((), "unit address 1; --unit NUMBER chooses another\n"),
-        (("--unit", "1"), ""),
+        ((), "tc100: link ascii, unit address 1\n"),
+        (("--unit", "1"), "tc100: link ascii, unit address 1\n"),
         (("--format", "json"), ""),
     ):
         assert live(tc100, "read", "alarm", *more) == 0
@@ -93,8 +91,8 @@ def test_a_write_that_the_device_does_not_take_over_is_told(
     [
         (["read", "motion_sped"], "did you mean motion_speed?"),
         (["write"], "name what to write"),
-        (["write", "motion_speed"], "write NAME=VALUE"),
-        (["write", "points[1]=5"], "names 11 values"),
+        (["write", "motion_speed"], "has no value; write motion_speed=VALUE"),
+        (["write", "points[1]=5"], "`points[1]` is the name of 11 values"),
         (["write", "motion_speed=101%"], "out_of_range"),
         (["write", "motion_speed=fast"], "`fast` is no number"),
         (["write", "action_status=1"], "can only be read"),
@@ -126,7 +124,7 @@ def test_wrong_use_writes_nothing(
 
 def test_a_dry_run_shows_the_frame_and_needs_no_device(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["live", "tc100", "write", "servo=servo_off", "--dry-run", "--specs", SPECS]) == 0
-    assert capsys.readouterr().out == "servo: 01 06 20 11 00 01 13 CF\n"
+    assert capsys.readouterr().out == f"servo: {b':010620110001C7'.hex(' ').upper()} 0D 0A\n"
 
 
 @pytest.mark.parametrize("kind", ["no_answer", "wrong_checksum", "truncated", "garbage", "wrong_unit", "late_answer"])

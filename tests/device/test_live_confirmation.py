@@ -37,7 +37,7 @@ def schema_roles() -> set[str]:
 
 def live(place: str, *arguments: str) -> int:
     place = place.replace("tcp://", "socket://")
-    return main(["live", "tc100", *arguments, "--port", place, "--timeout", "0.5", "--specs", SPECS])
+    return main(["live", "tc100", *arguments, "--link", "rtu", "--port", place, "--timeout", "0.5", "--specs", SPECS])
 
 
 def test_every_role_says_whether_writing_it_commands_the_device() -> None:

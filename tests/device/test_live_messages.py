@@ -217,7 +217,7 @@ def test_a_device_that_does_not_say_its_firmware_stops_before_a_write(
 
 
 def test_what_the_device_is_doing_is_said_before_something_is_started(capsys: pytest.CaptureFixture[str]) -> None:
-    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+    with simulation("tc100", ports={"ascii": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
         place = device.place.replace("tcp://", "socket://")
         assert live("tc100", place, "write", "motion_command=homing", "--yes") == 0
     assert "the servo is on" in capsys.readouterr().err

@@ -54,7 +54,7 @@ def test_specs_are_explained_and_no_device_is_offered_without_a_place() -> None:
 
 
 def test_a_device_is_read_and_written_only_where_that_is_permitted() -> None:
-    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
+    with simulation("tc100", ports={"ascii": "tcp://127.0.0.1:0"}, folder=SPECS) as device:
         port = f"tc100={device.place.replace('tcp://', 'socket://')}"
         read = ("read", {"device": "tc100", "names": ["actual_position"]})
         tools, results = called([read, ("read", {"device": "ck10", "names": ["x"]})], "--port", port)

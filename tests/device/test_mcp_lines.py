@@ -68,7 +68,7 @@ class Client:
 
 @pytest.fixture(scope="module")
 def device() -> Iterator[SimulatedDevice]:
-    with simulation("tc100", ports={"rtu": "tcp://127.0.0.1:0"}, folder=SPECS) as running:
+    with simulation("tc100", ports={"ascii": "tcp://127.0.0.1:0"}, folder=SPECS) as running:
         yield running
 
 

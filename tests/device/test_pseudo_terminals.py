@@ -16,7 +16,7 @@ from simulators import SPECS
 
 @pytest.fixture
 def tc100() -> Iterator[SimulatedDevice]:
-    with simulation("tc100", ports={"rtu": "pty"}, folder=SPECS) as device:
+    with simulation("tc100", ports={"ascii": "pty"}, folder=SPECS) as device:
         yield device
 
 

@@ -1584,7 +1584,7 @@ export declare function rtuResponseFramer(): Framer;
  *
  * Inferred (word_order): As for RTU; the frame of 8.5 holds the same words in the same order.
  *
- * Source: 8.1 L1463-1483; 8.5 L2015, 2078, 2136.
+ * Source: 8.1 L1463-1483; 5.8 L1275; 8.5 L2015, 2078, 2136.
  */
 export declare const ascii: Link<{ readonly unitAddress: number }, { readonly unitAddress: number }, typeof ReadRegisters | typeof WriteRegister | typeof WriteRegisters, Exception>;
 

@@ -216,6 +216,15 @@ def nearest(device: Device, value: Value, text: str) -> Count | None:
     return Count(raw, exact, in_unit(value, raw), counts == raw)
 
 
+def rounded(device: Device, name: str, value: Value, text: str) -> tuple[int, str] | None:
+    """The nearest count for a quantity between two counts, as the generated code rounds, and a remark; else None."""
+    count = nearest(device, value, text)
+    if count is None or count.is_whole:
+        return None
+    count_text = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"
+    return count.raw, f"{name}: {text} is {count.exact} counts; {count.raw} is sent{count_text}"
+
+
 def parameter_number(device: Device, name: str, text: str) -> int | None:
     """The number on the wire of a parameter in a set or in a space of sets; None if there is none.
 

@@ -161,6 +161,25 @@ def errata_at(device: Device, path: str) -> tuple[str, ...]:
     return tuple(_errata(device).within.get(path, ()))
 
 
+def concerns_link(device: Device, erratum: Erratum, link: Link) -> bool:
+    """Whether an erratum is about frames of a link, and not only about another one.
+
+    An erratum of a fact that links share concerns the links whose facts cite one of its sections.
+    """
+    root, _, path = erratum.fact.partition("/")
+    if root == "links":
+        return path.partition("/")[0] == link.name
+    sections = {source.section for source in erratum.sources}
+    foreign = {section for own in device.links.values() if own.name != link.name for section in _sections(own)}
+    return not sections <= foreign - _sections(link)
+
+
+def _sections(link: Link) -> set[str]:
+    """The sections of the manual that a link and its parts cite."""
+    facts = (link, *link.request, *link.response)
+    return {source.section for fact in facts for source in fact.sources}
+
+
 def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
     """The ids of the errata of a message, without those of its fields."""
     path = message.place.path

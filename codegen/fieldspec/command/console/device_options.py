@@ -16,10 +16,7 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
     simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
-    simulate.add_argument(
-        "--baud", type=natural, metavar="NUMBER", help="the baud rate of a serial port (default: as delivered)"
-    )
-    simulate.add_argument("--parity", choices=("none", "even", "odd"), help="the parity of a serial port")
+    _add_line_settings(simulate)
     simulate.add_argument(
         "--message", metavar="NAME", help="the cyclic message in use, by name or number (default: the first)"
     )
@@ -45,7 +42,7 @@ def add_live(live: argparse.ArgumentParser) -> None:
     live.add_argument(
         "verb_of_device",
         metavar="VERB",
-        choices=("read", "write", "watch", "dump", "scan", "points", "backup", "restore", "compare"),
+        choices=("find", "read", "write", "watch", "dump", "scan", "points", "backup", "restore", "compare"),
         help="one of %(choices)s",
     )
     names = (
@@ -68,7 +65,7 @@ def add_live(live: argparse.ArgumentParser) -> None:
         "firmware",
     )
     live.add_argument("--trace", action="store_true", help="print all frames to standard error")
-    forms = "json: what read, watch, scan and compare print"
+    forms = "json: what find, read, watch, scan and compare print"
     live.add_argument("--format", choices=("text", "json"), default="text", help=forms)
 
 
@@ -98,20 +95,28 @@ def _add_connection(verb: argparse.ArgumentParser) -> None:
     """Adds the options that say where a device is, and how it is asked."""
     port_help = "a serial port, socket://HOST:PORT, tcp://HOST:PORT, udp://HOST:PORT or can://INTERFACE/CHANNEL"
     verb.add_argument("--port", metavar="WHERE", help=port_help)
-    verb.add_argument("--link", metavar="NAME", help="the link (default: the first)")
+    verb.add_argument("--link", metavar="NAME", help="the link (default: the factory setting)")
     verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     fixed = "what requests need that no spec states, such as axis=0; may be repeated"
     verb.add_argument("--with", metavar="NAME=VALUE", dest="fixed", action="append", default=[], help=fixed)
-    verb.add_argument("--baud", type=natural, metavar="NUMBER", help="the baud rate (default: as delivered)")
-    verb.add_argument("--parity", choices=("none", "even", "odd"), help="the parity (default: as delivered)")
-    verb.add_argument(
-        "--timeout", type=positive, default=1.0, metavar="SECONDS", help="how long a response may take (default: 1)"
-    )
+    _add_line_settings(verb)
+    limit = "how long a response can take (default: 1; find: 0.3)"
+    verb.add_argument("--timeout", type=positive, metavar="SECONDS", help=limit)
     verb.add_argument(
         "--retries", type=whole, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
     )
     pause = "how long the line is silent before a request (default: as printed for the link)"
     verb.add_argument("--pause", type=seconds, metavar="SECONDS", help=pause)
+
+
+def _add_line_settings(verb: argparse.ArgumentParser) -> None:
+    """Adds the options with the settings of a serial port."""
+    verb.add_argument("--baud", type=natural, metavar="NUMBER", help="the baud rate (default: the factory setting)")
+    verb.add_argument(
+        "--parity", choices=("none", "even", "odd"), help="the parity of a serial port (default: the factory setting)"
+    )
+    bits = "the data bits of a serial port (default: the factory setting)"
+    verb.add_argument("--data-bits", type=int, choices=(5, 6, 7, 8), help=bits)
 
 
 def add_mcp(mcp: argparse.ArgumentParser) -> None:

@@ -9,6 +9,10 @@ WRONG_USE = 2
 """The exit code of wrong use and of unreadable input."""
 
 
+_NEAREST = 3
+"""The nearest names that an error lists."""
+
+
 class UsageError(Exception):
     """Wrong use: one line that says what is wrong and what to do. Exit code 2."""
 
@@ -23,9 +27,19 @@ def unknown(kind: str, name: str, known: Iterable[str], limit: int = 20) -> Usag
         hint = f"did you mean {matches[0]}?"
     elif names and len(names) <= limit:
         hint = f"there are {', '.join(names)}"
+    elif names:
+        nearest_names = difflib.get_close_matches(name, names, _NEAREST, 0.0) or names[:_NEAREST]
+        hint = f"the nearest of {len(names)} are {', '.join(nearest_names)}"
     else:
-        hint = f"there are {len(names)} of them" if names else "there are none"
+        hint = "there are none"
     return UsageError(f"there is no {kind} {name or 'without a name'}; {hint}")
+
+
+def not_at(kind: str, number: int, known: Iterable[tuple[int, str]]) -> UsageError:
+    """The error for an address or a number that nothing has, with the nearest ones that something has."""
+    nearest = sorted(dict(sorted(known)).items(), key=lambda pair: (abs(pair[0] - number), pair[0]))[:_NEAREST]
+    names = ", ".join(f"{name} at 0x{own:04X}" for own, name in sorted(nearest))
+    return UsageError(f"there is no {kind} at 0x{number:04X} ({number}); the nearest are {names}")
 
 
 def _in_order(name: str) -> list[object]:

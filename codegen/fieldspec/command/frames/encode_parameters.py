@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.explain.parameters import parameter_number
+from fieldspec.codec.explain.parameters import parameter_number, rounded
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.values import MeaningError, pieces, raw_value
+from fieldspec.command.console.streams import print_error
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.frames.frame_options import number_of
 from fieldspec.language.model.encoding import is_exact
@@ -58,10 +59,21 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
         raise UsageError(
             f"{parameter.name} has {value.size} {'byte' if value.size == 1 else 'bytes'}; use another message"
         )
+    text = whole_count(layout, parameter.name, value, text)
     known = encoded_value(parameter.name, value, raw_value(layout.device, parameter.name, value, text), layout.device)
     for name, content in bytes_of_value(layout.device, carried, value, known).items():
         if name == carried.name or name not in texts:
             texts[name] = content.hex() if isinstance(content, bytes) else content
+
+
+def whole_count(layout: DeviceLayout, name: str, value: Value, text: object) -> object:
+    """The nearest count for a quantity between two counts, with a remark on the terminal; else the text."""
+    nearest_count = rounded(layout.device, name, value, text) if isinstance(text, str) else None
+    if nearest_count is None:
+        return text
+    count, remark = nearest_count
+    print_error(remark)
+    return count
 
 
 def _chosen(layout: DeviceLayout, record: RecordLayout, carried: FieldLayout, texts: dict[str, object]) -> FieldLayout:
@@ -92,7 +104,7 @@ def _element_number(
         return item
     value = value.for_writing() if direction == "request" else value
     try:
-        raw = raw_value(layout.device, parameter.name, value, item)
+        raw = raw_value(layout.device, parameter.name, value, whole_count(layout, parameter.name, value, item))
     except MeaningError:
         try:
             raw_value(layout.device, parameter.name, own, item)

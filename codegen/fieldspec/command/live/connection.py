@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 from fieldspec.codec.explain.hazards import is_bare
@@ -16,9 +16,9 @@ from fieldspec.command.console.streams import print_note
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.value import Value
-from fieldspec.tools.carriers.carrier import Carrier, CarrierError
+from fieldspec.tools.carriers.carrier import Carrier, CarrierError, LineSettings
 from fieldspec.tools.carriers.sockets import Connection, Datagrams
-from fieldspec.tools.carriers.terminals import SerialPort
+from fieldspec.tools.carriers.terminals import SerialPort, has_line_settings
 from fieldspec.tools.live.client import Client, Timing
 from fieldspec.tools.live.left_out import reason_unread
 from fieldspec.tools.live.messages import link_of, parameter_message, signals
@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 
 _MOST_REASONS = 3
 """The reasons of one finding."""
+
+_TIMEOUT = 1.0
+"""The seconds that a response can take if nobody says how long."""
 
 
 def has_registers(layout: DeviceLayout) -> bool:
@@ -50,6 +53,13 @@ def _reads_registers(layout: DeviceLayout, link: LinkLayout) -> bool:
     return any(access is not None and access.operation == "read" for access in accesses)
 
 
+def links_that_read(layout: DeviceLayout) -> list[str]:
+    """The names of the links over which values are read by name."""
+    if has_registers(layout):
+        return [name for name, link in layout.links.items() if _reads_registers(layout, link)]
+    return [name for name, link in layout.links.items() if any(True for _ in signals(layout, link))]
+
+
 def access_of(client: Client) -> Access:
     """What can be read and written by name over the link of a client."""
     if has_registers(client.layout):
@@ -61,11 +71,13 @@ def access_of(client: Client) -> Access:
 def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
     """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
     link = layout.links[_link(layout, arguments)]
-    fixed = dict(_fixed_value(layout, link, text) for text in arguments.fixed)
     try:
-        carrier: Carrier = _Nothing() if dry else _opened(link, arguments)
+        carrier: Carrier = _Nothing() if dry else opened(link, arguments)
         try:
-            yield _client(layout, link, arguments, carrier, fixed)
+            client = client_at(layout, link, arguments, carrier)
+            if arguments.format == "text" and not dry:
+                print_note(settings_text(layout, link, arguments, client.unit_address))
+            yield client
         finally:
             carrier.close()
     except CarrierError as error:
@@ -92,9 +104,10 @@ def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
     if arguments.link and arguments.link not in layout.links:
         raise unknown("link", arguments.link, layout.links)
     if has_registers(layout):
-        suitable = [name for name, link in layout.links.items() if _reads_registers(layout, link)]
+        suitable = links_that_read(layout)
         if not arguments.link:
-            return suitable[0] if suitable else next(iter(layout.links))
+            usual = layout.device.default_link
+            return usual if usual in suitable or not suitable else suitable[0]
         if suitable and arguments.link not in suitable:
             raise UsageError(
                 f"no message of {arguments.link} reads registers; say --link {' or --link '.join(suitable)}"
@@ -125,7 +138,13 @@ def _refuse_open_identifier(link: LinkLayout) -> None:
         raise UsageError(f"{text}: they are for a program, such as one with the generated code")
 
 
-def _opened(link: LinkLayout, arguments: argparse.Namespace) -> Carrier:
+def opening_objection(link: LinkLayout, place: str) -> str:
+    """Why a link is not at a place; empty where it can be."""
+    return can_objection(link, place) or (f"{link.name} has an open identifier" if link.open_identifier else "")
+
+
+def opened(link: LinkLayout, arguments: argparse.Namespace) -> Carrier:
+    """The carrier at `--port`. Raises UsageError and CarrierError."""
     place = arguments.port
     if not place:
         places = ", ".join(f"{protocol}://HOST" for protocol, _ in link.link.ports)
@@ -144,24 +163,25 @@ def _opened(link: LinkLayout, arguments: argparse.Namespace) -> Carrier:
         return Connection.opened(place)
     if place.startswith("udp://"):
         return Datagrams(place, server=False)
-    return SerialPort(place, settings_of(link.link, arguments.baud, arguments.parity))
+    return SerialPort(place, line_settings(link, arguments))
 
 
-def _client(
-    layout: DeviceLayout,
-    chosen: LinkLayout,
-    arguments: argparse.Namespace,
-    carrier: Carrier,
-    fixed: Mapping[str, Raw],
-) -> Client:
+def line_settings(link: LinkLayout, arguments: argparse.Namespace) -> LineSettings:
+    """The settings of a serial line: the requested ones, and the factory settings for the others."""
+    return settings_of(link.link, arguments.baud, arguments.parity, arguments.data_bits)
+
+
+def client_at(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.Namespace, carrier: Carrier) -> Client:
+    """A client over a carrier, with the settings that are requested. Raises UsageError."""
+    fixed = dict(_fixed_value(layout, chosen, text) for text in arguments.fixed)
     link = chosen.link
     unit = _unit_address(layout, chosen, arguments)
-    settings = settings_of(link, arguments.baud, arguments.parity)
+    settings = line_settings(chosen, arguments)
     pause = arguments.pause
     if pause is None:
         printed = float(link.silence_milliseconds or 0) / 1000
         pause = max(printed, settings.seconds(float(link.silence_characters or 0)))
-    timing = Timing(arguments.timeout, pause, arguments.retries)
+    timing = Timing(arguments.timeout or _TIMEOUT, pause, arguments.retries)
 
     def trace(direction: str, frame: bytes) -> None:
         print_note(f"{direction} {frame.hex(' ').upper()}")
@@ -170,7 +190,7 @@ def _client(
 
 
 def _unit_address(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.Namespace) -> int:
-    """The unit address: the one that is asked for, or the lowest of the link, which it says. Raises UsageError."""
+    """The requested unit address, or the lowest of the link. Raises UsageError."""
     addresses, requested = chosen.link.unit_addresses, arguments.unit
     ranges = addresses.ranges if addresses is not None else None
     if chosen.request.role("unit_address") is None:
@@ -184,14 +204,32 @@ def _unit_address(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.
     unit = usual_unit_address(layout)
     if ranges is not None and unit not in ranges:
         unit = ranges.low
-    if arguments.format == "text":
-        print_note(unit_address_text(unit))
     return unit
+
+
+def settings_text(layout: DeviceLayout, link: LinkLayout, arguments: argparse.Namespace, unit: int) -> str:
+    """The settings with which a device is reached: `DEVICE: link NAME, 19200 baud, ..., unit address 1`."""
+    line = [line_settings(link, arguments).text] if arguments.port and has_line_settings(arguments.port) else []
+    address = [f"unit address {unit}"] if link.request.role("unit_address") is not None else []
+    return f"{layout.device.id}: {', '.join([f'link {link.name}', *line, *address])}"
 
 
 def unit_address_text(unit: int) -> str:
     """What a verb says of the unit address that it uses because nobody has chosen one."""
     return f"unit address {unit}; --unit NUMBER chooses another"
+
+
+def unit_address_option(layout: DeviceLayout, link: str | None, pairs: Sequence[str]) -> tuple[list[str], int | None]:
+    """The assignments `NAME=VALUE` without that of the unit address of a link, and its value. Raises UsageError."""
+    part = layout.links[link].request.role("unit_address") if link and link in layout.links else None
+    own = [pair for pair in pairs if part is not None and pair.partition("=")[0] in (part.name, "unit")]
+    rest = [pair for pair in pairs if pair not in own]
+    if not own:
+        return rest, None
+    text = own[-1].partition("=")[2]
+    if not text.isdecimal():
+        raise UsageError(f"`{own[-1]}` is not a unit address; write a number, such as {own[-1].partition('=')[0]}=1")
+    return rest, int(text)
 
 
 def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str, Raw]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 
+from fieldspec.codec.explain.parameters import rounded
 from fieldspec.command.console.streams import print_error, print_line, print_note
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError, unknown
@@ -18,13 +19,14 @@ from fieldspec.tools.live.states import active_states
 from fieldspec.tools.live.writing import WriteError
 
 if TYPE_CHECKING:
+    from fieldspec.codec.layout.device import DeviceLayout
     from fieldspec.tools.live.access import Access, Assignment
 
 
 def write_values(client: Client, access: Access, arguments: argparse.Namespace) -> int:
     """Writes what `NAME=VALUE` asks for. Exit code 1 where the device does not hold it then. Raises UsageError."""
-    chosen = _assignments(access, arguments.arguments)
-    frames = _frames(client, access, chosen)
+    chosen = assignments(client.layout, access, arguments.arguments)
+    frames = frames_of(client, access, chosen)
     for item in chosen:
         for hazard in item.hazards:
             print_note(f"{item.path}: {hazard}")
@@ -50,8 +52,11 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace) 
     return code
 
 
-def _assignments(access: Access, texts: Sequence[str]) -> list[Assignment]:
-    """What `NAME=VALUE` asks for, all judged before anything is written. Raises UsageError."""
+def assignments(layout: DeviceLayout, access: Access, texts: Sequence[str]) -> list[Assignment]:
+    """The values that `NAME=VALUE` requests, all checked before anything is written. Raises UsageError.
+
+    A quantity between two counts is rounded as in the generated code, with a remark.
+    """
     if not texts:
         raise UsageError("name what to write, as in target_position=10.5mm")
     chosen = []
@@ -62,8 +67,16 @@ def _assignments(access: Access, texts: Sequence[str]) -> list[Assignment]:
             raise UsageError(reason)
         if not own:
             raise unknown(access.what, name, [access.path(item) for item in access.items()])
-        if not mark or len(own) != 1:
-            raise UsageError(f"`{text}` names {len(own)} values; write NAME=VALUE with the name of one")
+        if not mark:
+            raise UsageError(f"`{text}` has no value; write {name}=VALUE")
+        if len(own) != 1:
+            first = access.path(own[0])
+            raise UsageError(f"`{name}` is the name of {len(own)} values; write one of them, such as {first}={value}")
+        nearest_count = rounded(layout.device, name, access.value(own[0]), value)
+        if nearest_count is not None:
+            count, remark = nearest_count
+            print_note(remark)
+            value = str(count)
         try:
             chosen.append(access.assignment(own[0], value))
         except WriteError as error:
@@ -74,7 +87,7 @@ def _assignments(access: Access, texts: Sequence[str]) -> list[Assignment]:
     return chosen
 
 
-def _frames(client: Client, access: Access, chosen: Sequence[Assignment]) -> list[tuple[str, bytes]]:
+def frames_of(client: Client, access: Access, chosen: Sequence[Assignment]) -> list[tuple[str, bytes]]:
     """The frames that write values, each with the names of these. Raises UsageError."""
     names: dict[object, list[Assignment]] = {}
     for item in chosen:

@@ -11,7 +11,7 @@ from fieldspec.codec.explain.examples import printed
 from fieldspec.codec.explain.explanation import Explanation, ExplanationRow, Meaning
 from fieldspec.codec.explain.readings import ChosenReading
 from fieldspec.codec.explain.recognition import Reading
-from fieldspec.codec.explain.row import IDENTIFIER, citations
+from fieldspec.codec.explain.row import IDENTIFIER, citations, concerns_link
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.rendering.blocks import Block, Line, Table, narrowed
 from fieldspec.foundation.classes import replace
@@ -125,8 +125,8 @@ def blocks(layout: DeviceLayout, reading: ChosenReading, remarks: Iterable[str],
     yield from (Line(example, "dim") for example in examples(layout, explanation))
 
 
-def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
-    """The notes and errata about the frame, each once."""
+def footnotes(layout: DeviceLayout, explanation: Explanation, all_errata: bool) -> Iterator[str]:
+    """The notes and errata about the frame, each once: errata that concern a field on this link, or `all_errata`."""
     rows = (*explanation.rows, *explanation.registers)
     visited = set()
     for row in rows:
@@ -134,9 +134,15 @@ def footnotes(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
             if note not in visited:
                 visited.add(note)
                 yield f"note on {row.path or 'the frame'}: {note}"
-    touching = {*explanation.errata, *(number for row in rows for number in row.errata)}
-    for erratum in layout.device.errata:
-        if erratum.id in touching:
+    of_fields = {number for row in rows for number in row.errata}
+    touching = [own for own in layout.device.errata if own.id in of_fields or own.id in explanation.errata]
+    link = layout.device.links[explanation.link]
+    printed_ids = {own.id for own in touching if own.id in of_fields and concerns_link(layout.device, own, link)}
+    if not all_errata and len(printed_ids) < len(touching):
+        count = len(touching) - len(printed_ids)
+        yield f"{count} more errata about this message or other links; print them with --errata"
+    for erratum in touching:
+        if all_errata or erratum.id in printed_ids:
             pairs = erratum.printed.items()
             keys = ", ".join(f"{key} {'absent' if value is None else value}" for key, value in pairs)
             yield f"erratum {erratum.id}: " + (f"printed {keys}. " if keys else "") + erratum.reason

@@ -21,7 +21,7 @@ from fieldspec.command.builds.freshness import (
     read_manifest,
 )
 from fieldspec.command.builds.overviews import stage_overviews
-from fieldspec.command.console.streams import print_error, print_line
+from fieldspec.command.console.streams import print_error, print_line, print_note
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files.placement import Staging
 from fieldspec.command.packages.plugins import package_hashes
@@ -74,6 +74,9 @@ def build(arguments: argparse.Namespace) -> int:
         if not build_request.picked:
             earlier.keep(result.devices, result.shared, build_request.whole, result.quiet)
     print_line(f"{len(hashes)} files, {len(result.stale)} written, {len(removed)} removed")
+    if hashes and not result.stale and not removed and not arguments.watch:
+        folders = ", ".join(sorted({path.partition("/")[0] for path in hashes if "/" in path}))
+        print_note(f"{output_folder} is up to date: {folders}")
     return 0
 
 

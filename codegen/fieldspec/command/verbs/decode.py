@@ -16,6 +16,7 @@ from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.command.console.streams import print_error, print_json, print_line, print_note
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError
+from fieldspec.command.frames.frame_hints import FrameHints
 from fieldspec.command.frames.frame_options import frame_options
 from fieldspec.command.rendering import explanation_text as texts
 from fieldspec.command.rendering.blocks import Block, Line
@@ -28,10 +29,13 @@ if TYPE_CHECKING:
 
 
 class FramePrinter:
-    """Prints explanations of frames at once. Notes and errata are printed only the first time."""
+    """Prints explanations of frames at once. Notes and errata are printed only the first time.
 
-    def __init__(self, layout: DeviceLayout, form: str) -> None:
-        self.layout, self.form = layout, form
+    With `all_errata`, errata about other links and about the message or the link as a whole are printed too.
+    """
+
+    def __init__(self, layout: DeviceLayout, form: str, all_errata: bool = False) -> None:
+        self.layout, self.form, self.all_errata = layout, form, all_errata
         self.said: set[str] = set()
         self.first = True
 
@@ -61,7 +65,7 @@ class FramePrinter:
 
     def _blocks(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
         yield from texts.blocks(self.layout, reading, remarks, f"line {number}: " if number else "")
-        for line in texts.footnotes(self.layout, reading.explanation):
+        for line in texts.footnotes(self.layout, reading.explanation, self.all_errata):
             if line not in self.said:
                 self.said.add(line)
                 yield Line(line, "dim")
@@ -88,7 +92,8 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.request and "response" not in options.directions:
         raise UsageError(f"--request is for responses, so --direction cannot be {arguments.direction}")
     open_request = _parse_request(layout, options, arguments.request)
-    printer = FramePrinter(layout, arguments.format)
+    printer = FramePrinter(layout, arguments.format, arguments.errata)
+    hints = FrameHints(layout, options, arguments)
     text = " ".join(arguments.frame)
     if arguments.frame and not text.strip():
         raise UsageError("this is not a frame: it has no bytes; leave it out to read lines of standard input")
@@ -98,10 +103,10 @@ def run(arguments: argparse.Namespace) -> int:
         if sys.stdin.isatty():
             print_note("reading frames from the terminal, one on each line")
         gc.enable()  # a log may be long
-        return Log(layout, options, open_request, printer, arguments.strict).explain(sys.stdin.buffer)
+        return Log(layout, options, open_request, printer, hints, arguments.strict).explain(sys.stdin.buffer)
     line = _frame(layout, text)
     reading = read(layout, line.frame, options, line.direction, open_request)
-    printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options)])
+    printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options), *hints.of(reading)])
     return int(_fails(reading, arguments.strict))
 
 
@@ -151,8 +156,10 @@ class Log:
         options: FrameOptions,
         open_request: OpenRequest | None,
         printer: FramePrinter,
+        hints: FrameHints,
         strict: bool,
     ) -> None:
+        self.hints = hints
         self.layout, self.said, self.printer, self.strict = layout, options, printer, strict
         self.links = [link.link for link in layout.links.values()]
         self.asked = open_request
@@ -185,7 +192,8 @@ class Log:
         if not line.frame:
             return
         reading, asked_in = self._read(line.frame)
-        self.printer.explain(reading, [*line.remarks, *remarks(self.layout, reading, asked_in, self.said)], number)
+        own_remarks = remarks(self.layout, reading, asked_in, self.said)
+        self.printer.explain(reading, [*line.remarks, *own_remarks, *self.hints.of(reading)], number)
         self.wrong = self.wrong or _fails(reading, self.strict)
         self.mark = ""
         if self.asked is None:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 
 from fieldspec.codec.explain.explanation import explained
-from fieldspec.codec.explain.parameters import nearest, parameter_number
+from fieldspec.codec.explain.parameters import parameter_number
 from fieldspec.codec.explain.readings import DIRECTIONS
 from fieldspec.codec.explain.registers import Occupant, forbidden, occupant_at
 from fieldspec.codec.explain.row import ExplanationRow
@@ -16,10 +16,10 @@ from fieldspec.codec.layout.bits import packed_bits
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
-from fieldspec.command.console.streams import print_error, print_json, print_line
+from fieldspec.command.console.streams import print_json, print_line
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.frames.encode_computed import computed
-from fieldspec.command.frames.encode_parameters import with_parameter
+from fieldspec.command.frames.encode_parameters import whole_count, with_parameter
 from fieldspec.command.frames.frame_options import frame_options, number_of
 from fieldspec.command.sources import layout_cache
 from fieldspec.foundation.classes import dataclass
@@ -27,6 +27,9 @@ from fieldspec.language.model.quantity import count_of
 from fieldspec.language.model.record import Message, RegisterAccess
 
 _MOST = 20
+_WRITE = "write"
+_UNIT = "unit"
+"""The name of the unit address on the command line, whatever the manual calls it."""
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -34,11 +37,16 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.codec.reference import CodecError, codec
 
     layout = layout_cache.requested_layout(arguments)
+    if _writes_by_name(layout, arguments):
+        return _write_by_name(layout, arguments)
     frame_kind, pairs = _way(layout, arguments)
     if frame_kind.direction == "request" and not layout.messages[frame_kind.message].message.is_requested:
         raise UsageError(f"only the device sends {frame_kind.message}; use: --direction response")
     texts = _nested(pairs)
     fields = _fields(layout, frame_kind)
+    address = layout.links[frame_kind.link].frame(frame_kind.direction).role("unit_address")
+    if address is not None and _UNIT in texts and _UNIT not in fields and address.name not in texts:
+        texts[address.name] = texts.pop(_UNIT)
     body = body_of(layout, frame_kind.link, frame_kind.direction, frame_kind.message, False)
     _by_print(layout, frame_kind, texts)
     for name in texts:
@@ -58,6 +66,32 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"{error}; {_way_text(layout, frame_kind)} has the fields {', '.join(fields)}") from None
     _judge(layout, frame_kind, frame)
     _print(layout, frame_kind, arguments.format, frame)
+    return 0
+
+
+def _writes_by_name(layout: DeviceLayout, arguments: argparse.Namespace) -> bool:
+    """Whether the arguments are `write NAME=VALUE`, and no message is called `write`."""
+    is_named = arguments.message is not None or arguments.words
+    return not is_named and arguments.assignments[:1] == [_WRITE] and _WRITE not in layout.messages
+
+
+def _write_by_name(layout: DeviceLayout, arguments: argparse.Namespace) -> int:
+    """Prints the frames that write registers or parameters by their names. Raises UsageError."""
+    from fieldspec.command.live.connection import access_of, connected, links_that_read, unit_address_option
+    from fieldspec.command.live.writing import assignments, frames_of
+
+    if arguments.direction == "response":
+        raise UsageError(f"{_WRITE} makes requests; name the message to encode a response")
+    name = arguments.link or next(iter(links_that_read(layout)), None)
+    pairs, unit = unit_address_option(layout, name, arguments.assignments[1:])
+    line = dict.fromkeys(("baud", "parity", "data_bits", "timeout", "pause", "port"))
+    settings = argparse.Namespace(link=name, unit=unit, fixed=[], format="json", trace=False, retries=0, **line)
+    with connected(layout, settings, dry=True) as client:
+        access = access_of(client)
+        for names, frame in frames_of(client, access, assignments(layout, access, pairs)):
+            request = client.frames.decode(frame, "request")
+            message = request.message.name if request.message is not None else names
+            _print(layout, _Way(client.frames.link.name, "request", message), arguments.format, frame)
     return 0
 
 
@@ -226,8 +260,8 @@ def _refuse_steps(layout: DeviceLayout, message: Message, values: Mapping[str, R
 
 
 def _count_of(layout: DeviceLayout, frame_kind: _Way, name: str, text: object) -> object:
-    """A value as counts, where that needs more than its own field: the number of a named parameter, and what is a
-    share of a power of two, of which hardly any value in the unit is a whole number. Says what it rounds.
+    """A value as counts, where that needs more than its own field: the number of a named parameter, and a quantity
+    between two counts, which is rounded as in the generated code. Says what it rounds.
     """
     body = body_of(layout, frame_kind.link, frame_kind.direction, frame_kind.message, False)
     field = body.named(name)
@@ -237,14 +271,7 @@ def _count_of(layout: DeviceLayout, frame_kind: _Way, name: str, text: object) -
     if value.parameter is not None and value.parameter.part == "number":
         number = parameter_number(layout.device, value.parameter.set, text)
         return text if number is None else number
-    if "/" not in value.scale_text:
-        return text
-    count = nearest(layout.device, value, text)
-    if count is None or count.is_whole:
-        return text
-    count_text = "" if count.text.replace(" ", "") == text.replace(" ", "") else f", which is {count.text}"
-    print_error(f"{name}: {text} is {count.exact} counts; {count.raw} is sent{count_text}")
-    return count.raw
+    return whole_count(layout, name, value, text)
 
 
 def _fields(layout: DeviceLayout, frame_kind: _Way) -> list[str]:
@@ -332,7 +359,8 @@ def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:
     from fieldspec.codec.reference.records import encoded_value
     from fieldspec.codec.reference.structs import value_construct
 
-    raw = raw_value(layout.device, occupant.path, occupant.value, item)
+    text = whole_count(layout, occupant.path, occupant.value, item)
+    raw = raw_value(layout.device, occupant.path, occupant.value, text)
     known = encoded_value(occupant.path, occupant.value, raw, layout.device)
     built: bytes = value_construct(occupant.value, occupant.order, occupant.swapped).build(known)
     return built

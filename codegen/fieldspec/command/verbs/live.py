@@ -10,6 +10,7 @@ from fieldspec.codec.reference.records import CodecError
 from fieldspec.command.console.streams import print_document, print_error, print_note
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.live.connection import access_of, connected, unsent
+from fieldspec.command.live.finding import find_device, ways_on
 from fieldspec.command.live.output import print_values, progress
 from fieldspec.command.live.transfer import TRANSFERS, transfer_values
 from fieldspec.command.live.writing import write_values
@@ -31,6 +32,8 @@ def run(arguments: argparse.Namespace) -> int:
     _refuse_options(arguments)
     spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
+    if arguments.verb_of_device == "find":
+        return find_device(layout, arguments)
     dry = arguments.dry_run and arguments.verb_of_device == "write"
     try:
         with connected(layout, arguments, dry) as client:
@@ -68,6 +71,10 @@ def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace
     except NoAnswerError as error:
         unit = f"unit {client.unit_address} on " if client.head else ""
         text = f"{error} from {unit}{client.frames.link.name}"
+        print_error(f"{client.layout.device.id}: {text}")
+        for line in ways_on(client, arguments):
+            print_note(line)
+        return 1
     print_error(f"{client.layout.device.id}: {text}")
     return 1
 
@@ -194,7 +201,7 @@ _OPTIONS = {
     "yes": _WRITING,
     "table": ("points download", "points upload", "compare"),
     "any_version": (*_WRITING, "compare"),
-    "format": ("read", "watch", "scan", "compare"),
+    "format": ("find", "read", "watch", "scan", "compare"),
 }
 """The verbs on which an option has an effect; the other options are for all of them."""
 

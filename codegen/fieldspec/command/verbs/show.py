@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.terminal import print_blocks
-from fieldspec.command.console.usage import unknown
+from fieldspec.command.console.usage import not_at, unknown
 from fieldspec.command.frames.frame_options import number_of
-from fieldspec.command.rendering.item import Item, fact_of, handles, items, numbered, unnamed
+from fieldspec.command.rendering.item import Item, ParameterNumber, fact_of, handles, items, numbered, unnamed
 from fieldspec.command.rendering.item_blocks import blocks
 from fieldspec.command.rendering.overview import overview
 from fieldspec.command.sources import layout_cache
@@ -50,9 +51,25 @@ def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
     matches = matches or [item for item in known if _printed_address(layout, item, number) is not None]
     matches = matches or list(unnamed(layout, text, number))
     if not matches:
+        places = {place: name for item in known for place, name in _addressed(item)}
+        if number is not None and places:
+            raise not_at(f"item of {layout.device.id}", number, places.items())
         names = {handle for item in known for handle in handles(item) if handle}
         raise unknown(f"item of {layout.device.id}", text, names)
     return matches
+
+
+def _addressed(item: Item) -> Iterator[tuple[int, str]]:
+    """The address of a register or a table, and the number of a parameter, each with its name."""
+    match item:
+        case Register():
+            yield item.address, item.name
+        case TableLayout():
+            yield item.table.base, item.table.name
+        case ParameterNumber():
+            yield item.parameter_set.base + item.number, "".join(handles(item)[:1])
+        case _:
+            return
 
 
 def _address_in(layout: DeviceLayout, item: Item, number: int | None) -> int | None:

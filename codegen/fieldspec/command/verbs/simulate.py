@@ -73,7 +73,7 @@ def run(arguments: argparse.Namespace) -> int:
             recording = Path(arguments.record).open("w", encoding="utf-8", newline="\n")  # noqa: SIM115
             simulation.listeners.append(_Recorder(recording).write)
         for link, place in places:
-            settings = settings_of(layout.links[link].link, arguments.baud, arguments.parity)
+            settings = settings_of(layout.links[link].link, arguments.baud, arguments.parity, arguments.data_bits)
             name = _served(simulation, link, place, settings, is_stated=bool(arguments.port))
             print_note(f"{layout.device.id} {layout.device.version}, {link}: {name}")
         if arguments.websocket is not None:
@@ -124,7 +124,8 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
     if not ports:
         links = list(layout.links.values())
         # One serial line at a time, as on the device; what is no serial line has no other to disturb.
-        serial = next((link for link in links if link.link.serial is not None), None)
+        usual = layout.links[layout.device.default_link]
+        serial = next((link for link in (usual, *links) if link.link.serial is not None), None)
         bus = next((link for link in links if link.link.is_can), None)
         if bus is not None and serial is None:
             raise UsageError(f"say on which bus {bus.name} is: --port {bus.name}=can://socketcan/can0")
@@ -134,7 +135,7 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
     for port in ports:
         name, mark, place = port.partition("=")
         if not mark or "://" in name:
-            name, place = next(iter(layout.links)), port
+            name, place = layout.device.default_link, port
         if name not in layout.links:
             raise unknown("link", name, layout.links)
         wrong = can_objection(layout.links[name], place)

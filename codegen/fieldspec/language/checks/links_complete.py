@@ -1,5 +1,5 @@
 """A link describes its frames completely: the byte order, one body, the code of a request, and which parts
-the length counts and the checksum covers.
+the length counts and the checksum covers. At most one link is the `default`.
 
 Why: the byte order is stated for each link and never assumed. A frame cannot be decoded if its message is not
 identified or its data has no place.
@@ -34,6 +34,11 @@ _GREATEST_SIZE = 4
 
 
 def links_complete(device: Device) -> Iterator[Diagnostic]:
+    defaults = [link for link in device.links.values() if link.is_default]
+    for link in defaults[1:]:
+        text = f"{link.name} and {defaults[0].name} are both the default link"
+        help = "state `default: true` only at the link that the device uses with factory settings"
+        yield finding(_CODE, link.place, "default", text, help, label(defaults[0].place, "default", "the first one"))
     for link in device.links.values():
         if not link.byte_order:
             text = f"the link {link.name} has no byte order"

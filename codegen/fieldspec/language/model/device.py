@@ -206,6 +206,12 @@ class Device:
         return None
 
     @property
+    def default_link(self) -> str:
+        """The name of the link that the device uses with factory settings: the first one if none is stated."""
+        stated = (name for name, link in self.links.items() if link.is_default)
+        return next(stated, next(iter(self.links), ""))
+
+    @property
     def byte_order(self) -> str:
         """The byte order of the device's links."""
         return next((link.byte_order for link in self.links.values() if link.byte_order), "big")

@@ -129,6 +129,28 @@ class Serial:
     stop_bits: tuple[int, ...]
     start_bits: int | None
     sources: tuple[Citation, ...]
+    default_data_bits: int | None = None
+    default_parity: str = ""
+
+    @property
+    def factory_baud(self) -> int:
+        """The baud rate with factory settings, as far as it is stated."""
+        return self.default_baud or next(iter(self.baud), 9600)
+
+    @property
+    def factory_data_bits(self) -> int:
+        """The number of data bits with factory settings, as far as it is stated."""
+        return self.default_data_bits or max(self.data_bits, default=8)
+
+    @property
+    def factory_parity(self) -> str:
+        """The parity with factory settings, as far as it is stated."""
+        return self.default_parity or next(iter(self.parity), "none")
+
+    @property
+    def factory_stop_bits(self) -> int:
+        """The number of stop bits with factory settings, as far as it is stated."""
+        return next(iter(self.stop_bits), 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +174,7 @@ class Link(Fact):
 
     The delimiters of a response are `response_start` and `response_end`, those of a request `start` and `end`; mostly
     they are the same. `message_name`, `request_name` and `response_name` are the manual's names of a message and of the
-    two directions.
+    two directions. A device with factory settings uses the link that `is_default`.
     """
 
     title: str
@@ -176,6 +198,7 @@ class Link(Fact):
     silence_sources: tuple[Citation, ...]
     escape: Escape | None = None
     network: Network | None = None
+    is_default: bool = False
 
     @property
     def ports(self) -> tuple[tuple[str, int], ...]:

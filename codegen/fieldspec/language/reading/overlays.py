@@ -333,6 +333,10 @@ def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -
     return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
 
 
+_MOST_NAMES = 5
+"""The names that the help for an unknown path lists."""
+
+
 def _near_path(tree: Mapping, path: str) -> str:
     """The help for the path of a fact that is not there: the name that its first unknown step may mean."""
     steps = path.split("/")
@@ -341,7 +345,9 @@ def _near_path(tree: Mapping, path: str) -> str:
     holder: Node = node_at(tree, keys(tree, before) or []) if before else tree
     close = near(steps[known], _names_below(holder, 2))
     if not close.startswith("did you mean"):
-        return "see `fieldspec facts` for the paths"
+        names = [name for name in _names_below(holder, 1) if name not in ("group", "section", "rows")][:_MOST_NAMES]
+        place = f"`{before}`" if before else "the base version"
+        return f"correct the path; {place} contains {', '.join(names)}" if names else f"{place} contains no facts"
     name = close.partition("`")[2].partition("`")[0]
     return f"did you mean `{'/'.join([*steps[:known], name, *steps[known + 1 :]])}`?"
 

@@ -35,14 +35,15 @@ def serial_facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     if serial.baud:
         default = "" if serial.default_baud is None else f"; {serial.default_baud} by default"
         yield "Baud rate", ((text_piece(f"{', '.join(map(str, serial.baud))} bit/s{default}"),),)
-    for title, settings in (
-        ("Start bits", () if serial.start_bits is None else (serial.start_bits,)),
-        ("Data bits", serial.data_bits),
-        ("Parity", serial.parity),
-        ("Stop bits", serial.stop_bits),
+    for title, settings, factory in (
+        ("Start bits", () if serial.start_bits is None else (serial.start_bits,), None),
+        ("Data bits", serial.data_bits, serial.default_data_bits),
+        ("Parity", serial.parity, serial.default_parity),
+        ("Stop bits", serial.stop_bits, None),
     ):
         if settings:
-            yield title, (joined(((text_piece(str(setting)),) for setting in settings), " or "),)
+            default_piece = (text_piece(f"; {factory} by default"),) if factory else ()
+            yield title, ((*joined(((text_piece(str(setting)),) for setting in settings), " or "), *default_piece),)
     if serial.sources:
         yield "Source of the settings", (cited(serial.sources),)
 

@@ -378,6 +378,8 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
             "Refusals",
             ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
         )
+    if link.is_default:
+        yield "Factory setting", ((text_piece("the device uses this link with factory settings"),),)
     yield from address_facts(link)
     yield from serial_facts(link)
     yield from network_facts(link)

@@ -129,7 +129,7 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
             ],
             4,
         ),
-        parameters=_constructor(own, addressed),
+        parameters=_constructor(own, addressed, default=layout.device.default_link),
         session=_session(own, bool(addressed)),
         reads_registers=reads_registers,
         parameter_sets=item_lines("self.parameters = _ParameterWork(session, {", sets, "})", 8) if sets else [],
@@ -147,8 +147,8 @@ _CLIENT_DOC = (
 )
 
 
-def _constructor(links: Sequence[ClientLinkView], addressed: Sequence[LinkLayout]) -> list[str]:
-    """The parameters of the constructor beside the transport."""
+def _constructor(links: Sequence[ClientLinkView], addressed: Sequence[LinkLayout], default: str) -> list[str]:
+    """The parameters of the constructor beside the transport. The link is that of the factory settings."""
     known = [
         addresses.ranges.low
         for link in addressed
@@ -156,7 +156,9 @@ def _constructor(links: Sequence[ClientLinkView], addressed: Sequence[LinkLayout
     ]
     lines = []
     if len(links) > 1:
-        lines.append(f"link: _Literal[{', '.join(link.title for link in links)}] = {links[0].title}")
+        titles = [link.title for link in links]
+        usual = literal(default) if literal(default) in titles else titles[0]
+        lines.append(f"link: _Literal[{', '.join(titles)}] = {usual}")
     if addressed:
         lines.append(f"unit_address: int = {known[0] if known else 1}")
     for keyword, _, kind, required in _choices(links):

@@ -210,18 +210,9 @@ def _pause(link: Link) -> float:
         return float(link.silence_milliseconds) / 1000
     if link.silence_characters is None or link.serial is None:
         return 0.0
-    return round(float(link.silence_characters) * _bits(link.serial) / _baud(link.serial), 6)
-
-
-def _baud(serial: Serial) -> int:
-    return serial.default_baud or (serial.baud[0] if serial.baud else 9600)
+    return round(float(link.silence_characters) * _bits(link.serial) / link.serial.factory_baud, 6)
 
 
 def _bits(serial: Serial) -> int:
-    parity = serial.parity[0] if serial.parity else "none"
-    return (
-        1
-        + (max(serial.data_bits) if serial.data_bits else 8)
-        + (parity != "none")
-        + (serial.stop_bits[0] if serial.stop_bits else 1)
-    )
+    """The bits of a character, with the start bit."""
+    return 1 + serial.factory_data_bits + (serial.factory_parity != "none") + serial.factory_stop_bits

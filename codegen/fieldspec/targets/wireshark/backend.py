@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.codec.explain.row import concerns_link
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import Name, stem
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
@@ -149,4 +150,9 @@ def device_data(visible_device: Remaining) -> dict[str, Data]:
         },
         "links": links,
         "errata": {erratum.id: line_text(sentence(erratum.reason)) for erratum in device.errata},
+        "errata_elsewhere": {
+            erratum.id: dict.fromkeys(names, True)
+            for erratum in device.errata
+            if (names := [own.name for own in device.links.values() if not concerns_link(device, erratum, own)])
+        },
     }

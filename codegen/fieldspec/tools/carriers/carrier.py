@@ -42,6 +42,12 @@ class LineSettings:
     parity: str = "none"
     stop_bits: int = 1
 
+    @property
+    def text(self) -> str:
+        """`19200 baud, 8 data bits, parity none, 1 stop bit`"""
+        plural = "s" * (self.stop_bits != 1)
+        return f"{self.baud} baud, {self.data_bits} data bits, parity {self.parity}, {self.stop_bits} stop bit{plural}"
+
     def seconds(self, characters: float) -> float:
         """The seconds that a number of characters takes on the line."""
         bits = 1 + self.data_bits + (self.parity != "none") + self.stop_bits

@@ -77,6 +77,12 @@ class PseudoTerminal:
             os.close(descriptor)
 
 
+def has_line_settings(place: str) -> bool:
+    """Whether a place is a serial line whose rate and parity matter: pseudo-terminals and networks have neither."""
+    is_url = "://" in place and not place.startswith("rfc2217://")
+    return not is_url and not _PSEUDO_TERMINAL.fullmatch(os.path.realpath(place))
+
+
 class SerialPort:
     """A serial port, or whatever else pyserial opens by a URL, such as `socket://HOST:PORT` and `rfc2217://HOST:PORT`."""
 
@@ -90,8 +96,8 @@ class SerialPort:
         self.name = url
         self._errors: tuple[type[Exception], ...] = (serial.SerialException, ValueError, *_ERRORS)
         self.keeps_pauses = not url.startswith(("socket://", "rfc2217://"))
-        if _PSEUDO_TERMINAL.fullmatch(os.path.realpath(url)):
-            # It carries whole bytes, so that it has neither parity nor a size of characters, and refuses both.
+        if not has_line_settings(url):
+            # A pseudo-terminal carries whole bytes: it has neither parity nor a size of characters, and refuses both.
             settings = replace(settings, parity="none", data_bits=8)
         parity = {"none": serial.PARITY_NONE, "even": serial.PARITY_EVEN, "odd": serial.PARITY_ODD}[settings.parity]
         try:

@@ -268,8 +268,8 @@ def _serial(link: Link) -> Iterator[FactRow]:
     settings: tuple[tuple[str, tuple[object, ...], Cell], ...] = (
         ("baud", serial.baud, serial.default_baud),
         ("start_bits", () if serial.start_bits is None else (serial.start_bits,), None),
-        ("data_bits", serial.data_bits, None),
-        ("parity", serial.parity, None),
+        ("data_bits", serial.data_bits, serial.default_data_bits),
+        ("parity", serial.parity, serial.default_parity or None),
         ("stop_bits", serial.stop_bits, None),
     )
     for name, values, default in settings:

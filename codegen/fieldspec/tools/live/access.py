@@ -101,6 +101,9 @@ if TYPE_CHECKING:
         def fact(self, item: Item) -> Fact:
             """The fact that describes an item."""
 
+        def value(self, item: Item) -> Value:
+            """The value of an item."""
+
         def named(self, name: str) -> list[Item]:
             """The items that a name means; none where it is unknown."""
 

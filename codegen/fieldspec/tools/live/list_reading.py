@@ -124,9 +124,12 @@ def _of_row(
     name = table or (row.cell(columns[TABLE]) if TABLE in columns else "")
     name = name or (next(iter(layout.tables)) if len(layout.tables) == 1 else "")
     if name not in layout.tables:
-        table_names = ", ".join(layout.tables) or "none"
-        text = f"there is no table {name}" if name else "which table is not said: add a column Table, or --table"
-        return [], [ListFinding(row.number, columns.get(TABLE, -1) + 1, f"{text}; there are {table_names}")]
+        if not layout.tables:
+            text = f"{layout.device.id} has no tables; write Name and Value in each row"
+        else:
+            text = f"there is no table {name}" if name else "the row names no table: add a column Table, or --table"
+            text = f"{text}; use {' or '.join(layout.tables)}"
+        return [], [ListFinding(row.number, columns.get(TABLE, -1) + 1, text)]
     index, indexes = row.cell(columns[INDEX]), layout.tables[name].table.indexes
     if not index.isascii() or not index.isdecimal() or int(index) not in indexes:
         text = f"there is no {name}[{index}]; there are {indexes[0]}..{indexes[-1]}"

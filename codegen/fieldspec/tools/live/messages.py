@@ -101,8 +101,9 @@ class ParameterAssignment:
 
 
 def link_of(layout: DeviceLayout) -> LinkLayout | None:
-    """The first link whose messages read something when they are asked; None where there is none."""
-    return next((link for link in layout.links.values() if any(True for _ in signals(layout, link))), None)
+    """The default link if its messages read something, else the first one that does; None if no link does."""
+    links = (layout.links.get(layout.device.default_link), *layout.links.values())
+    return next((link for link in links if link is not None and any(True for _ in signals(layout, link))), None)
 
 
 def signals(layout: DeviceLayout, link: LinkLayout) -> Iterator[Signal]:

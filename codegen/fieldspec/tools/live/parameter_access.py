@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from fieldspec.codec.layout.device import DeviceLayout
     from fieldspec.codec.layout.frame import LinkLayout
     from fieldspec.language.model.fact import Fact
+    from fieldspec.language.model.value import Value
     from fieldspec.tools.live.client import Client
 
 
@@ -77,6 +78,10 @@ class ParameterAccess:
     def fact(self, item: Signal) -> Fact:
         """The fact that describes an item."""
         return item.fact
+
+    def value(self, item: Signal) -> Value:
+        """The value of an item."""
+        return item.value
 
     def named(self, name: str) -> list[Signal]:
         """The signals with a path, all fields of a message, a parameter by its printed name, a role."""

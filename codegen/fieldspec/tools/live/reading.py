@@ -68,7 +68,8 @@ def blocks(layout: DeviceLayout, chosen: Sequence[tuple[str, Occupant]]) -> list
     for block in read_plan(layout).blocks:
         own = [pair for pair in rest if _within(layout, block, *pair)]
         if own:
-            rest = [pair for pair in rest if pair not in own]
+            read_here = set(map(id, own))
+            rest = [pair for pair in rest if id(pair) not in read_here]
             first = min(occupant.address for _, occupant in own)
             last = max(occupant.address + occupant.words for _, occupant in own)
             result.append(Block(own[0][0], first, last - first, tuple(occupant for _, occupant in own)))

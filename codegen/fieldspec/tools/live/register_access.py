@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from fieldspec.codec.layout.device import DeviceLayout
     from fieldspec.language.model.address_space import AddressSpace
     from fieldspec.language.model.fact import Fact
+    from fieldspec.language.model.value import Value
     from fieldspec.tools.live.client import Client
 
     Placed: TypeAlias = tuple[str, Occupant]
@@ -78,6 +79,10 @@ class RegisterAccess:
     def fact(self, item: Placed) -> Fact:
         """The fact that describes an item."""
         return item[1].fact
+
+    def value(self, item: Placed) -> Value:
+        """The value of an item."""
+        return item[1].value
 
     def named(self, name: str) -> list[Placed]:
         """The register with a name, the elements of an array, the fields of a record, a role, an address."""

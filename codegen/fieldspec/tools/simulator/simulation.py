@@ -222,16 +222,18 @@ class Simulation:
         self.close()
 
 
-def settings_of(link: Link, baud: int | None = None, parity: str | None = None) -> LineSettings:
-    """The settings of a serial line: those that the spec states, or others that are asked for."""
+def settings_of(
+    link: Link, baud: int | None = None, parity: str | None = None, data_bits: int | None = None
+) -> LineSettings:
+    """The settings of a serial line: the factory settings of the spec, or others that are requested."""
     serial = link.serial
     if serial is None:
-        return LineSettings(baud or 9600, 8, parity or "none", 1)
+        return LineSettings(baud or 9600, data_bits or 8, parity or "none", 1)
     return LineSettings(
-        baud or serial.default_baud or (serial.baud[0] if serial.baud else 9600),
-        max(serial.data_bits) if serial.data_bits else 8,
-        parity or (serial.parity[0] if serial.parity else "none"),
-        serial.stop_bits[0] if serial.stop_bits else 1,
+        baud or serial.factory_baud,
+        data_bits or serial.factory_data_bits,
+        parity or serial.factory_parity,
+        serial.factory_stop_bits,
     )
 
 

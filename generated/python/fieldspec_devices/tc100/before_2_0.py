@@ -2915,7 +2915,7 @@ class AsciiLink:
 
     Inferred (word_order): As for RTU; the frame of 8.5 holds the same words in the same order.
 
-    Source: 8.1 L1463-1483; 8.5 L2015, 2078, 2136.
+    Source: 8.1 L1463-1483; 5.8 L1275; 8.5 L2015, 2078, 2136.
     """
 
     __slots__ = ()

@@ -10,7 +10,16 @@ from fieldspec.language.changes.descriptions import change, difference_text, nam
 from fieldspec.language.model.link import Link, Network, Serial
 
 _NONE = Serial((), None, (), (), (), None, ())
-_SERIAL_KEYS = ("baud", "default_baud", "data_bits", "parity", "stop_bits", "start_bits")
+_SERIAL_KEYS = (
+    "baud",
+    "default_baud",
+    "data_bits",
+    "default_data_bits",
+    "parity",
+    "default_parity",
+    "stop_bits",
+    "start_bits",
+)
 
 
 def serial_changed(comparison: Comparison) -> Iterator[Change]:

@@ -177,9 +177,8 @@ def documentation_changed(comparison: Comparison) -> Iterator[Change]:
             ]
             if differ:
                 keys = [key for key, _, _ in differ]
-                text = (
-                    f"{named(pair.new)} has another {enumeration([key.replace('_', ' ') for key in keys], len(keys))}"
-                )
+                key_text = enumeration([key.replace("_", " ") for key in keys], len(keys))
+                text = f"{named(pair.new)}: changed {key_text}"
                 old, new = ("; ".join(_key_text(*difference) for difference in side) for side in _old_and_new(differ))
                 yield change("documentation_changed", Effect.DOCS, pair, keys[0], text, old, new)
 

@@ -84,6 +84,7 @@ def link(entry: Entry) -> Link:
         unit_addresses=_unit_addresses(entry),
         serial=_serial(entry),
         network=_network(entry),
+        is_default=entry.flag("default"),
         silence_characters=_silence(silence, "characters"),
         silence_milliseconds=_silence(silence, "milliseconds"),
         silence_sources=silence.citations("source") if silence else (),
@@ -249,6 +250,13 @@ def _serial(entry: Entry) -> Serial | None:
     if usual is not None and speeds and usual not in speeds:
         text = f"the speed on delivery, {usual}, is none of the speeds"
         serial.refuse("wrong_form", "default_baud", text, "correct it, or add it to `baud`")
+    for key, values, default in (
+        ("data_bits", serial.integers("data_bits"), serial.integer("default_data_bits")),
+        ("parity", serial.texts("parity"), serial.text("default_parity")),
+    ):
+        if default and values and default not in values:
+            text = f"`default_{key}` is {default}, which is not in `{key}`"
+            serial.refuse("wrong_form", f"default_{key}", text, f"correct it, or add it to `{key}`")
     return Serial(
         baud=speeds,
         default_baud=usual,
@@ -257,4 +265,6 @@ def _serial(entry: Entry) -> Serial | None:
         stop_bits=serial.integers("stop_bits"),
         start_bits=serial.integer("start_bits"),
         sources=serial.sources,
+        default_data_bits=serial.integer("default_data_bits"),
+        default_parity=serial.text("default_parity"),
     )

@@ -204,6 +204,7 @@ local function show_frame(link, note, tvb, pinfo, root, message)
     local tree = root:add(protocol, tvb())
     tree:append_text(", " .. link.title)
     tree:add(fields[device.common.direction], note.direction):set_generated()
+    values.link = link.name
     local context = frames.show(link, note.direction, tvb, tree, note.asked, message)
     if note.direction == "request" and not context.is_broken then
         -- The response needs the values of the whole request.

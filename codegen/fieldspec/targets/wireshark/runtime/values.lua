@@ -60,10 +60,13 @@ function values.report(item, reason, text)
     item:add_proto_expert_info(experts[reason], text)
 end
 
--- Adds the errata of a fact to its item.
+-- Adds the errata of a fact to its item, without those that concern only other links than `values.link`.
 function values.cite(item, errata)
     for _, id in ipairs(errata or {}) do
-        values.report(item, "misprint", id .. ": " .. device.errata[id])
+        local elsewhere = device.errata_elsewhere[id]
+        if not (elsewhere and elsewhere[values.link]) then
+            values.report(item, "misprint", id .. ": " .. device.errata[id])
+        end
     end
 end
 
