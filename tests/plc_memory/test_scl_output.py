@@ -59,7 +59,8 @@ ELEMENTARY = "BOOL|BYTE|WORD|DWORD|USINT|SINT|UINT|INT|UDINT|DINT|REAL|LREAL"
 
 def sources(layout: DeviceLayout) -> dict[str, str]:
     """The texts of a device by what they are: `types.udt`, `data.db`, `functions.scl`, `layout.csv`."""
-    before = f"{stem(layout.device.id, layout.device.version)}_"
+    name = stem(layout.device.id, layout.device.version)
+    before = f"{name}/{name}_"
     return {path.removeprefix(before): text for path, text in files([layout]).items() if isinstance(text, str)}
 
 

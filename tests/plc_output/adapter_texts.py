@@ -1,4 +1,4 @@
-"""The adapters and programs that are written for controllers, as text of the standard's dialect, which matiec compiles."""
+"""The adapters and programs that are written for controllers, in the dialect of the standard, which matiec compiles."""
 
 from __future__ import annotations
 
@@ -74,7 +74,9 @@ def standard(block: str) -> str:
     block = block.replace(": ComError_t", ": INT").replace("COMERROR_NOERROR", "0")
     block = _labels(re.sub(r"\(\s*,", "(", block))
     if re.search(r"GVL_\w+Serial\.eError", block):
-        block = re.sub(r"GVL_\w+Serial\.eError", "iLineError", block).replace("\nVAR\n", "\nVAR\n    iLineError : INT;\n", 1)
+        block = re.sub(r"GVL_\w+Serial\.eError", "iLineError", block).replace(
+            "\nVAR\n", "\nVAR\n    iLineError : INT;\n", 1
+        )
     return block
 
 

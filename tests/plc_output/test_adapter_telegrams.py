@@ -24,7 +24,9 @@ from layouts import SPECS, newest
 INPUTS = {
     **dict.fromkeys(("panel.xServo", "panel.xHome", "panel.xMove", "panel.xStop"), "bool"),
     "panel.diPosition": "dint",
-    **dict.fromkeys(("panel.lrSpeed", "panel.lrAcceleration", "panel.lrDeceleration", "panel.lrSpeedOverride"), "lreal"),
+    **dict.fromkeys(
+        ("panel.lrSpeed", "panel.lrAcceleration", "panel.lrDeceleration", "panel.lrSpeedOverride"), "lreal"
+    ),
     "input.returned": "int",
     "output.returned": "int",
     "input.bytes": ("array", 0, 23, "byte"),

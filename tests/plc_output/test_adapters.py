@@ -32,7 +32,6 @@ from fieldspec.targets.iec.backend import source, text
 from layouts import SPECS, newest
 from matiec import matiec
 
-
 TEXTS = {f"codesys {name}": text for name, text in CODESYS.items()} | {
     f"twincat {name}": text for name, text in TWINCAT.items()
 }
@@ -108,7 +107,11 @@ def test_a_program_for_twincat_compiles_with_its_adapter(device: str, name: str,
         ("ck10", "Ck10Program", ["Ck10ModbusMaster"]),
         ("esc11", "Esc11Program", ["Esc11PointToPoint"]),
         *(
-            ("hiwin-e", f"HiwinETelegram{number}Program", [f"HiwinETelegram{number}{way}" for way in ("Input", "Output")])
+            (
+                "hiwin-e",
+                f"HiwinETelegram{number}Program",
+                [f"HiwinETelegram{number}{way}" for way in ("Input", "Output")],
+            )
             for number in (3, 5, 9, 102, 105, 111)
         ),
     ],

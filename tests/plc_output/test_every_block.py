@@ -66,9 +66,7 @@ def transfers(device: str) -> list[str]:
 
 def rest(device: str) -> list[str]:
     """The blocks that the rigs of other tests do not have."""
-    return [
-        name for name in block_names(SPECS, device) if name not in ELSEWHERE[device] and not name.endswith("Panel")
-    ]
+    return [name for name in block_names(SPECS, device) if name not in ELSEWHERE[device] and not name.endswith("Panel")]
 
 
 def bench(device: str, names: Sequence[str], folder: Path) -> Bench:

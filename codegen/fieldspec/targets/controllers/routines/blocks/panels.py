@@ -17,6 +17,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     Variable,
     Whole,
     either,
+    every,
 )
 from fieldspec.targets.controllers.statements.routine import (
     Assignment,
@@ -42,6 +43,7 @@ _TASKS: Mapping[str, tuple[str, str, str]] = {
 """The kinds of tasks that a panel has, in the order of the calls: its input, what that does, and its output."""
 _STARTS = ("Execute", "Abort", "Enable", "JogForward", "JogBackward")
 _ENDS = frozenset({"Done", "Valid", "Busy", "CommandAborted", "Error", "ErrorID", "eStatus", "uiLastError"})
+_RESTS = "; not while something moves, which would have to wait for the line"
 _JOGS = {"JogForward": "moves forward while it is TRUE", "JogBackward": "moves backward while it is TRUE"}
 
 
@@ -67,7 +69,7 @@ class _Panel:
         self.group = f"telegram {message}" if message else "ready program"
         self.blocks = {kind: blocks[kind] for kind in _TASKS if kind in blocks}
         self.variables = Variables(self.name)
-        self.shows = Variable("xShow", BOOL)
+        self.rests: list[Variable] = []
         self.body: list[Statement] = []
 
     def block(self) -> Routine:
@@ -97,6 +99,8 @@ class _Panel:
                 arguments.append((variable.name, self._lent(variable, declared.remark)))
             elif declared.role == "input" and (variable.name in _STARTS or not declared.initial):
                 arguments.append((variable.name, self._given(kind, variable, declared.remark)))
+        if kind in MOVING and any(name == "stFrames" for name, _ in arguments):
+            self.rests.append(instance)
         self.body.append(Invocation(instance, tuple(sorted(arguments, key=lambda item: item[0] not in _STARTS))))
         return instance
 
@@ -106,8 +110,9 @@ class _Panel:
     def _given(self, kind: str, variable: Variable, remark: str) -> Expression:
         """What an input of a block is set to."""
         if variable.name == "Enable":
-            about = "reads position and alarm again and again"
-            return self.variables.declared_once(self.shows.name, BOOL, "input", about, "TRUE")
+            about = f"reads position and alarm again and again{_RESTS if self.rests else ''}"
+            shows = self.variables.declared_once("xShow", BOOL, "input", about, "TRUE")
+            return every([shows, *(Negation(Member(block, "Busy", BOOL)) for block in self.rests)])
         if variable.name in _JOGS:
             return self.variables.declared_once(f"x{variable.name}", BOOL, "input", _JOGS[variable.name])
         if variable.name != "Execute":
