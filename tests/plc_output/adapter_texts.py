@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from pathlib import Path
 
 from scans import of_siemens
 from standard_text import without_comments
 from test_scl_execution import siemens_text
 
+from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.targets.controllers.adapters import programs
 from fieldspec.targets.controllers.adapters.programs import Source
 from fieldspec.targets.controllers.structured.program import program
@@ -28,14 +28,14 @@ UNLENT = re.compile(
 """Buffers that a stand-in does not need."""
 
 
-OBJECT = re.compile(r'^(FUNCTION_BLOCK|PROGRAM) "?(\w+)"?\n.*?^END_\1\n', re.MULTILINE | re.DOTALL)
+OBJECT = re.compile(
+    r'^(?:// (GVL_\w+)\n.*?^END_VAR\n|(FUNCTION_BLOCK|PROGRAM) "?(\w+)"?\n.*?^END_\2\n)', re.MULTILINE | re.DOTALL
+)
 DEVICES = ("tc100", "ck10", "esc11", "hiwin-e")
 
 
-@cache
-def sources(house: str, device: str) -> tuple[Source, ...]:
+def sources(house: str, layout: DeviceLayout) -> tuple[Source, ...]:
     """What a controller gets for a device beside its types, functions and blocks."""
-    layout = newest(SPECS, device)
     if house == "siemens":
         tia = project(layout)
         return tuple(programs.siemens(tia.declared.world, tia.declared.dialect.spelling, tia.routines))
@@ -49,8 +49,17 @@ def sources(house: str, device: str) -> tuple[Source, ...]:
 
 def written(house: str, *devices: str) -> dict[str, str]:
     """The blocks and programs that a controller gets for some devices, by their names."""
-    texts = "\n".join(item.text for device in devices for item in sources(house, device))
-    return {match.group(2): match.group() for match in OBJECT.finditer(texts)}
+    return {
+        name: text
+        for device in devices
+        for item in sources(house, newest(SPECS, device))
+        for name, text in objects(item).items()
+    }
+
+
+def objects(text: Source) -> dict[str, str]:
+    """The blocks, programs and lists of a text by their names."""
+    return {match[1] or match[3]: match[0] for match in OBJECT.finditer(text.text)}
 
 
 CODESYS = written("codesys", *DEVICES)
