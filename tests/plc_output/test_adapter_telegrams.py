@@ -16,9 +16,9 @@ from compiled import Block, Compiled
 from loaded import programs
 from st_syntax import parsed
 from standard_text import named, needed
-from test_docs_telegram import response
 from vendor_codes import DPRD_DAT, DPWR_DAT
 
+from fieldspec.codec.reference import codec
 from layouts import SPECS, newest
 
 INPUTS = {
@@ -48,6 +48,13 @@ OUTPUTS = {
 }
 
 
+def standing() -> bytes:
+    """The response of a drive that stands and is off, by the reference."""
+    layout = newest(SPECS, "hiwin-e")
+    names = [field.name for field in layout.messages["telegram_111"].response.fields]
+    return codec(layout).links["cyclic"].encode("response", "telegram_111", dict.fromkeys(names, 0))
+
+
 class Walk:
     """The walk between two scans: `inputs` and `outputs` by their names."""
 
@@ -64,7 +71,7 @@ class Walk:
         """Switches the controller on; the drive stands, without an alarm, and is off."""
         self._program.restart()
         self.inputs: dict[str, Any] = {name: self._program.fresh(kind) for name, kind in INPUTS.items()}
-        self.inputs["input.bytes"] = list(response(newest(SPECS, "hiwin-e"), {}, 0, False))
+        self.inputs["input.bytes"] = list(standing())
         self.outputs: dict[str, Any] = {}
 
     def scan(self, scans: int = 1, **inputs: Any) -> Walk:
