@@ -42,12 +42,12 @@ def sources(house: str, layout: DeviceLayout) -> tuple[Source, ...]:
     if house == "standard":
         iec = source(layout)
         return tuple(programs.standard(iec.declared.world, iec.spelling, iec.routines))
-    made = {"codesys": programs.codesys, "twincat": programs.twincat}[house]
+    maker = {"codesys": programs.codesys, "twincat": programs.twincat}[house]
     st = program(layout)
-    return tuple(made(st.declared.world, st.spelling, st.routines))
+    return tuple(maker(st.declared.world, st.spelling, st.routines))
 
 
-def written(house: str, *devices: str) -> dict[str, str]:
+def program_texts(house: str, *devices: str) -> dict[str, str]:
     """The blocks and programs that a controller gets for some devices, by their names."""
     return {
         name: text
@@ -62,9 +62,9 @@ def objects(text: Source) -> dict[str, str]:
     return {match[1] or match[3]: match[0] for match in OBJECT.finditer(text.text)}
 
 
-CODESYS = written("codesys", *DEVICES)
-TWINCAT = written("twincat", *DEVICES)
-SIEMENS = written("siemens", *DEVICES)
+CODESYS = program_texts("codesys", *DEVICES)
+TWINCAT = program_texts("twincat", *DEVICES)
+SIEMENS = program_texts("siemens", *DEVICES)
 STRUCTURED = CODESYS | {name: TWINCAT[name] for name in ("FB_Esc11SerialPort", "FB_Tc100ModbusMaster")}
 """The adapters that are run: one of each kind."""
 

@@ -19,10 +19,10 @@ from adapter_texts import (
     STRUCTURED,
     TWINCAT,
     called_in,
+    program_texts,
     siemens,
     siemens_types,
     standard,
-    written,
 )
 from scans import of_siemens
 from standard_text import named, needed, without_comments
@@ -47,7 +47,7 @@ def test_an_adapter_or_a_program_parses(name: str) -> None:
 @pytest.mark.parametrize("house", ["codesys", "twincat", "siemens", "standard"])
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_device_has_a_program_for_each_controller(house: str, device: str) -> None:
-    programs = [name for name in written(house, device) if name.startswith("PRG_") or name.endswith("Program")]
+    programs = [name for name in program_texts(house, device) if name.startswith("PRG_") or name.endswith("Program")]
     assert programs
 
 
@@ -126,5 +126,5 @@ def test_a_program_for_tia_portal_compiles_with_its_adapters(
 
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_program_of_the_standard_compiles_as_it_is(device: str, tmp_path: Path) -> None:
-    blocks = "".join(written("standard", device).values())
+    blocks = "".join(program_texts("standard", device).values())
     translated(text(source(newest(SPECS, device))) + blocks, tmp_path)

@@ -1,4 +1,4 @@
-"""The ready programs run as they are written, compiled, against models of the manuals: move, are refused, stop."""
+"""The ready programs run as they are generated, compiled, against models of the manuals: move, are refused, stop."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from adapter_texts import written
+from adapter_texts import program_texts
 from benches import Bench
 from compiled import Block, Compiled
 from loaded import programs
@@ -63,7 +63,7 @@ class ProgramBench(Bench):
         outputs = ((paths[key], of) for key, of in self.outputs.items())
         compiled = Block(program, (*inputs, *lent), (*outputs, *lent))
         unit = parsed(anonymous(needed(content, ())))
-        self.program = Compiled(content + written("standard", device)[program], folder, compiled, unit)
+        self.program = Compiled(content + program_texts("standard", device)[program], folder, compiled, unit)
         self.now: dict[tuple[str, str], Any] = {}
         self.restart()
         assert all(item.variable.type != TIME for item in panel.of_role("input"))
@@ -150,9 +150,9 @@ def ready(name: str, folder: Path, *inputs: str) -> Any:
     rig.pass_scans(3)
     rig.put(xServo=True)
     assert rig.until("xReady"), rig.show("uiErrorID")
-    for item, shown in zip(inputs[::2], inputs[1::2], strict=True):
+    for item, output in zip(inputs[::2], inputs[1::2], strict=True):
         rig.put(**{item: True})
-        assert rig.until(shown), rig.show("uiErrorID")
+        assert rig.until(output), rig.show("uiErrorID")
         rig.put(**{item: False})
         rig.pass_scans(3)
     return rig
@@ -177,9 +177,9 @@ def test_it_moves_to_a_position_and_shows_it(name: str, folder: Path) -> None:
     rig.put(**{item: value}, xMove=True)
     assert rig.until("xMoved"), rig.show("uiErrorID")
     rig.pass_scans(300)
-    shown = next(name for _, name in rig.bench.outputs if "osition" in name and name != "xPositionValid")
+    output = next(name for _, name in rig.bench.outputs if "osition" in name and name != "xPositionValid")
     assert (round(rig.model.state.position), rig.show("xPositionValid"), rig.show("xError")) == (700, True, False)
-    assert rig.show(shown) == pytest.approx(value, abs=0.01)
+    assert rig.show(output) == pytest.approx(value, abs=0.01)
 
 
 @pytest.mark.parametrize("name", POSITIONING)

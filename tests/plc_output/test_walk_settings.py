@@ -111,7 +111,7 @@ def framed(rate: str, frame: str) -> Setting:
 
 LINKS = {"tc100": ("Tc100", "rtu"), "ck10": ("Ck10", "rtu"), "esc11": ("Esc11", "serial")}
 """The devices on lines: their names in programs, and the links that the programs use."""
-WRITTEN: dict[str, tuple[Callable[[], Setting], str]] = {
+PROGRAM_SETTINGS: dict[str, tuple[Callable[[], Setting], str]] = {
     **{f"CODESYS, {device}": (partial(codesys, name), device) for device, (name, _) in LINKS.items()},
     **{f"S7, {device}": (partial(comm_load, LINKS[device][0]), device) for device in ("tc100", "ck10")},
     "S7, esc11": (partial(port_config, "Esc11"), "esc11"),
@@ -119,9 +119,9 @@ WRITTEN: dict[str, tuple[Callable[[], Setting], str]] = {
 """The places of programs that set a line."""
 
 
-@pytest.mark.parametrize("place", WRITTEN)
+@pytest.mark.parametrize("place", PROGRAM_SETTINGS)
 def test_a_program_sets_the_line_as_the_device_is_delivered(place: str) -> None:
-    setting, device = WRITTEN[place]
+    setting, device = PROGRAM_SETTINGS[place]
     assert setting() == delivered(device, LINKS[device][1])
 
 
@@ -132,7 +132,7 @@ def test_a_comment_has_the_settings_with_which_the_device_is_delivered(house: st
     assert addresses is not None
     assert addresses.ranges is not None
     for item in sources(house, layout(device)):
-        comment = " ".join(item.about)
+        comment = " ".join(item.remarks)
         rate, frame, station = searched(r"Settings of [^:]*: (\d+) bps, (\w+), station (\d+)\.", comment)
         assert framed(rate, frame) == delivered(device, LINKS[device][1])
         assert int(station) == addresses.ranges.intervals[0][0]
@@ -146,25 +146,26 @@ NAMED = re.compile(r"TC100|CK10|ESC11")
 
 def printed() -> list[tuple[str, str, str]]:
     """Every setting that a page prints: the page, the device that was named last before it, and the text behind it."""
-    found = []
+    settings = []
     for name in PAGES:
         text = page(name)
         for match in re.finditer(r"(\d{4,6}) (?:bps|baud)\b", text):
             device = NAMED.findall(text[: match.start()])[-1]
-            found.append((name, device.lower(), text[match.start() : match.start() + 90]))
-    return found
+            settings.append((name, device.lower(), text[match.start() : match.start() + 90]))
+    return settings
 
 
 @pytest.mark.parametrize(("name", "device", "text"), printed())
 def test_a_page_prints_the_settings_with_which_the_device_is_delivered(name: str, device: str, text: str) -> None:
     rate, parity, data, stop = delivered(device, LINKS[device][1])
     assert int(text.split()[0]) == rate
-    said = next((value for words, value in PARITIES if words in text), parity)
+    printed_parity = next((value for words, value in PARITIES if words in text), parity)
     frame = re.search(r"\b[78][NEO][12]\b", text)
     stops, datas = re.search(r"(\d) stop bit", text), re.search(r"(\d) data bits", text)
-    assert said == parity
-    assert frame is None or framed(str(rate), frame[0]) == (rate, parity, data, stop)
-    assert [int(found[1]) for found in (datas, stops) if found] == [data] * bool(datas) + [stop] * bool(stops)
+    assert printed_parity == parity
+    if frame is not None:
+        assert framed(str(rate), frame[0]) == (rate, parity, data, stop)
+    assert [int(settings[1]) for settings in (datas, stops) if settings] == [data] * bool(datas) + [stop] * bool(stops)
 
 
 def test_the_pages_print_settings_for_each_device_on_a_line() -> None:
@@ -180,9 +181,9 @@ def test_a_page_sets_the_terminal_as_the_device_is_delivered(device: str) -> Non
 
 def test_a_command_that_the_walk_tells_to_write_is_a_value_of_the_register() -> None:
     text = page("plc-codesys.md")
-    written_values = set(re.findall(r"\b(protocol|save)=(\w+)", text))
-    assert written_values == {(name, item) for name, item in written_values if item in members("tc100", name)}
-    assert len(written_values) == 3
+    commands = set(re.findall(r"\b(protocol|save)=(\w+)", text))
+    assert commands == {(name, item) for name, item in commands if item in members("tc100", name)}
+    assert len(commands) == 3
     number, value = searched(r"Set parameter (\d+) to (\d), Modbus RTU", text)
     register = next(item.register for item in layout("ck10").registers if item.register.number == int(number))
     assert members("ck10", register.name)["modbus_rtu"] == int(value)

@@ -63,7 +63,7 @@ def shared() -> dict[str, str]:
 
 def program_text(iec_source: Source, program: ProgramSource) -> str:
     """A ready program, to be put behind the types and functions."""
-    return "\n".join([*_remarks([*about(iec_source.declared), "", *program.about]), "", program.text])
+    return "\n".join([*_remarks([*about(iec_source.declared), "", *program.remarks]), "", program.text])
 
 
 @cached

@@ -66,8 +66,8 @@ def shared() -> dict[str, str]:
 def added(program_of_device: Program, source: Source) -> Element:
     """A project with the objects of one text alone, to be imported into that of the device."""
     items = list(objects(source.text, ADAPTERS))
-    pous = [text_pou(item, source.about) for item in items]
-    return _document(program_of_device, [*program_of_device.about(), *source.about], [], pous, [], folders(items))
+    pous = [text_pou(item, source.remarks) for item in items]
+    return _document(program_of_device, [*program_of_device.about(), *source.remarks], [], pous, [], folders(items))
 
 
 def project(program_of_device: Program, sources: Sequence[Source]) -> Element:
@@ -98,16 +98,16 @@ def project(program_of_device: Program, sources: Sequence[Source]) -> Element:
             for routine, text in zip(program_of_device.routines, program_of_device.functions, strict=True)
         ),
     ]
-    own = [(item, source.about) for source in sources for item in objects(source.text, ADAPTERS)]
-    functions += [text_pou(item, about) for item, about in own]
-    about = [*program_of_device.about(), "", *program_of_device.guide()]
+    own = [(item, source.remarks) for source in sources for item in objects(source.text, ADAPTERS)]
+    functions += [text_pou(item, remarks) for item, remarks in own]
+    remarks = [*program_of_device.about(), "", *program_of_device.guide()]
     structure = folders([*program_of_device.items, *(item for item, _ in own)])
-    return _document(program_of_device, about, types, functions, lists, structure)
+    return _document(program_of_device, remarks, types, functions, lists, structure)
 
 
 def _document(
     program_of_device: Program,
-    about: Sequence[str],
+    remarks: Sequence[str],
     types: Sequence[Element],
     pous: Sequence[Element],
     lists: Sequence[Element],
@@ -120,7 +120,7 @@ def _document(
         element("fileHeader", companyName="", productName="fieldspec", productVersion="", creationDateTime=CREATED),
         element(
             "contentHeader",
-            element("Comment", text="\n".join(about)),
+            element("Comment", text="\n".join(remarks)),
             element("coordinateInfo", element("fbd", scaling), element("ld", scaling), element("sfc", scaling)),
             name=stem(layout.device.id, layout.device.version),
         ),

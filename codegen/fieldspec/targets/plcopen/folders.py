@@ -33,7 +33,7 @@ def identified(item: Element) -> Element:
         if child.name == "addData":
             children[position] = replace(child, children=(*child.children, data))
             return replace(item, children=tuple(children))
-    end = next((at for at, child in enumerate(children) if child.name in _BEFORE), len(children))
+    end = next((position for position, child in enumerate(children) if child.name in _BEFORE), len(children))
     return replace(item, children=(*children[:end], element("addData", data), *children[end:]))
 
 

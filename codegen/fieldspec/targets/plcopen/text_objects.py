@@ -15,13 +15,13 @@ _POU_TYPES = {"block": "functionBlock", "program": "program"}
 _ARRAY = re.compile(r"ARRAY\[(\d+)\.\.(\d+)\] OF (.+)")
 
 
-def text_pou(item: Item, about: Sequence[str]) -> Element:
-    """A block or a program; `about` is what its comment says."""
+def text_pou(item: Item, remarks: Sequence[str]) -> Element:
+    """A block or a program; `remarks` is what its comment says."""
     sections = declared(item)
     variables = [
         element(name, *map(_variable, sections[word])) for word, name in _SECTIONS.items() if sections.get(word)
     ]
-    interface = element("interface", *variables, documentation(about))
+    interface = element("interface", *variables, documentation(remarks))
     return element("pou", interface, body(item.implementation), name=item.name, pouType=_POU_TYPES[item.kind])
 
 

@@ -24,8 +24,8 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
         outputs["data.db"] = source(tia_project, blocks(tia_project))
     outputs["functions.scl"] = source(tia_project, functions(tia_project))
     for text in siemens(world, spelling, tia_project.routines):
-        about = [f"// {line}" for line in text.about]
-        outputs[f"{text.name}.scl"] = source(tia_project, [about, text.text.splitlines()])
+        remarks = [f"// {line}" for line in text.remarks]
+        outputs[f"{text.name}.scl"] = source(tia_project, [remarks, text.text.splitlines()])
     outputs["constants.xlsx"] = tag_tables(tia_project)
     outputs["layout.csv"] = BYTE_ORDER_MARK + csv_text(_layout(tia_project))
     return {f"{tia_project.stem}/{tia_project.stem}_{name}": content for name, content in outputs.items()}

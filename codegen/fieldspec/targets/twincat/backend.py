@@ -50,7 +50,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     heading = st_program.about()
     texts = {f"{folder}/{path(item)}": source(item, heading) for item in st_program.items}
     own = list(adapters(st_program))
-    texts |= {f"{folder}/{path(item)}": source(item, [*heading, *about]) for item, about in own}
+    texts |= {f"{folder}/{path(item)}": source(item, [*heading, *remarks]) for item, remarks in own}
     items = [*st_program.items, *(item for item, _ in own)]
     texts[f"{folder}/project_items.xml"] = inclusion(items)
     texts |= {f"{folder}/{name}": text for name, text in project_files(st_program, items).items()}
@@ -71,7 +71,7 @@ def shared() -> dict[str, str]:
 def adapters(st_program: Program) -> Iterator[tuple[Item, tuple[str, ...]]]:
     """The objects of adapters and programs, with what their comments say."""
     for text in twincat(st_program.declared.world, st_program.spelling, st_program.routines):
-        yield from ((item, text.about) for item in objects(text.text, "adapters"))
+        yield from ((item, text.remarks) for item in objects(text.text, "adapters"))
 
 
 def project_files(st_program: Program, items: Sequence[Item]) -> dict[str, str]:

@@ -17,16 +17,16 @@ _VARIABLE = re.compile(r"    (\w+)(?: AT (%[IQ]\*))? : (.+?)(?: := (.+?))?;(?: /
 _KINDS = {"FUNCTION_BLOCK": "block", "PROGRAM": "program"}
 
 
-def objects(text: str, about: str) -> Iterator[Item]:
+def objects(text: str, group: str) -> Iterator[Item]:
     """The objects of a text, each with the lines of its declaration and those of its statements."""
     for match in _OBJECT.finditer(text):
         if match["list"]:
-            yield Item(match["list"], "list", about, tuple(match["lines"].splitlines()))
+            yield Item(match["list"], "list", group, tuple(match["lines"].splitlines()))
             continue
         declared, _, statements = match["content"].partition("END_VAR\n\n")
         head = f"{match['word']} {match['name']}"
         declaration = (head, *declared.splitlines(), "END_VAR")
-        yield Item(match["name"], _KINDS[match["word"]], about, declaration, tuple(statements.splitlines()))
+        yield Item(match["name"], _KINDS[match["word"]], group, declaration, tuple(statements.splitlines()))
 
 
 @dataclass(frozen=True, slots=True)

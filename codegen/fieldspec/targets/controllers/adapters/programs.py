@@ -75,7 +75,7 @@ class Source:
     """A text with blocks and programs: what its file is named by, the lines of its comment, and the text."""
 
     name: str
-    about: tuple[str, ...]
+    remarks: tuple[str, ...]
     text: str
 
 
@@ -85,27 +85,27 @@ def codesys(world: World, spelling: Spelling, routines: Sequence[Routine]) -> It
         if station.telegram is not None:
             yield _image(world, spelling, station, "map it to", "", "")
             continue
-        about = _about(station, "library CAA SerialCom; call both programs every 5 ms")
+        remarks = _about(station, "library CAA SerialCom; call both programs every 5 ms")
         yield _filled(
-            world, spelling, station, ("codesys_serial_port.st.j2", "codesys_program.st.j2"), "program", about
+            world, spelling, station, ("codesys_serial_port.st.j2", "codesys_program.st.j2"), "program", remarks
         )
         if station.shared and station.client:
-            about = _about(station, "in place of the serial port: libraries IoDrvModbus and SysCom")
-            yield _filled(world, spelling, station, ("codesys_modbus_request.st.j2",), ALTERNATIVE, about)
+            remarks = _about(station, "in place of the serial port: libraries IoDrvModbus and SysCom")
+            yield _filled(world, spelling, station, ("codesys_modbus_request.st.j2",), ALTERNATIVE, remarks)
 
 
 def twincat(world: World, spelling: Spelling, routines: Sequence[Routine]) -> Iterator[Source]:
-    """What TwinCAT gets: for a line the Modbus block of Beckhoff where there is one, else Tc2_SerialCom."""
+    """What TwinCAT gets: for a line Tc2_ModbusRTU where that makes the frames, else Tc2_SerialCom."""
     for station in stations(world, routines):
         if station.telegram is not None:
             yield _image(world, spelling, station, "link it to", " AT %I*", " AT %Q*")
         elif station.shared and station.client:
-            about = _about(station, "library Tc2_ModbusRTU (TF6255)", *_terminal(station.settings))
-            yield _filled(world, spelling, station, ("twincat_modbus_master.st.j2",), "program", about)
+            remarks = _about(station, "library Tc2_ModbusRTU (TF6255)", *_terminal(station.settings))
+            yield _filled(world, spelling, station, ("twincat_modbus_master.st.j2",), "program", remarks)
         else:
             needs = "library Tc2_SerialCom (TF6340); a task of 1 ms for the line"
-            about = _about(station, needs, *_terminal(station.settings))
-            yield _filled(world, spelling, station, ("twincat_serial_port.st.j2",), "program", about)
+            remarks = _about(station, needs, *_terminal(station.settings))
+            yield _filled(world, spelling, station, ("twincat_serial_port.st.j2",), "program", remarks)
 
 
 def siemens(world: World, spelling: Spelling, routines: Sequence[Routine]) -> Iterator[Source]:
@@ -113,33 +113,35 @@ def siemens(world: World, spelling: Spelling, routines: Sequence[Routine]) -> It
     device = world.names.device
     for station in stations(world, routines):
         templates: tuple[str, ...] = ("siemens_program.scl.j2",)
-        about: tuple[str, ...]
+        remarks: tuple[str, ...]
         if station.telegram is not None:
-            about = (f"{device}, {Name.of(station.telegram.name).title()}: DPRD_DAT and DPWR_DAT.",)
+            remarks = (f"{device}, {Name.of(station.telegram.name).title()}: DPRD_DAT and DPWR_DAT.",)
             templates = ("siemens_telegram.scl.j2", *templates)
-            yield _filled(world, spelling, station, templates, station.telegram.name, about)
+            yield _filled(world, spelling, station, templates, station.telegram.name, remarks)
         elif station.shared and station.client:
-            about = _about(station, "Modbus_Comm_Load and Modbus_Master; call it in each cycle, not in a start-up OB")
+            remarks = _about(station, "Modbus_Comm_Load and Modbus_Master; call it in each cycle, not in a start-up OB")
             templates = ("siemens_modbus_master.scl.j2", *templates)
-            yield _filled(world, spelling, station, templates, "program", about, f"{device}ModbusMaster")
+            yield _filled(world, spelling, station, templates, "program", remarks, f"{device}ModbusMaster")
         elif not station.client and station.settings is not None and station.settings.rate in SIEMENS_RATES:
-            about = _about(station, "Port_Config, Send_P2P and Receive_P2P; messages end by a character gap of 55 bits")
+            remarks = _about(
+                station, "Port_Config, Send_P2P and Receive_P2P; messages end by a character gap of 55 bits"
+            )
             templates = ("siemens_point_to_point.scl.j2", *templates)
-            yield _filled(world, spelling, station, templates, "program", about, f"{device}PointToPoint")
+            yield _filled(world, spelling, station, templates, "program", remarks, f"{device}PointToPoint")
 
 
 def standard(world: World, spelling: Spelling, routines: Sequence[Routine]) -> Iterator[Source]:
     """What other compilers get: a program without an adapter, as the standard has nothing that sends."""
     for station in stations(world, routines):
         name = station.telegram.name if station.telegram is not None else "program"
-        about = _about(station, "nothing of the standard sends: serve the port as your controller does")
-        yield _filled(world, spelling, station, ("standard_program.st.j2",), name, about)
+        remarks = _about(station, "nothing of the standard sends: serve the port as your controller does")
+        yield _filled(world, spelling, station, ("standard_program.st.j2",), name, remarks)
 
 
-def _about(station: Station, needs: str, *more: str) -> tuple[str, ...]:
+def _about(station: Station, needs: str, *further: str) -> tuple[str, ...]:
     if station.link is None or station.settings is None:
         return (f"Needs: {needs}.",)
-    return (f"Needs: {needs}.", *lines(station.link, station.settings), *more)
+    return (f"Needs: {needs}.", *lines(station.link, station.settings), *further)
 
 
 def _terminal(line: Settings | None) -> Iterator[str]:
@@ -155,11 +157,19 @@ def _image(world: World, spelling: Spelling, station: Station, link: str, inputs
     """A telegram in the process image of a controller."""
     message = station.telegram
     assert message is not None
-    about = (
+    remarks = (
         f"{Name.of(message.name).title()}: the bytes of the submodule, which are the process image of the program.",
     )
     return _filled(
-        world, spelling, station, ("process_image.st.j2",), message.name, about, link=link, input=inputs, output=outputs
+        world,
+        spelling,
+        station,
+        ("process_image.st.j2",),
+        message.name,
+        remarks,
+        link=link,
+        input=inputs,
+        output=outputs,
     )
 
 
@@ -169,9 +179,9 @@ def _filled(
     station: Station,
     templates: Sequence[str],
     name: str,
-    about: tuple[str, ...],
+    remarks: tuple[str, ...],
     adapter: str = "",
-    **more: str,
+    **linking: str,
 ) -> Source:
     """The texts of some templates, one behind the other."""
     names, lent = world.names, station.panel.of_role("in_out")
@@ -198,11 +208,11 @@ def _filled(
         "length_first": station.link is not None and station.link.request.parts[0].role == "length",
         "rate_code": SIEMENS_RATES.get(station.settings.rate, 0) if station.settings is not None else 0,
         "port": next((text for text in local if text.endswith("Frames")), "stFrames" if station.client else "stAxis"),
-        **more,
+        **linking,
     }
     if station.telegram is not None:
         view |= _telegram(world, spelling, station.telegram)
-    return Source(name, about, "\n".join(fill(f"controllers/adapters/{template}", **view) for template in templates))
+    return Source(name, remarks, "\n".join(fill(f"controllers/adapters/{template}", **view) for template in templates))
 
 
 def _bare(name: str) -> str:

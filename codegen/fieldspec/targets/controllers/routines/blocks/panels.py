@@ -82,7 +82,7 @@ class _Panel:
                 end = next(end for end in ("InVelocity", "Done", "Valid") if end in ends)
                 self._gives(done, Member(instance, end, BOOL))
             if kind.startswith("read_"):
-                self._shown(kind, instance)
+                self._read_values(kind, instance)
         self._errors(instances.values())
         return Routine(self.name, self.group, None, tuple(self.variables.declared), tuple(self.body), self._remarks())
 
@@ -98,7 +98,7 @@ class _Panel:
             if declared.role == "in_out":
                 arguments.append((variable.name, self._lent(variable, declared.remark)))
             elif declared.role == "input" and (variable.name in _STARTS or not declared.initial):
-                arguments.append((variable.name, self._given(kind, variable, declared.remark)))
+                arguments.append((variable.name, self._argument(kind, variable, declared.remark)))
         if kind in MOVING and any(name == "stFrames" for name, _ in arguments):
             self.rests.append(instance)
         self.body.append(Invocation(instance, tuple(sorted(arguments, key=lambda item: item[0] not in _STARTS))))
@@ -107,34 +107,34 @@ class _Panel:
     def _lent(self, variable: Variable, remark: str) -> Variable:
         return self.variables.declared_once(variable.name, variable.type, "in_out", remark)
 
-    def _given(self, kind: str, variable: Variable, remark: str) -> Expression:
+    def _argument(self, kind: str, variable: Variable, remark: str) -> Expression:
         """What an input of a block is set to."""
         if variable.name == "Enable":
-            about = f"reads position and alarm again and again{_RESTS if self.rests else ''}"
-            shows = self.variables.declared_once("xShow", BOOL, "input", about, "TRUE")
+            remark_text = f"reads position and alarm again and again{_RESTS if self.rests else ''}"
+            shows = self.variables.declared_once("xShow", BOOL, "input", remark_text, "TRUE")
             return every([shows, *(Negation(Member(block, "Busy", BOOL)) for block in self.rests)])
         if variable.name in _JOGS:
             return self.variables.declared_once(f"x{variable.name}", BOOL, "input", _JOGS[variable.name])
         if variable.name != "Execute":
             return self.variables.declared_once(variable.name, variable.type, "input", remark)
         if kind == "servo_off":
-            name, about, _ = _TASKS["servo_on"]
-            return Negation(self.variables.declared_once(name, BOOL, "input", about))
-        name, about, _ = _TASKS[kind]
-        return self.variables.declared_once(name, BOOL, "input", about)
+            name, remark_text, _ = _TASKS["servo_on"]
+            return Negation(self.variables.declared_once(name, BOOL, "input", remark_text))
+        name, remark_text, _ = _TASKS[kind]
+        return self.variables.declared_once(name, BOOL, "input", remark_text)
 
     def _gives(self, name: str, value: Member) -> None:
         self.body.append(Assignment(self.variables.declare(name, BOOL, "output"), value))
 
-    def _shown(self, kind: str, instance: Variable) -> None:
+    def _read_values(self, kind: str, instance: Variable) -> None:
         """Adds the values that a block has read."""
         for declared in self.blocks[kind].of_role("output"):
             variable = declared.variable
             if variable.name not in _ENDS:
-                given = {item.variable.name for item in self.variables.declared}
-                name = f"{variable.name}Read" if variable.name in given else variable.name
-                shown = self.variables.declare(name, variable.type, "output", declared.remark)
-                self.body.append(Assignment(shown, Member(instance, variable.name, variable.type)))
+                taken_names = {item.variable.name for item in self.variables.declared}
+                name = f"{variable.name}Read" if variable.name in taken_names else variable.name
+                output = self.variables.declare(name, variable.type, "output", declared.remark)
+                self.body.append(Assignment(output, Member(instance, variable.name, variable.type)))
 
     def _errors(self, instances: Iterable[Variable]) -> None:
         """Adds the error of the first block that has one."""
