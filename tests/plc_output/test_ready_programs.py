@@ -23,6 +23,7 @@ from st_syntax import parsed
 from standard_text import anonymous, needed
 
 from device_models.draws import calm
+from device_models.esc11 import END
 from device_models.hiwin import HiwinE
 from fieldspec.foundation.names import Name
 from fieldspec.targets.controllers.statements.expressions import TIME
@@ -228,3 +229,21 @@ def test_nothing_moves_where_all_inputs_are_true_in_the_first_scan(name: str, fo
     rig.put(**{item: True for _, item in rig.bench.inputs if item in ("xServo", "xHome", "xMove", "xRun")})
     rig.pass_scans(500)
     assert (rig.model.state.velocity, rig.model.state.servo) == (0, False)
+
+
+def test_a_gripper_grips_and_releases(folder: Path) -> None:
+    rig = ready("esc11", folder, "xHome", "xHomed")
+    rig.put(usiSpeed=100, usiForce=70, xGrip=True)
+    assert rig.until("xGripped"), rig.show("uiErrorID")
+    assert [event.about for event in rig.model.events if event.kind == "accepted"][-1] == "grip"
+    assert rig.model.state.position == -END
+    rig.put(xGrip=False, xRelease=True)
+    assert rig.until("xReleased"), rig.show("uiErrorID")
+    assert (rig.model.state.position, rig.show("xGripped")) == (END, False)
+
+
+def test_a_gripper_that_is_not_at_home_does_not_grip(folder: Path) -> None:
+    rig = ready("esc11", folder)
+    rig.put(usiSpeed=100, usiForce=70, xGrip=True)
+    assert rig.until("xError")
+    assert (rig.show("xGripped"), rig.show("uiErrorID"), rig.model.state.velocity) == (False, 11, 0)

@@ -35,6 +35,8 @@ _TASKS: Mapping[str, tuple[str, str, str]] = {
     "home": ("xHome", "a rising edge searches the home position", "xHomed"),
     "move_absolute": ("xMove", "a rising edge moves to the position", "xMoved"),
     "move_velocity": ("xRun", "moves at the speed while it is TRUE", "xAtSpeed"),
+    "grip": ("xGrip", "a rising edge closes and grips", "xGripped"),
+    "release": ("xRelease", "a rising edge opens", "xReleased"),
     "jog": ("", "", ""),
     "read_position": ("", "", "xPositionValid"),
     "read_alarm": ("", "", "xAlarmValid"),
