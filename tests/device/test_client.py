@@ -258,6 +258,18 @@ def test_packets_have_tasks_messages_and_parameters() -> None:
             client.move_absolute(position_mm=5, speed=50)
 
 
+def test_a_gripper_closes_and_opens() -> None:
+    with simulation("esc11", rate=5, folder=SPECS) as device, serial.Serial(device.place, 19200, timeout=0.02) as port:
+        client = esc11_client.Client(port, settle=0.1, pause=0.0)
+        client.servo_on()
+        client.home()
+        client.move_absolute(position_mm=10, speed=100)
+        client.grip(speed=100, force=70)
+        closed = client.read_position()
+        client.release(speed=100)
+        assert closed < 10 < client.read_position()
+
+
 def test_telegrams_have_tasks_and_parameters_their_channel() -> None:
     ports = {"cyclic": "udp://127.0.0.1:0", "parameter_channel": "udp://127.0.0.1:0"}
     with simulation("hiwin-e", ports=ports, message="telegram_111", rate=20, folder=SPECS) as device:

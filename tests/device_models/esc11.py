@@ -25,6 +25,7 @@ SOFT_LIMIT, NOT_HOMED, SERVO_OFF, INTERLOCKED, NO_POINT, RUNNING = 0x20, 0x23, 0
 NO_COMMAND, DATA = 0x31, 0x32
 """Numbers of errors [10.4 L1313-1326]."""
 STOP, HOME, MOVE_OPEN, MOVE_CLOSE, RELATIVE, ABSOLUTE, POINT = 0x10, 0x11, 0x14, 0x15, 0x16, 0x17, 0x1A
+GRIP_CLOSE = 0x21
 NO_OPERATION, EXCITE, RESET = 0x30, 0x31, 0x4E
 SIZES = {STOP: 0, HOME: 0, 0x12: 3, 0x13: 3, MOVE_OPEN: 1, MOVE_CLOSE: 1, RELATIVE: 5, ABSOLUTE: 5, POINT: 2}
 SIZES |= {0x20: 2, 0x21: 2, 0x22: 6, 0x23: 6, 0x24: 10, 0x25: 10, NO_OPERATION: 0, EXCITE: 1, RESET: 0}
@@ -150,6 +151,8 @@ class Esc11:
         elif code in (MOVE_OPEN, MOVE_CLOSE):
             kind, end = ("jog_forward", END) if code == MOVE_OPEN else ("jog_backward", -END)
             self._start(kind, end, end, self._speed(data[0]))
+        elif code == GRIP_CLOSE:
+            self._start("grip", -END, -END, self._speed(data[0]))
         elif code in (RELATIVE, ABSOLUTE):
             place, percent = struct.unpack("<iB", data)
             target = place if code == ABSOLUTE else self.axis.position + place

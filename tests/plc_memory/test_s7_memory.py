@@ -35,7 +35,8 @@ TRIES = 3
 
 def text(layout: DeviceLayout, kind: str) -> str:
     """One of the generated files."""
-    text = built_sources(layout.device.id)[f"{stem(layout.device.id, layout.device.version)}_{kind}"]
+    name = stem(layout.device.id, layout.device.version)
+    text = built_sources(layout.device.id)[f"{name}/{name}_{kind}"]
     assert isinstance(text, str)
     return text
 

@@ -59,7 +59,8 @@ ELEMENTARY = "BOOL|BYTE|WORD|DWORD|USINT|SINT|UINT|INT|UDINT|DINT|REAL|LREAL"
 
 def sources(layout: DeviceLayout) -> dict[str, str]:
     """The texts of a device by what they are: `types.udt`, `data.db`, `functions.scl`, `layout.csv`."""
-    before = f"{stem(layout.device.id, layout.device.version)}_"
+    name = stem(layout.device.id, layout.device.version)
+    before = f"{name}/{name}_"
     return {path.removeprefix(before): text for path, text in files([layout]).items() if isinstance(text, str)}
 
 
@@ -134,7 +135,8 @@ def test_the_calls_in_the_comments_of_blocks_are_of_functions_that_are_there() -
 
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_the_workbook_of_constants_is_in_the_form_of_tag_tables(layout: DeviceLayout) -> None:
-    workbook = files([layout])[f"{stem(layout.device.id, layout.device.version)}_constants.xlsx"]
+    name = stem(layout.device.id, layout.device.version)
+    workbook = files([layout])[f"{name}/{name}_constants.xlsx"]
     assert isinstance(workbook, Workbook)
     content = packed(workbook)
     assert content == packed(workbook)
@@ -221,7 +223,7 @@ def test_a_fact_that_breaks_another_rule_is_left_out_and_named(
     assert main(arguments) == 0
     assert f"warning[{code}]" in capsys.readouterr().out
     for ending in ("types.udt", "functions.scl"):
-        (path,) = (out / "scl").glob(f"*_{ending}")
+        (path,) = (out / "scl").glob(f"*/*_{ending}")
         assert "// Left out:" in path.read_text("utf-8"), ending
     assert main(arguments) == 0
     assert f"warning[{code}]" in capsys.readouterr().out, "a build without changes says it again"
@@ -236,7 +238,7 @@ def test_labels_that_end_comments_are_labels(tmp_path: Path) -> None:
     )
     (specs / "gadget" / "device.yaml").write_text(text, encoding="utf-8")
     assert main(["build", "--specs", str(specs), "--out", str(tmp_path / "out"), "--to", "scl"]) == 0
-    (path,) = (tmp_path / "out" / "scl").glob("*_types.udt")
+    (path,) = (tmp_path / "out" / "scl").glob("*/*_types.udt")
     content = path.read_bytes().decode("utf-8")
     (member,) = types(content)["typeGadgetPoint"]
     assert member.comment.startswith("ends ( * and * ) here ) ( * / / /")

@@ -1,4 +1,4 @@
-"""The adapters and walks of the documentation as text of the standard's dialect, which matiec compiles."""
+"""The adapters and programs that are written for controllers, in the dialect of the standard, which matiec compiles."""
 
 from __future__ import annotations
 
@@ -8,6 +8,14 @@ from pathlib import Path
 from scans import of_siemens
 from standard_text import without_comments
 from test_scl_execution import siemens_text
+
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.targets.controllers.adapters import programs
+from fieldspec.targets.controllers.adapters.programs import Source
+from fieldspec.targets.controllers.structured.program import program
+from fieldspec.targets.iec.backend import source
+from fieldspec.targets.scl.project import project
+from layouts import SPECS, newest
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 ACTIONS = {"ReadRegs": 3, "WriteSingleRegister": 6, "WriteRegs": 16}
@@ -20,18 +28,45 @@ UNLENT = re.compile(
 """Buffers that a stand-in does not need."""
 
 
-def blocks(language: str, page: str) -> dict[str, str]:
-    """The blocks and programs of a page by their names."""
-    texts = re.findall(rf"^```{language}\n(.*?)^```$", (DOCS / page).read_text("utf-8"), re.MULTILINE | re.DOTALL)
-    matches = ((re.match(r'(?:FUNCTION_BLOCK|PROGRAM) "?(\w+)', text), text) for text in texts)
-    return {match.group(1): text for match, text in matches if match}
+OBJECT = re.compile(
+    r'^(?:// (GVL_\w+)\n.*?^END_VAR\n|(FUNCTION_BLOCK|PROGRAM) "?(\w+)"?\n.*?^END_\2\n)', re.MULTILINE | re.DOTALL
+)
+DEVICES = ("tc100", "ck10", "esc11", "hiwin-e")
 
 
-STRUCTURED = blocks("iecst", "plc-adapters.md")
-SIEMENS = blocks("scl", "plc-adapters.md")
-PROGRAMS = blocks("iecst", "plc.md")
-WALKS = {name: block for name, block in PROGRAMS.items() if name.endswith("Axis")}
-SIEMENS_WALKS = {name: block for name, block in blocks("scl", "plc.md").items() if name.endswith("Axis")}
+def sources(house: str, layout: DeviceLayout) -> tuple[Source, ...]:
+    """What a controller gets for a device beside its types, functions and blocks."""
+    if house == "siemens":
+        tia = project(layout)
+        return tuple(programs.siemens(tia.declared.world, tia.declared.dialect.spelling, tia.routines))
+    if house == "standard":
+        iec = source(layout)
+        return tuple(programs.standard(iec.declared.world, iec.spelling, iec.routines))
+    maker = {"codesys": programs.codesys, "twincat": programs.twincat}[house]
+    st = program(layout)
+    return tuple(maker(st.declared.world, st.spelling, st.routines))
+
+
+def program_texts(house: str, *devices: str) -> dict[str, str]:
+    """The blocks and programs that a controller gets for some devices, by their names."""
+    return {
+        name: text
+        for device in devices
+        for item in sources(house, newest(SPECS, device))
+        for name, text in objects(item).items()
+    }
+
+
+def objects(text: Source) -> dict[str, str]:
+    """The blocks, programs and lists of a text by their names."""
+    return {match[1] or match[3]: match[0] for match in OBJECT.finditer(text.text)}
+
+
+CODESYS = program_texts("codesys", *DEVICES)
+TWINCAT = program_texts("twincat", *DEVICES)
+SIEMENS = program_texts("siemens", *DEVICES)
+STRUCTURED = CODESYS | {name: TWINCAT[name] for name in ("FB_Esc11SerialPort", "FB_Tc100ModbusMaster")}
+"""The adapters that are run: one of each kind."""
 
 
 def standard(block: str) -> str:
@@ -47,8 +82,10 @@ def standard(block: str) -> str:
     block = re.sub(r"ADR\(([\w.]+)\)", r"\1", block).replace("SIZEOF(aBytes)", "255")
     block = block.replace(": ComError_t", ": INT").replace("COMERROR_NOERROR", "0")
     block = _labels(re.sub(r"\(\s*,", "(", block))
-    if "GVL_Serial.eError" in block:
-        block = block.replace("GVL_Serial.eError", "iLineError").replace("\nVAR\n", "\nVAR\n    iLineError : INT;\n", 1)
+    if re.search(r"GVL_\w+Serial\.eError", block):
+        block = re.sub(r"GVL_\w+Serial\.eError", "iLineError", block).replace(
+            "\nVAR\n", "\nVAR\n    iLineError : INT;\n", 1
+        )
     return block
 
 

@@ -172,18 +172,22 @@ class FrameRig(ModelRig):
 
     def __init__(self, device: str, folder: Path, draws: Draws, twice: bool = False) -> None:
         super().__init__(device, folder, draws, twice=twice)
-        model = self.model
+        self.connect()
+        for (block, name), of in self.bench.inputs.items():
+            if of != "bool" and ("tation" in name or "ddress" in name):
+                self.set(block, **{name: self.model.STATION})
+            if name == "iRetries":
+                self.set(block, iRetries=2)
+
+    def connect(self) -> None:
+        """Puts the model at the other end of the line."""
+        model, draws = self.model, self.draws
         self.line = Line(draws, model.answer, model.foreign, model.alike, model.latency, TIMEOUT)
         self.exchange: Exchange | None = None
         self.number = 0
         self.variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
         members = ("state", "error", "request", "answered", "send", "received", "frame", "urgent")
         self._names = {name: self.bench.port(FRAMES, name) for name in members}
-        for (block, name), of in self.bench.inputs.items():
-            if of != "bool" and ("tation" in name or "ddress" in name):
-                self.set(block, **{name: self.model.STATION})
-            if name == "iRetries":
-                self.set(block, iRetries=2)
 
     def forget(self) -> None:
         self.exchange = None
@@ -219,6 +223,10 @@ class TelegramRig(ModelRig):
 
     def __init__(self, folder: Path, draws: Draws, telegram: int, twice: bool = False) -> None:
         super().__init__("hiwin-e", folder, draws, telegram, twice)
+        self.connect(telegram)
+
+    def connect(self, telegram: int) -> None:
+        """Puts the model at the other end of the telegram."""
         key = f"axis of telegram_{telegram}"
         names = {name: self.bench.port(key, name) for name in ("valid", "request", "response")}
         self.variable = next(name for name, port in self.bench.ports.items() if names["request"] in port)

@@ -13,7 +13,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from adapter_stands import Adapter, Stand
-from adapter_texts import PROGRAMS, standard
+from adapter_texts import CODESYS as TEXTS
+from adapter_texts import standard
 from compiled import Block, Compiled
 from loaded import programs
 from st_syntax import parsed
@@ -315,15 +316,15 @@ def test_a_frame_that_is_abandoned_before_it_is_sent_is_not_sent(name: str, fold
 
 @cache
 def opening(folder: Path) -> Compiled:
-    """PRG_SerialPort; what it gives to the walk is its own."""
-    program = standard(PROGRAMS["PRG_SerialPort"])
-    program = re.sub(r"PRG_Tc100Axis\.(\w+)", r"\1", program)
+    """PRG_Tc100SerialPort; what it gives to the walk is its own."""
+    program = standard(TEXTS["PRG_Tc100SerialPort"])
+    program = re.sub(r"PRG_Tc100\.(\w+)", r"\1", program)
     program = program.replace("\nVAR\n", "\nVAR\n    xOpen : BOOL;\n    hPort : UDINT;\n    xLost : BOOL;\n", 1)
     parameter = "TYPE Parameter : STRUCT udiParameterId : UDINT; udiValue : UDINT; END_STRUCT; END_TYPE\n"
     program = program.replace("OF COM.PARAMETER", "OF Parameter")
     outputs = (("xOpen", "bool"), ("hPort", "udint"), ("xError", "bool"), ("eError", "uint"))
     inputs = (("fbOpen.Answer", "uint"), ("xLost", "bool"), ("fbClose.Answer", "uint"))
-    block = Block("PRG_SerialPort", inputs, (*outputs, ("fbOpen.Requests", "int"), ("fbClose.Requests", "int")))
+    block = Block("PRG_Tc100SerialPort", inputs, (*outputs, ("fbOpen.Requests", "int"), ("fbClose.Requests", "int")))
     return Compiled(named(parameter + ALL + program), folder, block, parsed(parameter))
 
 

@@ -1,4 +1,4 @@
-"""The walk for telegram 111 runs, compiled, with its adapters: every code of DPRD_DAT and DPWR_DAT is shown."""
+"""The program for telegram 111 runs, compiled, with its adapters: every code of DPRD_DAT and DPWR_DAT is shown."""
 
 from __future__ import annotations
 
@@ -11,28 +11,30 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from adapter_texts import SIEMENS, SIEMENS_WALKS, called_in, siemens, siemens_types
+from adapter_texts import SIEMENS, called_in, siemens, siemens_types
 from compiled import Block, Compiled
 from loaded import programs
 from st_syntax import parsed
 from standard_text import named, needed
-from test_docs_telegram import response
 from vendor_codes import DPRD_DAT, DPWR_DAT
 
+from fieldspec.codec.reference import codec
 from layouts import SPECS, newest
 
 INPUTS = {
-    **dict.fromkeys(("servoOn", "homeAxis", "moveAxis", "stopAxis"), "bool"),
-    "target": "dint",
-    "speed": "lreal",
+    **dict.fromkeys(("panel.xServo", "panel.xHome", "panel.xMove", "panel.xStop"), "bool"),
+    "panel.diPosition": "dint",
+    **dict.fromkeys(
+        ("panel.lrSpeed", "panel.lrAcceleration", "panel.lrDeceleration", "panel.lrSpeedOverride"), "lreal"
+    ),
     "input.returned": "int",
     "output.returned": "int",
     "input.bytes": ("array", 0, 23, "byte"),
     "axis/request.velocityOverride": "uint",
 }
 OUTPUTS = {
-    "ready": "bool",
-    "errorId": "uint",
+    "panel.xReady": "bool",
+    "panel.uiErrorID": "uint",
     "status": "word",
     "diagnostics": "int",
     "axis/valid": "bool",
@@ -46,15 +48,22 @@ OUTPUTS = {
 }
 
 
+def standing() -> bytes:
+    """The response of a drive that stands and is off, by the reference."""
+    layout = newest(SPECS, "hiwin-e")
+    names = [field.name for field in layout.messages["telegram_111"].response.fields]
+    return codec(layout).links["cyclic"].encode("response", "telegram_111", dict.fromkeys(names, 0))
+
+
 class Walk:
     """The walk between two scans: `inputs` and `outputs` by their names."""
 
     def __init__(self, folder: Path) -> None:
         adapters = "".join(siemens(SIEMENS[f"HiwinETelegram111{way}"]) for way in ("Input", "Output"))
-        block = siemens(SIEMENS_WALKS["HiwinEAxis"])
+        block = siemens(SIEMENS["HiwinETelegram111Program"])
         types = needed(siemens_types("hiwin-e"), called_in(adapters + block))
         unit = parsed(needed(types, ()))
-        program = Block("HiwinEAxis", tuple(INPUTS.items()), tuple(OUTPUTS.items()))
+        program = Block("HiwinETelegram111Program", tuple(INPUTS.items()), tuple(OUTPUTS.items()))
         self._program = Compiled(named(types + adapters + block), folder, program, unit)
         self.restart()
 
@@ -62,7 +71,7 @@ class Walk:
         """Switches the controller on; the drive stands, without an alarm, and is off."""
         self._program.restart()
         self.inputs: dict[str, Any] = {name: self._program.fresh(kind) for name, kind in INPUTS.items()}
-        self.inputs["input.bytes"] = list(response(newest(SPECS, "hiwin-e"), {}, 0, False))
+        self.inputs["input.bytes"] = list(standing())
         self.outputs: dict[str, Any] = {}
 
     def scan(self, scans: int = 1, **inputs: Any) -> Walk:
@@ -129,14 +138,14 @@ def test_a_request_that_cannot_be_packed_is_shown_and_makes_the_next_telegram_in
 
 @pytest.mark.parametrize("way", ["input", "output"])
 def test_a_block_that_works_while_a_telegram_fails_ends_with_error_7(way: str, walk: Walk) -> None:
-    walk.scan(3, servoOn=True)
-    assert walk.show("errorId") == [0]
+    walk.scan(3, panel__xServo=True)
+    assert walk.show("panel.uiErrorID") == [0]
     walk.scan(2, **{f"{way}__returned": signed(0x80A0)})
-    assert walk.show("errorId") == [7]
+    assert walk.show("panel.uiErrorID") == [7]
 
 
 def test_the_error_of_the_walk_goes_with_that_of_its_block(walk: Walk) -> None:
-    walk.scan(2, moveAxis=True)
-    assert walk.show("errorId") != [0]
-    walk.scan(2, moveAxis=False)
-    assert walk.show("errorId") == [0]
+    walk.scan(2, panel__xMove=True)
+    assert walk.show("panel.uiErrorID") != [0]
+    walk.scan(2, panel__xMove=False)
+    assert walk.show("panel.uiErrorID") == [0]

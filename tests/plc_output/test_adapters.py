@@ -1,4 +1,4 @@
-"""The adapters and walks of the documentation parse, and matiec compiles them against stubs of the vendors' blocks."""
+"""The adapters and programs for controllers parse, and matiec compiles them against stubs of the vendors' blocks."""
 
 from __future__ import annotations
 
@@ -12,7 +12,18 @@ from blark.parse import parse_source_code
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from adapter_texts import DOCS, SIEMENS, SIEMENS_WALKS, STRUCTURED, WALKS, called_in, siemens, siemens_types, standard
+from adapter_texts import (
+    CODESYS,
+    DEVICES,
+    SIEMENS,
+    STRUCTURED,
+    TWINCAT,
+    called_in,
+    program_texts,
+    siemens,
+    siemens_types,
+    standard,
+)
 from scans import of_siemens
 from standard_text import named, needed, without_comments
 from vendor_blocks import ALL
@@ -21,15 +32,23 @@ from fieldspec.targets.iec.backend import source, text
 from layouts import SPECS, newest
 from matiec import matiec
 
+TEXTS = {f"codesys {name}": text for name, text in CODESYS.items()} | {
+    f"twincat {name}": text for name, text in TWINCAT.items()
+}
+SIEMENS_TEXTS = {f"siemens {name}": of_siemens(text) for name, text in SIEMENS.items()}
 
-@pytest.mark.parametrize("block", [*STRUCTURED.values(), *map(of_siemens, SIEMENS.values())])
-def test_an_adapter_parses(block: str) -> None:
-    result = parse_source_code(block)
-    assert result.exception is None, (result.exception, block)
+
+@pytest.mark.parametrize("name", [*TEXTS, *SIEMENS_TEXTS])
+def test_an_adapter_or_a_program_parses(name: str) -> None:
+    result = parse_source_code((TEXTS | SIEMENS_TEXTS)[name])
+    assert result.exception is None, result.exception
 
 
-def test_there_are_walks_for_three_people() -> None:
-    assert {*WALKS, *SIEMENS_WALKS} == {"PRG_Tc100Axis", "PRG_Esc11Axis", "HiwinEAxis"}
+@pytest.mark.parametrize("house", ["codesys", "twincat", "siemens", "standard"])
+@pytest.mark.parametrize("device", DEVICES)
+def test_a_device_has_a_program_for_each_controller(house: str, device: str) -> None:
+    programs = [name for name in program_texts(house, device) if name.startswith("PRG_") or name.endswith("Program")]
+    assert programs
 
 
 def translated(content: str, folder: Path) -> None:
@@ -58,32 +77,54 @@ def test_an_adapter_of_tia_portal_compiles(device: str, name: str, tmp_path: Pat
     translated(named(types + ALL + block), tmp_path)
 
 
-@pytest.mark.parametrize("walk", ["PRG_Tc100Axis", "PRG_Esc11Axis"])
-def test_a_walk_compiles_with_its_adapter(walk: str, tmp_path: Path) -> None:
-    device = "Tc100" if "Tc100" in walk else "Esc11"
-    adapter = standard(STRUCTURED[f"FB_{device}SerialPort"])
-    block = standard(WALKS[walk])
-    functions = needed(text(source(newest(SPECS, device.lower()))), called_in(block))
+@pytest.mark.parametrize(("device", "name"), [("tc100", "Tc100"), ("ck10", "Ck10"), ("esc11", "Esc11")])
+def test_a_program_for_codesys_compiles_with_its_adapter(device: str, name: str, tmp_path: Path) -> None:
+    adapter, block = standard(CODESYS[f"FB_{name}SerialPort"]), standard(CODESYS[f"PRG_{name}"])
+    functions = needed(text(source(newest(SPECS, device))), called_in(block))
+    (last,) = re.findall(r"aBytes : ARRAY\[0\.\.(\d+)\]", adapter)
+    stands = ALL.replace("[0..254]", f"[0..{last}]")
+    translated(named(without_comments(functions) + stands + adapter + block), tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("device", "name", "port"),
+    [
+        ("tc100", "Tc100", "ModbusMaster"),
+        ("ck10", "Ck10", "ModbusMaster"),
+        ("esc11", "Esc11", "SerialPort"),
+    ],
+)
+def test_a_program_for_twincat_compiles_with_its_adapter(device: str, name: str, port: str, tmp_path: Path) -> None:
+    adapter, block = standard(TWINCAT[f"FB_{name}{port}"]), standard(TWINCAT[f"PRG_{name}"])
+    functions = needed(text(source(newest(SPECS, device))), called_in(block))
     translated(named(without_comments(functions) + ALL + adapter + block), tmp_path)
 
 
-def test_the_walk_compiles_with_what_the_page_replaces_for_a_ck10(tmp_path: Path) -> None:
-    adapter, walk = STRUCTURED["FB_Tc100SerialPort"], WALKS["PRG_Tc100Axis"]
-    page = (DOCS / "plc.md").read_text("utf-8")
-    rows = re.findall(r"^\| `(uiSpeed [^`]+)`[^|]* \| `([^`]+)` \|$", page, re.MULTILINE)
-    assert len(rows) == 2
-    longest = re.findall(r"^\| `(\d+)` in the adapter[^|]* \| `(\d+)` \|$", page, re.MULTILINE)
-    stands = ALL
-    for before, after in [("Tc100", "Ck10"), *rows, *longest]:
-        assert before in adapter + walk
-        adapter, walk, stands = (content.replace(before, after) for content in (adapter, walk, stands))
-    adapter, walk = standard(adapter), standard(walk)
-    functions = needed(text(source(newest(SPECS, "ck10"))), called_in(walk))
-    translated(named(without_comments(functions) + stands + adapter + walk), tmp_path)
+@pytest.mark.parametrize(
+    ("device", "name", "adapters"),
+    [
+        ("tc100", "Tc100Program", ["Tc100ModbusMaster"]),
+        ("ck10", "Ck10Program", ["Ck10ModbusMaster"]),
+        ("esc11", "Esc11Program", ["Esc11PointToPoint"]),
+        *(
+            (
+                "hiwin-e",
+                f"HiwinETelegram{number}Program",
+                [f"HiwinETelegram{number}{way}" for way in ("Input", "Output")],
+            )
+            for number in (3, 5, 9, 102, 105, 111)
+        ),
+    ],
+)
+def test_a_program_for_tia_portal_compiles_with_its_adapters(
+    device: str, name: str, adapters: list[str], tmp_path: Path
+) -> None:
+    blocks = "".join(siemens(SIEMENS[adapter]) for adapter in adapters) + siemens(SIEMENS[name])
+    types = needed(siemens_types(device), called_in(blocks))
+    translated(named(types + ALL + blocks), tmp_path)
 
 
-def test_the_walk_for_tia_portal_compiles_with_its_adapters(tmp_path: Path) -> None:
-    adapters = "".join(siemens(SIEMENS[f"HiwinETelegram111{way}"]) for way in ("Input", "Output"))
-    block = siemens(SIEMENS_WALKS["HiwinEAxis"])
-    types = needed(siemens_types("hiwin-e"), called_in(adapters + block))
-    translated(named(types + ALL + adapters + block), tmp_path)
+@pytest.mark.parametrize("device", DEVICES)
+def test_a_program_of_the_standard_compiles_as_it_is(device: str, tmp_path: Path) -> None:
+    blocks = "".join(program_texts("standard", device).values())
+    translated(text(source(newest(SPECS, device))) + blocks, tmp_path)

@@ -18,6 +18,7 @@ from lxml import etree
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+from adapter_texts import objects, sources
 from loaded import DEVICES, NAMES, REAL, program_of
 from shapes import KEYWORDS, Shapes
 from st_machine import Machine
@@ -27,6 +28,7 @@ from standard_text import DECLARED
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.reading.project import read
+from fieldspec.targets.controllers.adapters.programs import ALTERNATIVE
 from fieldspec.targets.controllers.structured.objects import length, string
 from fieldspec.targets.plcopen.backend import files as plcopen_files
 from fieldspec.targets.st.backend import files as st_files
@@ -165,7 +167,9 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
         hostile() if name == "hostile" else newest(TEST_SPECS, "widget") if name == "plain" else newest(SPECS, name)
     )
     schema = etree.XMLSchema(etree.parse(str(HERE / "tc6_xml_v201.xsd")))
-    (text,) = (text for path, text in plcopen_files([layout]).items() if path.endswith(".xml"))
+    texts = {path: text for path, text in plcopen_files([layout]).items() if path.endswith(".xml")}
+    text = texts[min(texts, key=len)]
+    own = [item for item in sources("codesys", layout) if item.name != ALTERNATIVE]
     document = etree.fromstring(text.encode())
     # The public schema is that of 2.01, which calls its names otherwise; CODESYS exports 2.00.
     renamed = etree.fromstring(text.replace(TC6_NAMESPACE, f"{TC6_NAMESPACE[:-4]}0201").encode())
@@ -174,7 +178,9 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
     (unpacked_text,) = (text for path, text in st_files([layout]).items() if path.endswith(".st"))
     unit = parsed(unpacked_text)
     names = [item.lower() for item in document.xpath("//p:pou/@name", namespaces=spaces)]
-    assert sorted(names) == sorted([*unit.functions, *unit.blocks])
+    added = [name.lower() for item in own for name in objects(item)]
+    assert sorted(names) == sorted([*unit.functions, *unit.blocks, *added])
+    unpacked_text += "".join(item.text for item in own)
     types = [item.lower() for item in document.xpath("//p:dataType/@name", namespaces=spaces)]
     arrays = [array.lower() for array, _ in DECLARED.findall(unpacked_text)]
     assert sorted(types) == sorted([*unit.enums, *unit.structs, *arrays])
@@ -187,12 +193,35 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
     modes = document.xpath("//p:Attribute[@Name='pack_mode']/@Value", namespaces=spaces)
     assert set(modes) == {"1"}
     assert {"creationDateTime": "2000-01-01T00:00:00"}.items() <= dict(document[0].attrib).items()
+    for other in texts.values():
+        renamed = etree.fromstring(other.replace(TC6_NAMESPACE, f"{TC6_NAMESPACE[:-4]}0201").encode())
+        assert schema.validate(renamed), schema.error_log.last_error
+
+
+@pytest.mark.parametrize("name", REAL)
+def test_each_object_of_plcopen_xml_is_in_one_folder_by_its_identifier(name: str) -> None:
+    for place, text in plcopen_files([newest(SPECS, name)]).items():
+        if not place.endswith(".xml"):
+            continue
+        document = etree.fromstring(text.encode())
+        spaces = {"p": TC6_NAMESPACE}
+        placed = {
+            item.get("Name"): item.get("ObjectId")
+            for item in document.xpath("//p:ProjectStructure/p:Folder/p:Object", namespaces=spaces)
+        }
+        declared = {
+            item.get("name"): item.findtext("p:addData/p:data/p:ObjectId", namespaces=spaces)
+            for item in document.xpath("//p:dataType | //p:pou | //p:globalVars", namespaces=spaces)
+        }
+        assert placed == declared
+        assert len(set(placed.values())) == len(placed)
 
 
 @pytest.mark.parametrize("name", ["hostile", *REAL])
 def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
     layout = hostile() if name == "hostile" else newest(SPECS, name)
     (unpacked_text,) = (text for path, text in st_files([layout]).items() if path.endswith(".st"))
+    own = {name: text for item in sources("twincat", layout) for name, text in objects(item).items()}
     seen: dict[str, str] = {}
     for place, text in twincat_files([layout]).items():
         if not place.endswith((".TcDUT", ".TcGVL", ".TcPOU")):
@@ -205,10 +234,29 @@ def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
         seen[element.attrib["Id"]] = place
         declaration = (element.findtext("Declaration") or "").split("\n", 4)[4]
         implementation = element.findtext("Implementation/ST")
+        if element.attrib["Name"] in own:
+            assert declaration.partition("VAR")[2] in own[element.attrib["Name"]], place
+            assert (implementation or "") in own[element.attrib["Name"]], place
+            continue
         end = "END_FUNCTION_BLOCK" if "\nFUNCTION_BLOCK " in f"\n{declaration}" else "END_FUNCTION"
         whole = declaration if implementation is None else f"{declaration}\n{implementation}\n{end}"
         assert f"\n{whole}\n" in unpacked_text, place
     assert len(seen) > 10
+
+
+@pytest.mark.parametrize("name", REAL)
+def test_the_project_for_twincat_includes_each_file_and_calls_programs_that_are_there(name: str) -> None:
+    outputs = twincat_files([newest(SPECS, name)])
+    (project,) = (text for path, text in outputs.items() if path.endswith(".plcproj"))
+    names = {"m": "http://schemas.microsoft.com/developer/msbuild/2003"}
+    root = ElementTree.fromstring(project.lstrip("\ufeff").encode())
+    included = [item.attrib["Include"].replace("\\", "/") for item in root.iterfind(".//m:Compile", names)]
+    files = [path.partition("/")[2] for path in outputs if path.endswith((".TcDUT", ".TcGVL", ".TcPOU", ".TcTTO"))]
+    assert sorted(included) == sorted(files)
+    tasks = [text for path, text in outputs.items() if path.endswith(".TcTTO")]
+    called = [item for text in tasks for item in ElementTree.fromstring(text.encode()).iterfind(".//PouCall/Name")]
+    assert called
+    assert [item.text for item in called if f"POUs/{item.text}.TcPOU" not in included] == []
 
 
 def test_blark_reads_files_of_each_kind(tmp_path: Path) -> None:

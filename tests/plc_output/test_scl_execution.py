@@ -37,7 +37,7 @@ def siemens_text(device: str) -> str:
         of_siemens(content.lstrip("\ufeff").replace("\r\n", "\n"))
         for kind in (".udt", ".scl")
         for path, content in result.items()
-        if path.endswith(kind)
+        if path.endswith((".udt", "_functions.scl")) and path.endswith(kind)
     )
     for mine, theirs in (("VAR_TEMP", "VAR"), ("SHL(IN := ", "SHL("), ("SHR(IN := ", "SHR("), (", N := ", ", ")):
         source = source.replace(mine, theirs)

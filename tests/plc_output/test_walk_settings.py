@@ -1,18 +1,19 @@
-"""What the walks and adapters set is what the devices are delivered with, and long enough for their longest frames."""
+"""What programs and pages set is what devices are delivered with, and long enough for their longest frames."""
 
 from __future__ import annotations
 
 import re
 import sys
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from adapter_texts import DOCS, PROGRAMS, SIEMENS, STRUCTURED
+from adapter_texts import CODESYS, SIEMENS, STRUCTURED, sources
+from page import PAGES
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.targets.controllers.statements.expressions import ArrayType
@@ -23,7 +24,7 @@ Setting = tuple[int, str, int, int]
 """Bits per second, parity, data bits and stop bits."""
 BITS_PER_BYTE = 11
 """Start, eight data, parity, stop."""
-COE_RATES = {6: 9600, 7: 19200}
+COE_RATES = {6: 9600, 7: 19200, 10: 115200}
 COE_FRAMES = {3: "8N1", 4: "8E1", 5: "8O1"}
 PORT_RATES = {6: 9600, 7: 19200}
 PORT_PARITIES = {1: "none", 2: "even", 3: "odd"}
@@ -34,7 +35,7 @@ LETTERS = {"N": "none", "E": "even", "O": "odd"}
 @cache
 def page(name: str) -> str:
     """A page of the documentation in one line."""
-    return " ".join((DOCS / name).read_text("utf-8").split())
+    return " ".join(PAGES[name].split())
 
 
 def layout(device: str) -> DeviceLayout:
@@ -70,82 +71,135 @@ def searched(pattern: str, text: str) -> tuple[str, ...]:
     return match.groups()
 
 
-def codesys() -> Setting:
-    """What PRG_SerialPort sets."""
-    program = PROGRAMS["PRG_SerialPort"]
+def codesys(device: str) -> Setting:
+    """What the program for CODESYS opens the port with."""
+    program = CODESYS[f"PRG_{device}SerialPort"]
     (rate,) = searched(r"udiBaudrate;\s*\S+ := (\d+)", program)
     (parity,) = searched(r"COM\.PARITY\.(\w+)", program)
     (size,) = searched(r"udiByteSize;\s*\S+ := (\d+)", program)
-    return int(rate), parity.lower(), int(size), {"ONESTOPBIT": 1}[searched(r"STOPBIT\.(\w+)", program)[0]]
+    stops = {"ONESTOPBIT": 1, "TWOSTOPBITS": 2}
+    return int(rate), parity.lower(), int(size), stops[searched(r"STOPBIT\.(\w+)", program)[0]]
 
 
-def codesys_for_ck10() -> Setting:
-    """What the table of the walk makes of it for a CK10."""
-    before, after = searched(r"\| (\d+) baud \| (\d+) baud [^|]*; no parity and 1 stop bit too \|", page("plc.md"))
-    assert int(before) == codesys()[0]
-    return int(after), *codesys()[1:]
-
-
-def comm_load() -> Setting:
+def comm_load(device: str) -> Setting:
     """What the adapter for Modbus_Master sets."""
-    block = SIEMENS["Tc100ModbusMaster"]
+    block = SIEMENS[f"{device}ModbusMaster"]
     patterns = (r"baud .*:= (\d+)", r"parity .*:= (\d)", r"STOP_BITS := (\d)")
     rate, parity, stop = (searched(pattern, block)[0] for pattern in patterns)
     return int(rate), LOAD_PARITIES[int(parity)], 8, int(stop)
 
 
-def port_config() -> Setting:
+def port_config(device: str) -> Setting:
     """What the adapter for Send_P2P sets."""
     pattern = r"BAUD := (\d+), PARITY := (\d), DATABITS := (\d), STOPBITS := (\d), MODE := 4\)"
-    rate, parity, data, stop = map(int, searched(pattern, SIEMENS["Esc11PointToPoint"]))
+    rate, parity, data, stop = map(int, searched(pattern, SIEMENS[f"{device}PointToPoint"]))
     return PORT_RATES[rate], PORT_PARITIES[parity], {1: 8, 2: 7}[data], stop
 
 
-def terminal(name: str, number: int) -> Setting:
-    """What a page says of the terminal EL6022, by the numbers of its objects; half duplex each time."""
-    pattern = r"8000:11 = (\d) \((\d+) bps\), 8000:15 = (\d) \(`?(\w+)`?\), 8000:06 = TRUE \(half duplex\)"
-    rate, rate_text, frame, frame_text = re.findall(pattern, page(name))[number]
+def terminal(text: str) -> Setting:
+    """What a text says of the terminal EL6022, by the numbers of its objects; half duplex each time."""
+    pattern = r"8000:11 = (\d+) \((\d+) bps\), 8000:15 = (\d) \((\w+)\), 8000:06 = TRUE \(half duplex\)"
+    rate, rate_text, frame, frame_text = searched(pattern, text)
     assert (COE_RATES[int(rate)], COE_FRAMES[int(frame)]) == (int(rate_text), frame_text)
-    return int(rate_text), LETTERS[frame_text[1]], int(frame_text[0]), int(frame_text[2])
+    return framed(rate_text, frame_text)
 
 
-def printed(pattern: str, name: str) -> Callable[[], Setting]:
-    """What a page says in words."""
-
-    def setting() -> Setting:
-        rate, data, parity, stop = searched(pattern, page(name))
-        return int(rate), parity, int(data), int(stop)
-
-    return setting
+def framed(rate: str, frame: str) -> Setting:
+    """A setting that is written as 9600 and 8E1."""
+    return int(rate), LETTERS[frame[1]], int(frame[0]), int(frame[2])
 
 
-SETTINGS: dict[str, tuple[Callable[[], Setting], str, str]] = {
-    "CODESYS, PRG_SerialPort": (codesys, "tc100", "rtu"),
-    "CODESYS, the table for a CK10": (codesys_for_ck10, "ck10", "rtu"),
-    "S7, Modbus_Comm_Load": (comm_load, "tc100", "rtu"),
-    "S7, Port_Config": (port_config, "esc11", "serial"),
-    "TwinCAT, the walk": (lambda: terminal("plc.md", 0), "esc11", "serial"),
-    "TwinCAT, the example": (lambda: terminal("plc.md", 1), "esc11", "serial"),
-    "TwinCAT, Modbus": (lambda: terminal("plc-adapters.md", 0), "tc100", "rtu"),
-    "KEYENCE": (
-        printed(r"port 2 of the unit \| (\d+) bps, (\d) data bits, (\w+) parity, (\d) stop bit", "plc.md"),
-        *("esc11", "serial"),
-    ),
-    "S7, in words": (
-        printed(r"ESC11, which has (\d+) bps, (\d) data bits, (\w+) parity, (\d) stop bit", "plc-adapters.md"),
-        *("esc11", "serial"),
-    ),
+LINKS = {"tc100": ("Tc100", "rtu"), "ck10": ("Ck10", "rtu"), "esc11": ("Esc11", "serial")}
+"""The devices on lines: their names in programs, and the links that the programs use."""
+PROGRAM_SETTINGS: dict[str, tuple[Callable[[], Setting], str]] = {
+    **{f"CODESYS, {device}": (partial(codesys, name), device) for device, (name, _) in LINKS.items()},
+    **{f"S7, {device}": (partial(comm_load, LINKS[device][0]), device) for device in ("tc100", "ck10")},
+    "S7, esc11": (partial(port_config, "Esc11"), "esc11"),
 }
+"""The places of programs that set a line."""
 
 
-@pytest.mark.parametrize("place", SETTINGS)
-def test_a_setting_is_that_with_which_the_device_is_delivered(place: str) -> None:
-    setting, device, link = SETTINGS[place]
-    assert setting() == delivered(device, link)
+@pytest.mark.parametrize("place", PROGRAM_SETTINGS)
+def test_a_program_sets_the_line_as_the_device_is_delivered(place: str) -> None:
+    setting, device = PROGRAM_SETTINGS[place]
+    assert setting() == delivered(device, LINKS[device][1])
+
+
+@pytest.mark.parametrize("house", ["codesys", "twincat", "siemens", "standard"])
+@pytest.mark.parametrize("device", LINKS)
+def test_a_comment_has_the_settings_with_which_the_device_is_delivered(house: str, device: str) -> None:
+    addresses = layout(device).device.links[LINKS[device][1]].unit_addresses
+    assert addresses is not None
+    assert addresses.ranges is not None
+    for item in sources(house, layout(device)):
+        comment = " ".join(item.remarks)
+        rate, frame, station = searched(r"Settings of [^:]*: (\d+) bps, (\w+), station (\d+)\.", comment)
+        assert framed(rate, frame) == delivered(device, LINKS[device][1])
+        assert int(station) == addresses.ranges.intervals[0][0]
+        if house == "twincat":
+            assert terminal(comment) == delivered(device, LINKS[device][1])
+
+
+PARITIES = (("no parity", "none"), ("parity none", "none"), ("even parity", "even"), ("odd parity", "odd"))
+NAMED = re.compile(r"TC100|CK10|ESC11")
+
+
+def printed() -> list[tuple[str, str, str]]:
+    """Every setting that a page prints: the page, the device that was named last before it, and the text behind it."""
+    settings = []
+    for name in PAGES:
+        text = page(name)
+        for match in re.finditer(r"(\d{4,6}) (?:bps|baud)\b", text):
+            device = NAMED.findall(text[: match.start()])[-1]
+            settings.append((name, device.lower(), text[match.start() : match.start() + 90]))
+    return settings
+
+
+@pytest.mark.parametrize(("name", "device", "text"), printed())
+def test_a_page_prints_the_settings_with_which_the_device_is_delivered(name: str, device: str, text: str) -> None:
+    rate, parity, data, stop = delivered(device, LINKS[device][1])
+    assert int(text.split()[0]) == rate
+    printed_parity = next((value for words, value in PARITIES if words in text), parity)
+    frame = re.search(r"\b[78][NEO][12]\b", text)
+    stops, datas = re.search(r"(\d) stop bit", text), re.search(r"(\d) data bits", text)
+    assert printed_parity == parity
+    if frame is not None:
+        assert framed(str(rate), frame[0]) == (rate, parity, data, stop)
+    assert [int(settings[1]) for settings in (datas, stops) if settings] == [data] * bool(datas) + [stop] * bool(stops)
+
+
+def test_the_pages_print_settings_for_each_device_on_a_line() -> None:
+    assert {device for _, device, _ in printed()} == {*LINKS}
+
+
+@pytest.mark.parametrize("device", ["esc11", "tc100"])
+def test_a_page_sets_the_terminal_as_the_device_is_delivered(device: str) -> None:
+    text = page("plc-twincat.md")
+    (section,) = re.findall(rf"## {device.upper()}.*?(?=## |$)", text)
+    assert terminal(section) == delivered(device, LINKS[device][1])
+
+
+def test_a_command_that_the_walk_tells_to_write_is_a_value_of_the_register() -> None:
+    text = page("plc-codesys.md")
+    commands = set(re.findall(r"\b(protocol|save)=(\w+)", text))
+    assert commands == {(name, item) for name, item in commands if item in members("tc100", name)}
+    assert len(commands) == 3
+    number, value = searched(r"Set parameter (\d+) to (\d), Modbus RTU", text)
+    register = next(item.register for item in layout("ck10").registers if item.register.number == int(number))
+    assert members("ck10", register.name)["modbus_rtu"] == int(value)
+
+
+def members(device: str, register: str) -> dict[str, int]:
+    """The names of the values of a register."""
+    value = next(
+        item.register.value for item in layout(device).registers if register in (item.name, *item.register.roles)
+    )
+    assert value.enum is not None
+    return {item.name: item.value for item in layout(device).device.enums[value.enum].members}
 
 
 def test_the_walk_says_how_a_tc100_is_delivered() -> None:
-    text = page("plc.md")
+    text = page("plc-codesys.md")
     printed_values = dict(re.findall(r"(0x0A0\d) = (\d)", text))
     registers = {f"0x{item.address:04X}": item.register.value.default for item in layout("tc100").registers}
     assert {name: registers[name] for name in printed_values} == {
@@ -187,7 +241,7 @@ def test_an_answer_that_the_adapter_for_an_s7_awaits_may_be_the_longest_and_begi
 
 def test_the_character_gap_of_an_s7_is_in_bit_times() -> None:
     bits, characters, each = searched(
-        r"of (\d+) bit times, which are (\d+) characters of (\d+) bits", page("plc-adapters.md")
+        r"of (\d+) bit times, which are (\d+) characters of (\d+) bits", page("plc-tia.md")
     )
     assert int(bits) == int(characters) * int(each)
     assert int(each) == BITS_PER_BYTE
@@ -197,7 +251,7 @@ def test_the_character_gap_of_an_s7_is_in_bit_times() -> None:
 def test_a_read_of_codesys_lasts_longer_than_a_cycle_and_the_gap_longer_than_a_read(cycle: int) -> None:
     block = STRUCTURED["FB_Tc100SerialPort"]
     (micros,) = searched(r"SIZEOF\(aBytes\), udiTimeOut := (\d+)\)", block)
-    assert f"interval {cycle} ms" in page("plc.md")
+    assert f"interval {cycle} ms" in page("plc-codesys.md")
     read = int(micros) / 1000
     # A read, a cycle in which its input falls, the cycle of its next edge, and that in which it has bytes.
     assert (read > cycle, milliseconds("tGap", block) > read + 3 * cycle) == (True, True)

@@ -1,5 +1,5 @@
 """A device with tasks has an entry for every task of the schema: its steps, the reason why it does not apply,
-or the question that the manual leaves open.
+or the question that the manual leaves open. Only the tasks of grippers may be left out.
 
 Why: a missing task looks as if the device could not do it. "How do I run a stored point?" needs an answer,
 and if the manual has none, the spec says so.
@@ -18,12 +18,16 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.schema import schema
 
+_GRIPPERS = ("grip", "release")
+"""What only grippers do."""
+
 
 def tasks_complete(device: Device) -> Iterator[Diagnostic]:
     if not device.tasks:
         return
     present_kinds = {task.kind for task in device.tasks}
-    missing = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in present_kinds]
+    expected = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in _GRIPPERS]
+    missing = [kind for kind in expected if kind not in present_kinds]
     if missing:
         text = f"{device.name} has no entry for the tasks {enumeration(missing)}"
         help = "add a task with `steps`, `not_applicable` or `open` for each"

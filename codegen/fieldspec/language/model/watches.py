@@ -10,7 +10,7 @@ from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.operand import Operand, Operands
 from fieldspec.language.model.task import Step, Task
 
-MOVING = ("home", "move_absolute", "move_relative", "move_velocity", "jog", "run_point")
+MOVING = ("home", "move_absolute", "move_relative", "move_velocity", "jog", "run_point", "grip", "release")
 """The tasks that move, and that an alarm and a servo that is off end."""
 
 LASTING = ("jog", "move_velocity")

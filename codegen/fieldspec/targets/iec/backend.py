@@ -8,6 +8,8 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.names import stem
 from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.targets.controllers.adapters.programs import Source as ProgramSource
+from fieldspec.targets.controllers.adapters.programs import standard
 from fieldspec.targets.controllers.cache import cached
 from fieldspec.targets.controllers.constants import ConstantList
 from fieldspec.targets.controllers.declarations import Declarations, declarations
@@ -41,7 +43,12 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     layout = newest(versions)
     name = stem(layout.device.id, layout.device.version)
     iec_source = source(layout)
-    return {f"{name}.st": text(iec_source), f"{name}_constants.st": constants(iec_source)}
+    sources = standard(iec_source.declared.world, iec_source.spelling, iec_source.routines)
+    return {
+        f"{name}.st": text(iec_source),
+        f"{name}_constants.st": constants(iec_source),
+        **{f"{name}_{program.name}.st": program_text(iec_source, program) for program in sources},
+    }
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
@@ -52,6 +59,11 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
 def shared() -> dict[str, str]:
     """No files: every file of this output belongs to one device."""
     return {}
+
+
+def program_text(iec_source: Source, program: ProgramSource) -> str:
+    """A ready program, to be put behind the types and functions."""
+    return "\n".join([*_remarks([*about(iec_source.declared), "", *program.remarks]), "", program.text])
 
 
 @cached

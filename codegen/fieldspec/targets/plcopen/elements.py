@@ -202,14 +202,15 @@ def function(routine: Routine, text: Item, spelling: Spelling) -> Element:
         documentation(routine.remarks),
     )
     kind = "function" if routine.returns is not None else "functionBlock"
-    return element("pou", interface, _body(text.implementation), name=routine.name, pouType=kind)
+    return element("pou", interface, body(text.implementation), name=routine.name, pouType=kind)
 
 
 def _initial(declared: Declared) -> Element | None:
     return element("simpleValue", value=declared.initial) if declared.initial else None
 
 
-def _body(lines: Sequence[str]) -> Element:
+def body(lines: Sequence[str]) -> Element:
+    """The statements of a routine, in Structured Text."""
     return element("body", element("ST", element("xhtml", text="\n".join(lines), xmlns=_DOCUMENTATION_NAMESPACE)))
 
 
@@ -227,7 +228,7 @@ def sizes_function(program: Program) -> Element:
         *([element("localVars", *variables)] if variables else []),
         documentation(remarks),
     )
-    return element("pou", interface, _body(program.sizes.implementation), name=program.sizes.name, pouType="function")
+    return element("pou", interface, body(program.sizes.implementation), name=program.sizes.name, pouType="function")
 
 
 def constants_list(constant_list: ConstantList) -> Element:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.spreadsheet import BYTE_ORDER_MARK, Cell, Workbook, csv_text
 from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.targets.controllers.adapters.programs import siemens
 from fieldspec.targets.controllers.layout.table import table
 from fieldspec.targets.scl.project import Project, project
 from fieldspec.targets.scl.sources import blocks, clashes, functions, source, types
@@ -15,15 +16,19 @@ from fieldspec.targets.scl.usages import usages as usages
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
-    """Of a device's newest version the sources of types, data blocks and functions, its constants, and its offsets."""
+    """A folder for a device's newest version: sources, programs among them, its constants, and its offsets."""
     tia_project = project(versions[-1])
-    outputs: dict[str, str | Workbook] = {f"{tia_project.stem}_types.udt": source(tia_project, types(tia_project))}
+    world, spelling = tia_project.declared.world, tia_project.declared.dialect.spelling
+    outputs: dict[str, str | Workbook] = {"types.udt": source(tia_project, types(tia_project))}
     if tia_project.blocks:
-        outputs[f"{tia_project.stem}_data.db"] = source(tia_project, blocks(tia_project))
-    outputs[f"{tia_project.stem}_functions.scl"] = source(tia_project, functions(tia_project))
-    outputs[f"{tia_project.stem}_constants.xlsx"] = tag_tables(tia_project)
-    outputs[f"{tia_project.stem}_layout.csv"] = BYTE_ORDER_MARK + csv_text(_layout(tia_project))
-    return outputs
+        outputs["data.db"] = source(tia_project, blocks(tia_project))
+    outputs["functions.scl"] = source(tia_project, functions(tia_project))
+    for text in siemens(world, spelling, tia_project.routines):
+        remarks = [f"// {line}" for line in text.remarks]
+        outputs[f"{text.name}.scl"] = source(tia_project, [remarks, text.text.splitlines()])
+    outputs["constants.xlsx"] = tag_tables(tia_project)
+    outputs["layout.csv"] = BYTE_ORDER_MARK + csv_text(_layout(tia_project))
+    return {f"{tia_project.stem}/{tia_project.stem}_{name}": content for name, content in outputs.items()}
 
 
 def shared() -> dict[str, str | Workbook]:

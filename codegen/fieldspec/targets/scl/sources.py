@@ -39,7 +39,8 @@ def head(project: Project) -> list[str]:
         "//",
         *comment(
             "Import: in the project tree of the PLC, External source files, Add new external file, then Generate "
-            f"blocks from source: {', '.join(sources)}, in this order. A block of the same name is overwritten."
+            f"blocks from source: {', '.join(sources)}, in this order, and then one of the programs, if there are any. "
+            "A block of the same name is overwritten."
         ),
         *comment(f"Constants: PLC tags, Show all tags, Import, {project.stem}_constants.xlsx."),
         *(f"// {line}".rstrip() for line in left_out(project.declared.omissions)),

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-import uuid
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import stem
 from fieldspec.foundation.spreadsheet import BYTE_ORDER_MARK
 from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.targets.controllers.adapters.objects import objects
+from fieldspec.targets.controllers.adapters.programs import twincat
 from fieldspec.targets.controllers.dialects import DIALECTS
+from fieldspec.targets.controllers.statements.routine import Routine
 from fieldspec.targets.controllers.structured.layout_table import layout_table
 from fieldspec.targets.controllers.structured.objects import Item
-from fieldspec.targets.controllers.structured.program import newest, program
+from fieldspec.targets.controllers.structured.program import Program, newest, program
 from fieldspec.targets.controllers.structured.program import refusals as program_refusals
+from fieldspec.targets.twincat.project import Task, identifier, project_file, task_file
 
-# An identifier that is made of a name is the same in every build, and differs where names differ.
-_SPACE = uuid.uuid5(uuid.NAMESPACE_DNS, "twincat.fieldspec")
+LIBRARIES = (("Tc2_SerialCom", "ComBuffer"), ("Tc2_ModbusRTU", "ModbusRtuMaster"))
+"""The libraries of adapters, and types of each by which its use is known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +38,7 @@ FORMS = {
     "list": Form("GVL", "TcGVL", "GVLs"),
     "function": Form("POU", "TcPOU", "POUs", ' SpecialFunc="None"'),
     "block": Form("POU", "TcPOU", "POUs", ' SpecialFunc="None"'),
+    "program": Form("POU", "TcPOU", "POUs", ' SpecialFunc="None"'),
 }
 
 
@@ -45,7 +49,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     folder = stem(layout.device.id, layout.device.version)
     heading = st_program.about()
     texts = {f"{folder}/{path(item)}": source(item, heading) for item in st_program.items}
-    texts[f"{folder}/project_items.xml"] = inclusion(st_program.items)
+    own = list(adapters(st_program))
+    texts |= {f"{folder}/{path(item)}": source(item, [*heading, *remarks]) for item, remarks in own}
+    items = [*st_program.items, *(item for item, _ in own)]
+    texts[f"{folder}/project_items.xml"] = inclusion(items)
+    texts |= {f"{folder}/{name}": text for name, text in project_files(st_program, items).items()}
     texts[f"{folder}/layout.csv"] = layout_table(st_program)
     return texts
 
@@ -60,15 +68,43 @@ def shared() -> dict[str, str]:
     return {}
 
 
+def adapters(st_program: Program) -> Iterator[tuple[Item, tuple[str, ...]]]:
+    """The objects of adapters and programs, with what their comments say."""
+    for text in twincat(st_program.declared.world, st_program.spelling, st_program.routines):
+        yield from ((item, text.remarks) for item in objects(text.text, "adapters"))
+
+
+def project_files(st_program: Program, items: Sequence[Item]) -> dict[str, str]:
+    """The project with its tasks by their paths; none where there is no program to be called."""
+    programs = [item.name for item in items if item.kind == "program"]
+    if not programs:
+        return {}
+    lines = [name for name in programs if name.endswith("SerialLine")]
+    # Of several telegrams a drive has one: that with the most blocks, unless the project is changed.
+    called = max(
+        (name for name in programs if name not in lines),
+        key=lambda name: len(_panel(st_program, name).body),
+    )
+    tasks = [Task("Line", 1000, 10, lines), Task("PlcTask", 10000, 20, [called])]
+    used = [task for task in tasks if task.programs]
+    name = st_program.declared.world.names.device
+    files = {f"{task.name}.TcTTO": task_file(name, task) for task in used}
+    text = " ".join(line for item in items for line in item.declaration)
+    libraries = ["Tc2_Standard", *(library for library, mark in LIBRARIES if mark in text)]
+    return files | {f"{name}.plcproj": project_file(name, inclusion(items), [task.name for task in used], libraries)}
+
+
+def _panel(st_program: Program, name: str) -> Routine:
+    """The ready program that a program calls."""
+    device = st_program.declared.world.names.device
+    rest = name.removeprefix(f"PRG_{device}")
+    return next(item for item in st_program.routines if item.name == f"FB_{device}_{rest}Panel")
+
+
 def path(item: Item) -> str:
     """Where an object is, from the folder of the project on."""
     form = FORMS[item.kind]
     return f"{form.folder}/{item.name}.{form.ending}"
-
-
-def identifier(name: str) -> str:
-    """The GUID of an object: names are unique in a project, whatever the case of their letters."""
-    return f"{{{uuid.uuid5(_SPACE, name.lower())}}}"
 
 
 def source(item: Item, heading: list[str]) -> str:
@@ -81,7 +117,7 @@ def source(item: Item, heading: list[str]) -> str:
         f'  <{form.element} Name="{item.name}" Id="{identifier(item.name)}"{form.attributes}>',
         f"    <Declaration>{_characters([*head, *item.declaration])}</Declaration>",
     ]
-    if item.kind in ("function", "block"):
+    if item.kind in ("function", "block", "program"):
         lines += [
             "    <Implementation>",
             f"      <ST>{_characters(item.implementation)}</ST>",
@@ -98,7 +134,7 @@ def _characters(lines: Sequence[str]) -> str:
 
 def inclusion(items: Sequence[Item]) -> str:
     """The part of a `.plcproj` that includes the objects."""
-    lines = ["<!-- Copy these elements into an ItemGroup of the .plcproj. -->", "<ItemGroup>"]
+    lines = ["<!-- Copy these elements into an ItemGroup of another .plcproj. -->", "<ItemGroup>"]
     folders = dict.fromkeys(form.folder for form in FORMS.values())
     lines += [f'  <Folder Include="{folder}" />' for folder in folders]
     for item in items:

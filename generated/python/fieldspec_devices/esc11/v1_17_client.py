@@ -223,6 +223,42 @@ class _Tasks(_DeviceWork):
             ],
         )
 
+    def grip(self, *, speed: int, force: int, limit: float = 60.0) -> _Work[_Any]:
+        task = self.message_task(
+            "grip",
+            limit,
+            _Condition("status", 0x0, mask=0x40, name="alarm", reason="alarm"),
+            _Condition("status", 0x0, mask=0x4, name="servo_off", reason="servo"),
+        )
+        return task.run(
+            [
+                task.send(task.request(_codec.ReadHomingStateRequest), _Condition("message.homing_complete", 1)),
+                task.send(task.request(_codec.GripCloseRequest, speed=speed, force=force)),
+                task.begin(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
+                task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
+            ],
+            halting=lambda: [task.send(task.request(_codec.StopRequest))],
+            first=1,
+        )
+
+    def release(self, *, speed: int, limit: float = 60.0) -> _Work[_Any]:
+        task = self.message_task(
+            "release",
+            limit,
+            _Condition("status", 0x0, mask=0x40, name="alarm", reason="alarm"),
+            _Condition("status", 0x0, mask=0x4, name="servo_off", reason="servo"),
+        )
+        return task.run(
+            [
+                task.send(task.request(_codec.ReadHomingStateRequest), _Condition("message.homing_complete", 1)),
+                task.send(task.request(_codec.MoveOpenRequest, speed=speed)),
+                task.begin(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
+                task.wait(task.request(_codec.NoOperationRequest), _Condition("status", 0x0, mask=0x1, name="executing")),
+            ],
+            halting=lambda: [task.send(task.request(_codec.StopRequest))],
+            first=1,
+        )
+
 
 class Client(_ParameterClient):
     """A client of TAIYO ESC11-B, version 1.17.
@@ -476,6 +512,45 @@ class Client(_ParameterClient):
         value: str = self._run(self._work.read_firmware_version())
         return value
 
+    def grip(self, *, speed: int, force: int, limit: float = 60.0) -> None:
+        """Grip.
+
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; send messages/grip_close with
+        speed = <speed>, force = <force>, at most limits/response_timeout; send messages/no_operation,
+        at most limits/response_timeout; wait busy = false.
+
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
+
+        Note: The status does not tell a workpiece that is gripped from the end of the stroke. Command
+        20h grips in the opening direction, for a workpiece that is held from inside (9.1.10).
+
+        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
+        byte shows the end of what was commanded follows from its labels.
+
+        Source: 9.1.11 L538-562; 8.2 L286; 9.2.1 L720; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        """
+        self._run(self._work.grip(speed=speed, force=force, limit=limit))
+
+    def release(self, *, speed: int, limit: float = 60.0) -> None:
+        """Release.
+
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; send messages/move_open with speed
+        = <speed>, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
+
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
+
+        Inferred (steps): The manual explains the commands and the status byte by themselves; that
+        opening releases a workpiece which is held from outside follows from the directions.
+
+        Source: 9.1.5 L383-403; 8.2 L286; 9.2.1 L720; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        """
+        self._run(self._work.release(speed=speed, limit=limit))
+
 
 class AsyncClient(_AsyncParameterClient):
     """A client of TAIYO ESC11-B, version 1.17.
@@ -728,4 +803,43 @@ class AsyncClient(_AsyncParameterClient):
         """
         value: str = await self._run(self._work.read_firmware_version())
         return value
+
+    async def grip(self, *, speed: int, force: int, limit: float = 60.0) -> None:
+        """Grip.
+
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; send messages/grip_close with
+        speed = <speed>, force = <force>, at most limits/response_timeout; send messages/no_operation,
+        at most limits/response_timeout; wait busy = false.
+
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
+
+        Note: The status does not tell a workpiece that is gripped from the end of the stroke. Command
+        20h grips in the opening direction, for a workpiece that is held from inside (9.1.10).
+
+        Inferred (steps): The manual explains the commands and the status byte by themselves; that the
+        byte shows the end of what was commanded follows from its labels.
+
+        Source: 9.1.11 L538-562; 8.2 L286; 9.2.1 L720; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        """
+        await self._run(self._work.grip(speed=speed, force=force, limit=limit))
+
+    async def release(self, *, speed: int, limit: float = 60.0) -> None:
+        """Release.
+
+        Steps: send messages/read_homing_state, at most limits/response_timeout; wait
+        messages/read_homing_state/response/homing_complete = true; send messages/move_open with speed
+        = <speed>, at most limits/response_timeout; send messages/no_operation, at most
+        limits/response_timeout; wait busy = false.
+
+        Note: Whether the status has already changed when the command is answered is not printed: it
+        may still show the end of the move before.
+
+        Inferred (steps): The manual explains the commands and the status byte by themselves; that
+        opening releases a workpiece which is held from outside follows from the directions.
+
+        Source: 9.1.5 L383-403; 8.2 L286; 9.2.1 L720; 9.3.6 L838-840; 10.4 L1316; 7.3 L247.
+        """
+        await self._run(self._work.release(speed=speed, limit=limit))
 

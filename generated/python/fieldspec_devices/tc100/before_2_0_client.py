@@ -424,6 +424,10 @@ class Client(_RegisterClient):
         limit_torque: an open question. A stored point has a limit (4.5 L1120-1126). 0400H and 0401H
             are the torque rates of pushing (5.2 L1172-1173). Does any register limit the torque of
             the moves of 201EH, and which moves do 0400H and 0401H limit?
+        grip: A gripper closes by a stored point in the mode CLOSE or CLOSE-R (9.5 L2959-2967): run
+            that point. No command of 201EH grips (8.2 L1624).
+        release: A gripper opens by a stored point in the mode OPEN or OPEN-R (9.5 L2975-2983), or by
+            a move: run that point. No command of 201EH opens (8.2 L1624).
     """
 
     def __init__(
@@ -690,6 +694,10 @@ class AsyncClient(_AsyncRegisterClient):
         limit_torque: an open question. A stored point has a limit (4.5 L1120-1126). 0400H and 0401H
             are the torque rates of pushing (5.2 L1172-1173). Does any register limit the torque of
             the moves of 201EH, and which moves do 0400H and 0401H limit?
+        grip: A gripper closes by a stored point in the mode CLOSE or CLOSE-R (9.5 L2959-2967): run
+            that point. No command of 201EH grips (8.2 L1624).
+        release: A gripper opens by a stored point in the mode OPEN or OPEN-R (9.5 L2975-2983), or by
+            a move: run that point. No command of 201EH opens (8.2 L1624).
     """
 
     def __init__(

@@ -30,6 +30,7 @@ from fieldspec.targets.controllers.statements.routine import (
     Assignment,
     Body,
     Condition,
+    Invocation,
     Loop,
     Remark,
     Return,
@@ -168,6 +169,8 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
         case Timing(timer, running, time):
             texts = (_expression_text(expression, spelling) for expression in (timer, running, time))
             lines.append("{}{}(IN := {}, PT := {});".format(indent, *texts))
+        case Invocation(block, arguments):
+            lines += _invoked(block, arguments, spelling, indent)
         case Remark(text):
             lines += comment(text, indent, spelling.comment)
         case Return():
@@ -190,6 +193,21 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
                 lines.append(f"{indent}ELSE")
                 lines += _body(otherwise, spelling, inner)
             lines.append(f"{indent}END_CASE;")
+
+
+def _invoked(
+    block: Variable, arguments: Sequence[tuple[str, Expression]], spelling: Spelling, indent: str
+) -> Iterator[str]:
+    """The lines of a call of a block, filled with as many arguments as fit."""
+    line = f"{indent}{spelling.variable.format(block.name)}("
+    for position, (name, value) in enumerate(arguments, 1):
+        end = ");" if position == len(arguments) else ", "
+        text = f"{name} := {_expression_text(value, spelling)}{end}"
+        if len(line) + len(text.rstrip()) > _WIDTH:
+            yield line.rstrip()
+            line = indent + _STEP
+        line += text
+    yield line
 
 
 def _branch(labels: list[str], body: list[str]) -> list[str]:

@@ -84,7 +84,15 @@ class Timing:
     time: Variable
 
 
-Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing | Remark
+@dataclass(frozen=True, slots=True)
+class Invocation:
+    """A call of a function block by the variable that is its instance: `fbHome(Execute := xHome, stAxis := stAxis);`"""
+
+    block: Variable
+    arguments: tuple[tuple[str, Expression], ...]
+
+
+Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing | Invocation | Remark
 Body: TypeAlias = tuple[Statement, ...]
 
 
@@ -239,6 +247,8 @@ def _names(body: Body) -> tuple[set[str], set[str]]:
             left += [argument for _, argument in (*node.inputs, *node.outputs)]
         elif isinstance(node, Timing):
             left += (node.timer, node.running, node.time)
+        elif isinstance(node, Invocation):
+            left += (node.block, *(argument for _, argument in node.arguments))
         elif isinstance(node, Loop):
             left += (node.index, node.first, node.last, *node.body)
         elif isinstance(node, Selection):

@@ -16,10 +16,10 @@ from fieldspec.targets.controllers.structs import Struct
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """An object by its name. `kind` is type, list, function or block; `about` is what it belongs to, in a word or two.
+    """An object by its name. `kind` is type, list, function, block or program.
 
-    `declaration` and `implementation` are its lines; a function has no line for its end, since files of projects have
-    none.
+    `about` is what it belongs to, in a word or two. `declaration` and `implementation` are its lines; a function has no
+    line for its end, since files of projects have none.
     """
 
     name: str
@@ -31,7 +31,7 @@ class Item:
     @property
     def lines(self) -> list[str]:
         """The lines of the object's declaration and implementation."""
-        ends = {"function": ["END_FUNCTION"], "block": ["END_FUNCTION_BLOCK"]}
+        ends = {"function": ["END_FUNCTION"], "block": ["END_FUNCTION_BLOCK"], "program": ["END_PROGRAM"]}
         end = ends.get(self.kind, [])
         return [*self.declaration, *self.implementation, *end]
 

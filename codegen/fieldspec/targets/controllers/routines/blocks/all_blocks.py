@@ -19,6 +19,7 @@ from fieldspec.targets.controllers.routines.blocks.line_tasks import LineTask
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.motion import AxisPort, Moving
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock
+from fieldspec.targets.controllers.routines.blocks.panels import panels
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
 from fieldspec.targets.controllers.routines.blocks.stopping import Stopping
@@ -62,11 +63,14 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
     layout = world.layout
     by_name = {routine.name: routine for routine in routines}
     maker = _Maker(world, by_name)
+    kinds: dict[str, str] = {}
     for job in jobs(layout.device.tasks):
         job_blocks, reason = maker.tried(job)
         blocks += job_blocks
+        kinds.update((block.name, "halt" if job.halts else job.kind) for block in job_blocks)
         if reason:
             missing.append((job.tasks[0].name, reason))
+    task_blocks = list(blocks)
     if layout.registers:
         blocks += group_blocks(world, by_name)
         blocks += table_blocks(world, by_name)
@@ -75,6 +79,7 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
         for message in link.exchanged.values():
             if message.message.accesses is None:
                 blocks.append(message_block(world, exchange_of(world, link, message, by_name)))
+    blocks += panels(world, task_blocks, kinds)
     return Blocks((*maker.helpers.routines.values(), *_distinct(blocks, by_name)), tuple(missing))
 
 
