@@ -34,7 +34,8 @@ WORTH_IT = 200_000
 class Task:
     """A device, the versions to build (none: all), whether to check it first, and the outputs to build.
 
-    `judged` are the outputs that are asked what they cannot express, those too that are not built anew. `manual` is
+    `judged` are the outputs that are asked what they cannot express, those too that are not built anew. Where they are
+    `required`, one that cannot express the device keeps the others from being built; else it is left out. `manual` is
     the index of its manual, for the audit in its documentation.
     """
 
@@ -43,6 +44,7 @@ class Task:
     check: bool
     outputs: tuple[str, ...]
     judged: tuple[str, ...] = ()
+    required: bool = False
     manual: ManualIndex | None = None
 
 
@@ -81,8 +83,15 @@ def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResul
     Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
     first, and then each processor takes outputs of a device. Raises UsageError if an installed package fails.
     """
+    required = {task.device: task.required for task in tasks}
     return [
-        replace(done, findings=[*done.findings, *pipeline.merged_refusals(done.device, done.refusals)])
+        replace(
+            done,
+            findings=[
+                *done.findings,
+                *pipeline.merged_refusals(done.device, done.refusals, required[done.device]),
+            ],
+        )
         for done in _separate_results(work, tasks, size)
     ]
 
@@ -98,11 +107,11 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
         return _in_processes(work, tasks, processes)
     known = {task.device: outcome(devices[task.device]) for task in tasks if task.check}
     checked = [TaskResult(task.device, known[task.device].findings if task.check else [], {}, {}, []) for task in tasks]
-    if any(has_errors(done.findings) for done in checked):
-        return checked
+    broken = {done.device for done in checked if has_errors(done.findings)}
     single = [
         replace(task, check=False, outputs=tuple(name for name in names if name in task.outputs), judged=names)
         for task in tasks
+        if task.device not in broken
         for names in _families(task.judged)
     ]
     parts = _in_processes(replace(work, known=known), single, processes) if single else []
@@ -173,7 +182,8 @@ def task_result(work: Work, task: Task) -> TaskResult:
     if task.versions:
         layouts = [layout for layout in layouts if layout.device.version in task.versions]
     refusals = {name: OUTPUTS[name].refusals(layouts) for name in task.judged}
-    if any(map(has_errors, refusals.values())) or not task.outputs:
+    refusing = {name for name, refused in refusals.items() if has_errors(refused)}
+    if (refusing and task.required) or not task.outputs:
         return TaskResult(task.device, findings, {}, {}, [], refusals)
     identities = {
         f"{spec.id}@{version}": layout.identity
@@ -183,6 +193,9 @@ def task_result(work: Work, task: Task) -> TaskResult:
     hashes: dict[str, Hashes] = {}
     stale: list[str] = []
     for name in task.outputs:
+        if name in refusing:
+            hashes[name] = {}
+            continue
         if name == DOCUMENTATION and not task.versions:
             from fieldspec.command.rendering.audit_pages import LINK, pages
             from fieldspec.targets.docs.backend import fact_links

@@ -1,4 +1,4 @@
-"""`fieldspec build`: writes the outputs whose inputs have changed, all or none, once or with `--watch`."""
+"""`fieldspec build`: writes the outputs whose inputs have changed, all or none of a device, once or with `--watch`."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def run(arguments: argparse.Namespace) -> int:
 def build(arguments: argparse.Namespace) -> int:
     """Builds once. Raises UsageError."""
     anew = arguments.check or arguments.no_cache
-    build_request = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices))
+    build_request = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices), arguments.to is not None)
     packages = package_hashes(anew)
     output_folder = Path(arguments.out)
     with Staging(output_folder, look=arguments.check) as staging:
@@ -52,35 +52,46 @@ def build(arguments: argparse.Namespace) -> int:
         result = build_result(build_request, path, files, earlier, None if arguments.check else staging)
         if result.findings:
             from fieldspec.command.console.terminal import print_findings
-            from fieldspec.language.diagnostics import has_errors
 
             print_findings(result.findings, "text", "")
-            if has_errors(result.findings):
-                _print_refusal(result.sound)
-                return 1
+        failed = bool(result.broken) or _has_errors(result)
         before = read_manifest(output_folder)
+        if result.broken and not (result.devices or before.kept(build_request, result)):
+            print_error("nothing is written")
+            return 1
         hashes = _hashes(build_request, result)
         hashes |= stage_overviews(build_request, result, before, earlier, None if arguments.check else staging)
-        removed = before.gone(hashes, build_request.outputs) if build_request.whole else []
+        kept_files = before.kept(build_request, result)
+        # An older manifest does not say whose the files are.
+        can_remove = build_request.whole and bool(before.owned or not result.broken)
+        removed = before.gone(hashes | kept_files, build_request.outputs) if can_remove else []
         now = before.renewed(build_request, result, hashes, removed, packages).text()
         stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])
         if arguments.check:
-            return _report(
-                [(path, before.reason(path, result, earlier, packages)) for path in stale], removed, staging.unfinished
-            )
+            reasons = {path: before.reason(path, result, earlier, packages) for path in stale}
+            reasons |= dict.fromkeys(kept_files, "its spec has errors")
+            return _report(sorted(reasons.items()), removed, staging.unfinished, failed)
         if stale or removed:
             staging.write(MANIFEST, now)
             staging.place(stale, removed)
         if not build_request.picked:
-            earlier.keep(result.devices, result.shared, build_request.whole, result.quiet)
+            earlier.keep(result, build_request.whole)
+    if result.broken:
+        print_error(
+            f"the files of {', '.join(result.broken)} stay as they are"
+            + (", and the manifest lists them as stale" if kept_files else "")
+        )
     print_line(f"{len(hashes)} files, {len(result.stale)} written, {len(removed)} removed")
-    return 0
+    return 1 if failed else 0
 
 
-def _print_refusal(sound: Sequence[str]) -> None:
-    """Says that a build is refused as a whole, and how the devices without errors are built all the same."""
-    advice = f"; build what has no errors alone: fieldspec build {' '.join(sound)}" if sound else ""
-    print_error(f"nothing is written{advice}")
+def _has_errors(result: BuildResult) -> bool:
+    """Whether a build has found any error. The module of findings is not imported where there is none."""
+    if not result.findings:
+        return False
+    from fieldspec.language.diagnostics import has_errors
+
+    return has_errors(result.findings)
 
 
 def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:
@@ -123,14 +134,14 @@ def _hashes(build_request: BuildRequest, result: BuildResult) -> Hashes:
     }
 
 
-def _report(stale: Sequence[tuple[str, str]], removed: Sequence[str], unfinished: Sequence[str]) -> int:
+def _report(stale: Sequence[tuple[str, str]], removed: Sequence[str], unfinished: Sequence[str], failed: bool) -> int:
     for text in unfinished:
         print_line(text)
     for path, reason in stale:
         print_line(f"not fresh: {path}" + (f" ({reason})" if path != MANIFEST else ""))
     for path in removed:
         print_line(f"no longer produced: {path}")
-    if not (stale or removed or unfinished):
+    if not (stale or removed or unfinished or failed):
         print_line("everything is fresh")
         return 0
     print_line("build again with: fieldspec build")
@@ -170,7 +181,7 @@ def _build(arguments: argparse.Namespace, first: bool) -> None:
             raise
         print_error(error)
         code = 2
-    done = "built" if code == 0 else "not built"
+    done = ("built", "built without what has errors", "not built")[code]
     print_line(f"{done} in {time.perf_counter() - start:.2f} s, waiting for a spec to change")
     sys.stdout.flush()
     gc.collect()  # nobody else does, and this runs for long

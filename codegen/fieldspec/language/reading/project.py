@@ -83,10 +83,14 @@ class DeviceSpec:
 
 @dataclass(frozen=True, slots=True)
 class Project:
-    """The devices by id, and what is wrong with the files."""
+    """The devices by id, and what is wrong with the files.
+
+    `broken` are the folders and ids of devices with an error in their files, or in those of a protocol that they use.
+    """
 
     devices: Table[str, DeviceSpec]
     findings: list[Diagnostic]
+    broken: frozenset[str] = frozenset()
 
 
 def read(
@@ -115,6 +119,8 @@ class _Reader:
         """The files that were read, by their paths without what some file systems do not tell apart."""
         self.incomplete: set[str] = set()
         """The protocols that lack one that they use; the empty name is that of the last device."""
+        self.faulty: set[str] = set()
+        """The protocols in whose files something is wrong."""
 
     def project(self, only: frozenset[str]) -> Project:
         folders: dict[str, list[str]] = {}
@@ -123,28 +129,33 @@ class _Reader:
             subfolder, _, file = name.rpartition("/")
             if name.endswith(".yaml") and subfolder in ("", VERSIONS) and folder != PROTOCOLS and file:
                 folders.setdefault(folder, []).append(path)
-        devices: dict[str, DeviceSpec] = {}
+        specs: dict[str, DeviceSpec] = {}
+        broken: set[str] = set()
         for folder, paths in folders.items():
             if only and folder not in only:
                 continue
+            before = len(self.findings)
             spec = self._device(folder, paths)
-            if spec is None:
-                continue
+            if spec is None or len(self.findings) > before or not self.faulty.isdisjoint(self._used("")):
+                broken.add(folder)
+            if spec is not None:
+                specs[folder] = spec
+        devices: dict[str, DeviceSpec] = {}
+        # An id belongs to the folder that has its name.
+        for folder, spec in sorted(specs.items(), key=lambda item: item[0] != item[1].id):
             other = next((device for device in devices.values() if Name.of(device.id) == Name.of(spec.id)), None)
             if other is not None:
-                first = Label(_id_span(other.tree), "the first one")
-                text = f"two devices have the id `{spec.id}`"
-                if other.id != spec.id:
-                    text = f"the ids `{other.id}` and `{spec.id}` become the same name in generated code"
-                span = _id_span(spec.tree)
-                self.findings.append(Diagnostic("device_id_unique", text, span, (first,), "change one of them"))
+                self.findings.append(_same_id(spec, other))
+                broken |= {folder} if folder != spec.id else {folder, other.id}
                 continue
             devices[spec.id] = spec
+            if folder in broken:
+                broken.add(spec.id)
         for path in sorted(self.files) if not only else ():
             folder, _, name = path.partition("/")
             if folder == PROTOCOLS and name.endswith(".yaml"):
                 self._loaded(name.removesuffix(".yaml"), ())
-        return Project(devices, self.findings)
+        return Project(devices, self.findings, frozenset(broken))
 
     def _tree(self, path: str) -> Mapping | None:
         """The typed tree of one file, or None where it cannot be used."""
@@ -302,6 +313,7 @@ class _Reader:
     def _loaded(self, name: str, users: tuple[str, ...]) -> Mapping | None:
         """The tree of a protocol whose file is there, read once."""
         if name not in self.protocols:
+            before = len(self.findings)
             tree = self._tree(f"{PROTOCOLS}/{name}.yaml")
             head = tree.values.get("protocol") if tree is not None else None
             if tree is not None and not isinstance(head, Mapping):
@@ -311,7 +323,18 @@ class _Reader:
             elif tree is not None and isinstance(head, Mapping):
                 self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
             self.protocols[name] = self._with_protocols(tree, (*users, name)) if tree is not None else None
+            if len(self.findings) > before:
+                self.faulty.add(name)
         return self.protocols[name]
+
+
+def _same_id(spec: DeviceSpec, other: DeviceSpec) -> Diagnostic:
+    """The finding of a device whose id another one has, or one that is the same in generated code."""
+    first = Label(_id_span(other.tree), "the first one")
+    text = f"two devices have the id `{spec.id}`"
+    if other.id != spec.id:
+        text = f"the ids `{other.id}` and `{spec.id}` become the same name in generated code"
+    return Diagnostic("device_id_unique", text, _id_span(spec.tree), (first,), "change one of them")
 
 
 def _id_span(tree: Node) -> Span:
