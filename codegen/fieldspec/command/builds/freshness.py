@@ -154,13 +154,13 @@ class EarlierBuild:
         """
         if not self._compiler or _running(package_hashes()) != self._compiler:
             return
-        kept = {name: built for name, built in self.devices.items() if not whole or name in result.broken}
+        remaining = {name: built for name, built in self.devices.items() if not whole or name in result.broken}
         data: dict[str, Any] = {
             "compiler": self._compiler,
             "specs": (self.now if result.quiet else {}) if whole else self._specs,
             "devices": {
                 name: {key: getattr(built, key) for key in attributes(Built)}
-                for name, built in {**kept, **result.devices}.items()
+                for name, built in {**remaining, **result.devices}.items()
             },
             "shared": {**self.shared, **result.shared},
         }
@@ -254,7 +254,7 @@ class Manifest:
         }
         return (json.dumps(data, indent=1) + "\n").encode("utf-8")
 
-    def kept(self, build_request: BuildRequest, result: BuildResult) -> Hashes:
+    def remaining(self, build_request: BuildRequest, result: BuildResult) -> Hashes:
         """The files of the requested outputs that stay as they are, since their devices have errors."""
         names = build_request.outputs
         paths = (path for device in result.broken for path in self.owned.get(device, ()) if _output_of(path) in names)
@@ -274,7 +274,7 @@ class Manifest:
             specs = self.specs  # some files are still from other specs
             packages = self.packages
         files = {path: digest for path, digest in self.files.items() if path not in removed} | hashes
-        stale = {*self.stale, *self.kept(build_request, result)}.difference(removed, hashes)
+        stale = {*self.stale, *self.remaining(build_request, result)}.difference(removed, hashes)
         return Manifest(identities, specs, files, packages, self._owned(build_request, result, files), sorted(stale))
 
     def _owned(self, build_request: BuildRequest, result: BuildResult, files: Hashes) -> dict[str, list[str]]:

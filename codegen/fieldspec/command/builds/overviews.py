@@ -49,7 +49,7 @@ def _inputs(
     name: str, build_request: BuildRequest, result: BuildResult, before: Manifest, earlier: EarlierBuild
 ) -> Hashes:
     """The hashes of the files of an output, of all devices."""
-    earlier_files = before.kept(build_request, result) if build_request.whole else before.files
+    earlier_files = before.remaining(build_request, result) if build_request.whole else before.files
     inputs = {
         path: expected
         for path, expected in earlier_files.items()

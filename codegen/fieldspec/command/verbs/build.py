@@ -56,20 +56,20 @@ def build(arguments: argparse.Namespace) -> int:
             print_findings(result.findings, "text", "")
         failed = bool(result.broken) or _has_errors(result)
         before = read_manifest(output_folder)
-        if result.broken and not (result.devices or before.kept(build_request, result)):
+        if result.broken and not (result.devices or before.remaining(build_request, result)):
             print_error("nothing is written")
             return 1
         hashes = _hashes(build_request, result)
         hashes |= stage_overviews(build_request, result, before, earlier, None if arguments.check else staging)
-        kept_files = before.kept(build_request, result)
+        remaining_files = before.remaining(build_request, result)
         # An older manifest does not say whose the files are.
         can_remove = build_request.whole and bool(before.owned or not result.broken)
-        removed = before.gone(hashes | kept_files, build_request.outputs) if can_remove else []
+        removed = before.gone(hashes | remaining_files, build_request.outputs) if can_remove else []
         now = before.renewed(build_request, result, hashes, removed, packages).text()
         stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])
         if arguments.check:
             reasons = {path: before.reason(path, result, earlier, packages) for path in stale}
-            reasons |= dict.fromkeys(kept_files, "its spec has errors")
+            reasons |= dict.fromkeys(remaining_files, "its spec has errors")
             return _report(sorted(reasons.items()), removed, staging.unfinished, failed)
         if stale or removed:
             staging.write(MANIFEST, now)
@@ -79,7 +79,7 @@ def build(arguments: argparse.Namespace) -> int:
     if result.broken:
         print_error(
             f"the files of {', '.join(result.broken)} stay as they are"
-            + (", and the manifest lists them as stale" if kept_files else "")
+            + (", and the manifest lists them as stale" if remaining_files else "")
         )
     print_line(f"{len(hashes)} files, {len(result.stale)} written, {len(removed)} removed")
     return 1 if failed else 0
