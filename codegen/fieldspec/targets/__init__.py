@@ -32,13 +32,14 @@ class Output:
 
     Its module is imported when it is first used, so that nobody pays for outputs that are not asked for. Outputs of one
     `family` are made of the same declarations: one process makes them for less than two. `backend` takes the place of
-    the module where an installed package brings the output.
+    the module where an installed package brings the output. `test_endings` are those of files that test a version.
     """
 
     name: str
     title: str
     family: str = ""
     backend: object | None = None
+    test_endings: tuple[str, ...] = ()
 
     def files(self, versions: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> Files:
         """The files for all versions of one device, the oldest first, by path.
@@ -91,7 +92,7 @@ OUTPUTS = {
     output.name: output
     for output in (
         Output("python", "Python codecs"),
-        Output("c", "C headers with self-tests"),
+        Output("c", "C headers with self-tests", test_endings=("_selftest.c", "_fuzz.c")),
         Output("js", "JavaScript modules with types"),
         Output("wireshark", "Dissectors in Lua for Wireshark"),
         Output("queries", "Decoding as SQL for DuckDB and expressions for Polars"),

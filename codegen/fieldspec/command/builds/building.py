@@ -13,6 +13,7 @@ from fieldspec.command.sources import spec_files
 from fieldspec.command.sources.spec_files import INDEX
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.source import Refused
+from fieldspec.language.model.choice import PROJECT_FILE
 
 if TYPE_CHECKING:
     from fieldspec.command.files.placement import Staging
@@ -59,12 +60,13 @@ def build_result(
 
 
 def _plan(device: str, build_request: BuildRequest, earlier: EarlierBuild) -> _Plan:
+    outputs = build_request.outputs_of(device)
     if earlier.changed(device):
-        return _Plan(True, build_request.outputs, {})
+        return _Plan(True, outputs, {})
     before = earlier.devices[device]
     checked = {name: earlier.unchanged(files) for name, files in before.outputs.items()}
     reused = {name: files for name, files in checked.items() if files is not None}
-    return _Plan(before.warned, tuple(name for name in build_request.outputs if name not in reused), reused)
+    return _Plan(before.warned, tuple(name for name in outputs if name not in reused), reused)
 
 
 def _build_stale(
@@ -92,11 +94,15 @@ def _build_stale(
         templates.use_cache(partial(cache_folder.cached, TEMPLATES), partial(cache_folder.store, TEMPLATES))
     project = read(files, only)  # without the folder, which outputs must not depend on
     refused = set(project.broken)
+    misnamed = []
     tasks = []
     for spec in project.devices.values():
         plan = plans.get(spec.id, _Plan(True, (), {}))
         versions = frozenset(specs.picked(spec, version) for version in build_request.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
+            if unknown_versions := build_request.project.unknown_versions(spec.id, spec.versions()):
+                misnamed += unknown_versions
+                refused.add(spec.id)
             manual = None
             if DOCUMENTATION in plan.outputs:
                 try:
@@ -104,14 +110,24 @@ def _build_stale(
                 except UsageError as error:  # which is about this device alone
                     print_error(error)
                     refused.add(spec.id)
-            wanted_outputs = (plan.outputs, build_request.outputs) if spec.id not in refused else ((), ())
-            tasks.append(Task(spec.id, versions, plan.check, *wanted_outputs, build_request.required, manual))
+            wanted_outputs = (plan.outputs, build_request.outputs_of(spec.id)) if spec.id not in refused else ((), ())
+            tasks.append(
+                Task(
+                    spec.id,
+                    versions,
+                    plan.check,
+                    *wanted_outputs,
+                    build_request.required,
+                    manual,
+                    build_request.project.choice(spec.id),
+                )
+            )
     lacking = [name for name in build_request.outputs if name not in shared]
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
     work = Work(project, earlier.out, staging)
     done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
-    located = _from_here(findings, spec_files.relative_path(path), spec_files.origins(files))
+    located = [*misnamed, *_from_here(findings, spec_files.relative_path(path), spec_files.origins(files))]
     refused |= {device for device, result in done.items() if has_errors(result.findings)}
     broken = tuple(device for device in plans if device in refused)
     if len(broken) == len(plans):
@@ -126,7 +142,7 @@ def _build_stale(
         if device not in done:
             devices[device] = earlier.devices[device]
             continue
-        files_read = project.devices[device].files | ({f"{device}/{INDEX}"} & files.keys())
+        files_read = project.devices[device].files | ({f"{device}/{INDEX}", PROJECT_FILE} & earlier.now.keys())
         result = done[device]
         # Warnings of outputs that were not asked for this time come again when they are.
         was_warned = bool(plan.reused.keys() - set(build_request.outputs)) and earlier.devices[device].warned

@@ -16,7 +16,9 @@ from typing import Any, TypeVar
 from fieldspec.command.files import cache_folder
 from fieldspec.command.files.regular_file import content
 from fieldspec.command.packages.plugins import package_hashes
-from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass
+from fieldspec.command.sources.project_choices import ProjectChoices
+from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, field
+from fieldspec.language.model.choice import PROJECT_FILE
 from fieldspec.language.reading.findings import PROTOCOLS
 
 if TYPE_CHECKING:
@@ -45,12 +47,20 @@ class Built:
 class BuildRequest:
     """What is to be built: outputs, and devices with their versions, no version for all; no device for all.
 
-    Outputs that are `required` must express each device.
+    Outputs that are `required` must express each device. `project` has the choices of the project file.
     """
 
     outputs: tuple[str, ...]
     devices: dict[str, frozenset[str]]
     required: bool = False
+    project: ProjectChoices = field(default_factory=lambda: ProjectChoices(None, ""))
+
+    def outputs_of(self, device: str) -> tuple[str, ...]:
+        """The outputs of a device: those that are named, or else those that the project file chooses."""
+        chosen = self.project.choice(device).outputs
+        if self.required or chosen is None:
+            return self.outputs
+        return tuple(name for name in self.outputs if name in chosen)
 
     @property
     def whole(self) -> bool:
@@ -101,9 +111,16 @@ class EarlierBuild:
     """
 
     def __init__(
-        self, output_folder: Path, files: Mapping[str, bytes], packages: Hashes | None = None, trusted: bool = True
+        self,
+        output_folder: Path,
+        files: Mapping[str, bytes],
+        packages: Hashes | None = None,
+        trusted: bool = True,
+        project_file: bytes | None = None,
     ) -> None:
         self.now = {path: digest(data) for path, data in files.items()}
+        if project_file is not None:
+            self.now[PROJECT_FILE] = digest(project_file)
         self.devices: dict[str, Built] = {}
         self.shared: dict[str, Hashes] = {}
         self.out = output_folder
@@ -126,7 +143,7 @@ class EarlierBuild:
         if device not in self.devices:
             return ["*"]
         before = self.devices[device].inputs
-        now = {path for path in self.now if path.startswith(f"{device}/")}
+        now = {path for path in self.now if path.startswith(f"{device}/") or path == PROJECT_FILE}
         return sorted(path for path in now | set(before) if before.get(path) != self.now.get(path))
 
     def unchanged(self, files: Hashes | None) -> Hashes | None:
@@ -202,7 +219,7 @@ def _built(data: Any) -> Built:
 
 def devices_in(paths: Iterable[str]) -> list[str]:
     """The devices that some spec files belong to."""
-    return sorted({folder for path in paths if (folder := path.partition("/")[0]) != PROTOCOLS})
+    return sorted({path.partition("/")[0] for path in paths if path != PROJECT_FILE} - {PROTOCOLS})
 
 
 _at_start: dict[str, str] = {}
@@ -270,7 +287,8 @@ class Manifest:
         for name, device in result.devices.items():
             identities |= device.identities
             specs[name] = device.inputs
-        if build_request.picked or any(_output_of(path) not in build_request.outputs for path in self.files):
+        remaining = (_output_of(path) for path in self.files if path not in removed)
+        if build_request.picked or not set(build_request.outputs).issuperset(remaining):
             specs = self.specs  # some files are still from other specs
             packages = self.packages
         files = {path: digest for path, digest in self.files.items() if path not in removed} | hashes
@@ -281,8 +299,8 @@ class Manifest:
         """The files of each device, where a build has left these files."""
         owned = {device: [path for path in paths if path in files] for device, paths in self.owned.items()}
         for device, built in result.devices.items():
-            made = [path for hashes in built.outputs.values() for path in hashes if path in files]
-            owned[device] = [*dict.fromkeys([*made, *owned.get(device, ())])]
+            paths_of_device = [path for hashes in built.outputs.values() for path in hashes if path in files]
+            owned[device] = [*dict.fromkeys([*paths_of_device, *owned.get(device, ())])]
         return owned
 
     def gone(self, hashes: Hashes, names: Sequence[str]) -> list[str]:

@@ -7,8 +7,10 @@ import gc
 import os
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from fieldspec.command.builds.building import build_result
 from fieldspec.command.builds.freshness import (
@@ -26,6 +28,13 @@ from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files.placement import Staging
 from fieldspec.command.packages.plugins import package_hashes
 from fieldspec.command.sources import spec_files
+from fieldspec.command.sources.project_choices import project_choices
+from fieldspec.foundation.classes import replace
+from fieldspec.language.model.choice import PROJECT_FILE
+from fieldspec.language.reading.findings import PROTOCOLS
+
+if TYPE_CHECKING:
+    from fieldspec.language.diagnostics import Diagnostic
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -41,19 +50,51 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def build(arguments: argparse.Namespace) -> int:
-    """Builds once. Raises UsageError."""
+    """Builds once, into each folder that the project file names. Raises UsageError."""
     anew = arguments.check or arguments.no_cache
-    build_request = BuildRequest(_outputs(arguments.to, anew), _devices(arguments.devices), arguments.to is not None)
+    all_outputs, requested_outputs = _outputs(arguments.to, anew)
+    requested = _devices(arguments.devices)
+    path, files = spec_files.of_devices(arguments.specs, frozenset(requested))
+    project = project_choices(path)
+    if findings := project.unknown_names(all_outputs, spec_files.devices(path)):
+        _print_findings(findings)
+        print_error("nothing is written")
+        return 1
+    folders: dict[str, list[str]] = {}
+    for device in sorted(requested) or spec_files.devices(path):
+        folders.setdefault(arguments.out or project.folder(device), []).append(device)
+    codes = []
+    for folder, devices in folders.items():
+        versions = {device: requested[device] for device in devices if requested}
+        outputs = requested_outputs or all_outputs
+        request = BuildRequest(outputs, versions, bool(requested_outputs), project)
+        chosen = {name for device in devices for name in request.outputs_of(device)}
+        request = replace(request, outputs=tuple(name for name in request.outputs if name in chosen))
+        among = {own: data for own, data in files.items() if own.partition("/")[0] in {*devices, PROTOCOLS}}
+        codes.append(_build_into(Path(folder), request, (path, among), arguments, outputs))
+    return max(codes)
+
+
+def _build_into(
+    output_folder: Path,
+    build_request: BuildRequest,
+    specs: tuple[str, Mapping[str, bytes]],
+    arguments: argparse.Namespace,
+    replaced_outputs: Sequence[str],
+) -> int:
+    """Builds once into one folder, from the folder of the specs and their files. Raises UsageError.
+
+    Files of `replaced_outputs` that are no longer made are removed.
+    """
+    path, files = specs
+    anew = arguments.check or arguments.no_cache
     packages = package_hashes(anew)
-    output_folder = Path(arguments.out)
     with Staging(output_folder, look=arguments.check) as staging:
-        path, files = spec_files.of_devices(arguments.specs, frozenset(build_request.devices))
-        earlier = EarlierBuild(output_folder, files, packages, trusted=not (anew or build_request.picked))
+        trusted = not (anew or build_request.picked)
+        earlier = EarlierBuild(output_folder, files, packages, trusted, build_request.project.data)
         result = build_result(build_request, path, files, earlier, None if arguments.check else staging)
         if result.findings:
-            from fieldspec.command.console.terminal import print_findings
-
-            print_findings(result.findings, "text", "")
+            _print_findings(result.findings)
         failed = bool(result.broken) or _has_errors(result)
         before = read_manifest(output_folder)
         if result.broken and not (result.devices or before.remaining(build_request, result)):
@@ -64,7 +105,7 @@ def build(arguments: argparse.Namespace) -> int:
         remaining_files = before.remaining(build_request, result)
         # An older manifest does not say whose the files are.
         can_remove = build_request.whole and bool(before.owned or not result.broken)
-        removed = before.gone(hashes | remaining_files, build_request.outputs) if can_remove else []
+        removed = before.gone(hashes | remaining_files, replaced_outputs) if can_remove else []
         now = before.renewed(build_request, result, hashes, removed, packages).text()
         stale = sorted([*result.stale, *([MANIFEST] if earlier.hash_of(MANIFEST) != digest(now) else [])])
         if arguments.check:
@@ -85,6 +126,12 @@ def build(arguments: argparse.Namespace) -> int:
     return 1 if failed else 0
 
 
+def _print_findings(findings: list[Diagnostic]) -> None:
+    from fieldspec.command.console.terminal import print_findings
+
+    print_findings(findings, "text", "")
+
+
 def _has_errors(result: BuildResult) -> bool:
     """Whether a build has found any error. The module of findings is not imported where there is none."""
     if not result.findings:
@@ -94,20 +141,21 @@ def _has_errors(result: BuildResult) -> bool:
     return has_errors(result.findings)
 
 
-def _outputs(text: str | None, anew: bool) -> tuple[str, ...]:
+def _outputs(text: str | None, anew: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """All outputs, and those that the option names; none where it is not given."""
     from fieldspec.command.packages.plugin_loading import load_outputs
     from fieldspec.targets import OUTPUTS
 
     load_outputs(anew)
     if text is None:
-        return tuple(OUTPUTS)
+        return tuple(OUTPUTS), ()
     names = tuple(name for name in text.split(",") if name)
     for name in names:
         if name not in OUTPUTS:
             raise unknown("output", name, OUTPUTS)
     if not names:
         raise UsageError(f"--to names no output; the outputs are {', '.join(OUTPUTS)}")
-    return names
+    return tuple(OUTPUTS), names
 
 
 def _devices(texts: Sequence[str]) -> dict[str, frozenset[str]]:
@@ -192,8 +240,11 @@ def _build(arguments: argparse.Namespace, first: bool) -> None:
 
 
 def _state(path: str) -> State:
-    """The time and size of every spec file."""
+    """The time and size of every spec file, and of the project file beside them."""
     state = {}
+    with suppress(OSError):
+        status = os.stat(os.path.join(os.path.dirname(os.path.realpath(path)), PROJECT_FILE))
+        state[PROJECT_FILE] = status.st_mtime_ns, status.st_size
     for folder, _, names in os.walk(path):
         for name in names:
             if name.endswith(".yaml") and not name.startswith("."):
