@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import shutil
 from pathlib import Path
 
 import jsonschema
@@ -16,6 +18,7 @@ from test_build_each_device import Bench
 ROOT = Path(__file__).resolve().parent.parent
 OLD, NEW = "v1_0", "v1_1"
 """The versions of the device glider-x, as they stand in the names of files."""
+SOURCES = (".scl", ".st", ".xml", ".TcPOU", ".udt", ".TcDUT", ".TcGVL")
 
 
 @pytest.fixture
@@ -47,12 +50,12 @@ def test_the_file_chooses_outputs_and_versions_and_the_folder(bench: Bench) -> N
     )
     assert build(bench) == 0
     assert not (bench.folder / "generated").exists()
-    found_paths = paths(bench.folder / "gen")
-    assert {path.partition("/")[0] for path in found_paths} == {"vectors", "wireshark", "c", "manifest.json"}
-    assert {path for path in found_paths if path.startswith("wireshark/glider")} == {f"wireshark/glider_x_{NEW}.lua"}
+    built_paths = paths(bench.folder / "gen")
+    assert {path.partition("/")[0] for path in built_paths} == {"vectors", "wireshark", "c", "manifest.json"}
+    assert {path for path in built_paths if path.startswith("wireshark/glider")} == {f"wireshark/glider_x_{NEW}.lua"}
     vectors = json.loads((bench.folder / "gen/vectors/glider-x.json").read_text("utf-8"))
     assert len(vectors["identities"]) == 2
-    assert {path for path in found_paths if path.startswith("c/glider")} == {
+    assert {path for path in built_paths if path.startswith("c/glider")} == {
         "c/glider_x.h",
         f"c/glider_x_{NEW}.h",
         f"c/glider_x_{NEW}_selftest.c",
@@ -149,6 +152,65 @@ def test_a_version_that_a_device_does_not_have_stops_that_device(
         assert "error[unknown_word]" in captured.out
         assert paths(bench.folder / "generated") == {"vectors/gizmo.json", "manifest.json"}
     assert main(["check", "--specs", str(bench.specs)]) == 1
+
+
+FIVE = (
+    "devices: {tc100: {outputs: {OUTPUT: }, "
+    "blocks: {tasks: [servo_on, home, move_absolute, stop, reset_alarm], links: [rtu]}}}"
+)
+BLOCKS = {"ServoOn", "Home", "MoveAbsolute", "Stop", "ResetAlarm", "RtuClient"}
+
+
+@pytest.fixture
+def motor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bench:
+    """A device with tasks, of which a project needs five."""
+    monkeypatch.chdir(tmp_path)
+    bench = Bench(tmp_path)
+    for name in ("tc100", "protocols"):
+        shutil.copytree(ROOT / "specs" / name, bench.specs / name)
+    return bench
+
+
+@pytest.mark.parametrize("output", ["scl", "st", "twincat", "plcopen", "iec"])
+def test_a_program_has_the_chosen_blocks_and_what_they_need(motor: Bench, output: str) -> None:
+    state(motor, FIVE.replace("OUTPUT", output))
+    assert build(motor, "tc100") == 0
+    files = (path for path in (motor.folder / "generated" / output).rglob("*") if path.suffix in SOURCES)
+    text = "\n".join(path.read_text("utf-8-sig") for path in files)
+    text = re.sub(r"\(\*.*?\*\)|<documentation>.*?</documentation>", "", re.sub(r"//[^\n]*", "", text), flags=re.S)
+    assert set(re.findall(r"\bFB_Tc100_(\w+)", text)) == BLOCKS
+    declared = set(re.findall(r"""(?:FUNCTION|name=|Name=)\s*"?(F_Tc100_\w+)""", text))
+    assert declared == set(re.findall(r"\bF_Tc100_\w+", text))
+    assert "Ascii" not in text
+    assert "JogSpeed" not in text
+
+
+@pytest.mark.parametrize(
+    ("blocks", "expected"),
+    [
+        ("registers: [motion_speed]", {"ReadMotion", "WriteMotion", "RtuClient", "AsciiClient"}),
+        (
+            "registers: [points], links: [ascii]",
+            {"ReadPoint", "ReadPoints", "WritePoint", "WritePoints", "AsciiClient"},
+        ),
+        ("messages: [read_registers]", {"RtuReadRegisters", "AsciiReadRegisters"}),
+    ],
+)
+def test_registers_and_messages_have_their_blocks(motor: Bench, blocks: str, expected: set[str]) -> None:
+    state(motor, f"devices: {{tc100: {{outputs: {{iec: }}, blocks: {{{blocks}}}}}}}\n")
+    assert build(motor, "tc100") == 0
+    text = (motor.folder / "generated/iec/tc100_v2_0.st").read_text("utf-8")
+    assert set(re.findall(r"FUNCTION_BLOCK FB_Tc100_(\w+)", text)) == expected
+
+
+@pytest.mark.parametrize(("old", "new"), [("home", "hoem"), ("[rtu]", "[rut]"), ("tasks", "task"), ("OUTPUT", "kv")])
+def test_a_wrong_choice_of_blocks_is_a_finding(
+    motor: Bench, old: str, new: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    state(motor, FIVE.replace(old, new).replace("OUTPUT", "iec"))
+    assert build(motor, "tc100") == 1
+    assert "fieldspec.yaml:1:" in capsys.readouterr().out
+    assert main(["check", "--specs", str(motor.specs)]) == 1
 
 
 def test_an_empty_file_chooses_everything(bench: Bench) -> None:

@@ -100,8 +100,8 @@ def _build_stale(
         plan = plans.get(spec.id, _Plan(True, (), {}))
         versions = frozenset(specs.picked(spec, version) for version in build_request.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
-            if unknown_versions := build_request.project.unknown_versions(spec.id, spec.versions()):
-                misnamed += unknown_versions
+            if unknown_parts := build_request.project.unknown_parts(spec):
+                misnamed += unknown_parts
                 refused.add(spec.id)
             manual = None
             if DOCUMENTATION in plan.outputs:

@@ -191,7 +191,11 @@ def task_result(work: Work, task: Task) -> TaskResult:
     if task.versions:
         layouts = [layout for layout in layouts if layout.device.version in task.versions]
         task = replace(task, choice=Choice())
-    chosen = {name: task.chosen(name, layouts) for name in {*task.judged, *task.outputs}}
+    with_blocks = [replace(layout, blocks=task.choice.blocks) for layout in layouts]
+    chosen = {
+        name: task.chosen(name, with_blocks if OUTPUTS[name].has_blocks else layouts)
+        for name in {*task.judged, *task.outputs}
+    }
     refusals = {name: OUTPUTS[name].refusals(chosen[name]) for name in task.judged}
     refusing = {name for name, refused in refusals.items() if has_errors(refused)}
     if (refusing and task.required) or not task.outputs:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from fieldspec.language.diagnostics import Diagnostic
+    from fieldspec.language.reading.project import DeviceSpec
     from fieldspec.language.reading.project_file import ProjectFile
 
 
@@ -38,13 +39,31 @@ class ProjectChoices:
         """The folder of the outputs of a device."""
         return os.path.join(self.place, self.choice(device).folder if self.file is not None else DEFAULT_FOLDER)
 
-    def unknown_names(self, outputs: Iterable[str], devices: Iterable[str]) -> list[Diagnostic]:
+    def unknown_names(self, devices: Iterable[str]) -> list[Diagnostic]:
         """What is wrong with the file, and the findings of outputs and devices that do not exist."""
-        return [*self.findings, *(self.file.unknown_names(outputs, devices) if self.file is not None else ())]
+        from fieldspec.targets import OUTPUTS
 
-    def unknown_versions(self, device: str, versions: Iterable[str]) -> list[Diagnostic]:
-        """The findings of versions that a device does not have."""
-        return [*self.file.unknown_versions(device, versions)] if self.file is not None else []
+        if self.file is None:
+            return [*self.findings]
+        with_blocks = [name for name, output in OUTPUTS.items() if output.has_blocks]
+        return [*self.findings, *self.file.unknown_names(OUTPUTS, devices, with_blocks)]
+
+    def unknown_parts(self, spec: DeviceSpec) -> list[Diagnostic]:
+        """The findings of versions and blocks that a device does not have."""
+        if self.file is None:
+            return []
+        findings = [*self.file.unknown_versions(spec.id, spec.versions())]
+        if self.choice(spec.id).blocks is not None:
+            device, _ = spec.at(spec.versions()[-1])
+            known = {
+                "tasks": [task.name for task in device.tasks if task.steps],
+                "messages": [*device.messages],
+                "registers": [register.name for register in device.registers()],
+                "links": [*device.links],
+            }
+            known["registers"] += [*(group.name for group in device.groups), *device.tables]
+            findings += self.file.unknown_blocks(spec.id, known)
+        return findings
 
 
 def project_choices(specs_folder: str) -> ProjectChoices:

@@ -56,7 +56,7 @@ def build(arguments: argparse.Namespace) -> int:
     requested = _devices(arguments.devices)
     path, files = spec_files.of_devices(arguments.specs, frozenset(requested))
     project = project_choices(path)
-    if findings := project.unknown_names(all_outputs, spec_files.devices(path)):
+    if findings := project.unknown_names(spec_files.devices(path)):
         _print_findings(findings)
         print_error("nothing is written")
         return 1

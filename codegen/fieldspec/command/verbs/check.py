@@ -31,12 +31,11 @@ def run(arguments: argparse.Namespace) -> int:
 def _of_project_file(specs_option: str | None, project: Project) -> list[Diagnostic]:
     """The findings of the project file, with those of versions that the devices do not have."""
     from fieldspec.command.packages.plugin_loading import load_outputs
-    from fieldspec.targets import OUTPUTS
 
     load_outputs()
     folder = spec_files.folder(specs_option)
     choices = project_choices(folder)
-    findings = choices.unknown_names(OUTPUTS, spec_files.devices(folder))
+    findings = choices.unknown_names(spec_files.devices(folder))
     for spec in project.devices.values():
-        findings += choices.unknown_versions(spec.id, spec.versions())
+        findings += choices.unknown_parts(spec)
     return findings

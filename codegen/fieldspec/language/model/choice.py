@@ -35,12 +35,29 @@ class OutputChoice:
 
 
 @dataclass(frozen=True, slots=True)
+class BlockChoice:
+    """The blocks of a controller's program: tasks, messages, registers, groups and tables by name, on some links.
+
+    Without `links`, all links have them.
+    """
+
+    tasks: tuple[str, ...] = ()
+    messages: tuple[str, ...] = ()
+    registers: tuple[str, ...] = ()
+    links: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Choice:
-    """What is generated of a device. `outputs` is None for all of them, and `versions` is the choice of any other."""
+    """What is generated of a device. `outputs` is None for all of them, and `versions` is the choice of any other.
+
+    `blocks` is None for all blocks of controllers.
+    """
 
     outputs: Mapping[str, OutputChoice] | None = None
     versions: VersionChoice = VersionChoice()
     folder: str = DEFAULT_FOLDER
+    blocks: BlockChoice | None = None
 
     def of(self, output: str) -> OutputChoice:
         """The choice of an output, also of one that is not among them."""

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Mapping as Table
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import Diagnostic
-from fieldspec.language.model.choice import ALL, DEFAULT_FOLDER, NEWEST, Choice, OutputChoice, VersionChoice
+from fieldspec.language.model.choice import (
+    ALL,
+    DEFAULT_FOLDER,
+    NEWEST,
+    BlockChoice,
+    Choice,
+    OutputChoice,
+    VersionChoice,
+)
 from fieldspec.language.reading.findings import bounded, near, quoted
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.language.reading.scalars import PROJECT_FILE, typed_at
@@ -34,10 +43,20 @@ class ProjectFile:
         outputs = values.get("outputs")
         choices = _outputs(outputs, versions) if isinstance(outputs, Mapping) else None
         folder = values.get("folder")
-        return Choice(choices, versions, folder.text if isinstance(folder, Scalar) else DEFAULT_FOLDER)
+        return Choice(
+            choices,
+            versions,
+            folder.text if isinstance(folder, Scalar) else DEFAULT_FOLDER,
+            _blocks(values.get("blocks")),
+        )
 
-    def unknown_names(self, outputs: Iterable[str], devices: Iterable[str]) -> Iterator[Diagnostic]:
-        """The findings of outputs and devices that do not exist, where these do."""
+    def unknown_names(
+        self, outputs: Iterable[str], devices: Iterable[str], with_blocks: Collection[str]
+    ) -> Iterator[Diagnostic]:
+        """The findings of outputs and devices that do not exist, where these do.
+
+        Blocks have no effect on a device without an output `with_blocks`.
+        """
         if self.tree is None:
             return
         output_names, device_names = list(outputs), list(devices)
@@ -49,12 +68,27 @@ class ProjectFile:
                 text = f"there is no device {quoted(device)}"
                 yield Diagnostic("unknown_word", text, key_span(single, device), help=near(device, device_names))
             yield from _unknown_outputs(own, output_names)
+            chosen = self.choice(device).outputs
+            if "blocks" in own.values and chosen is not None and not chosen.keys() & with_blocks:
+                help = f"add one of {', '.join(with_blocks)}, or remove the key"
+                text = f"{device} has no output with blocks"
+                yield Diagnostic("unknown_key", text, key_span(own, "blocks"), help=help)
 
     def unknown_versions(self, device: str, versions: Iterable[str]) -> Iterator[Diagnostic]:
         """The findings of versions that a device does not have, which has these."""
         own = self._devices().get(device)
         for node in _version_nodes(own) if own is not None else ():
             yield from _unknown_versions(node, device, list(versions))
+
+    def unknown_blocks(self, device: str, known: Table[str, Collection[str]]) -> Iterator[Diagnostic]:
+        """The findings of tasks, messages, registers and links that a device does not have, which has these."""
+        own = self._devices().get(device)
+        blocks = own.values.get("blocks") if own is not None else None
+        for key, node in blocks.values.items() if isinstance(blocks, Mapping) else ():
+            for item in _words(node):
+                if item.text not in known[key]:
+                    text = f"{device} has no {key.removesuffix('s')} {quoted(item.text)} that has a block"
+                    yield Diagnostic("unknown_word", text, item.span, help=near(item.text, known[key]))
 
     def _devices(self) -> dict[str, Mapping]:
         """The choices of single devices."""
@@ -83,6 +117,17 @@ def _versions(node: Node | None, otherwise: VersionChoice) -> VersionChoice:
     if isinstance(node, Sequence):
         return VersionChoice("", tuple(item.text for item in node.items if isinstance(item, Scalar)))
     return otherwise
+
+
+def _words(node: Node | None) -> list[Scalar]:
+    items = node.items if isinstance(node, Sequence) else ()
+    return [item for item in items if isinstance(item, Scalar)]
+
+
+def _blocks(node: Node | None) -> BlockChoice | None:
+    if not isinstance(node, Mapping):
+        return None
+    return BlockChoice(**{key: tuple(item.text for item in _words(own)) for key, own in node.values.items()})
 
 
 def _outputs(node: Mapping, versions: VersionChoice) -> dict[str, OutputChoice]:
