@@ -126,6 +126,13 @@ IGNORED = {
 """`Class.attribute`, `Holder/Class.attribute`, or `*.attribute` for all classes, and why no rule looks at it."""
 
 
+APART = {
+    "attributes": "it describes the classes of the model",
+    "encoding": "an encoding is what a primitive stands for, and primitives are compared by their names",
+}
+"""The modules whose classes are no part of a device, and why."""
+
+
 @cache
 def devices() -> tuple[Device, ...]:
     """The newest versions of the made-up devices, which use every feature of the language."""
@@ -139,8 +146,8 @@ def devices() -> tuple[Device, ...]:
 def classes() -> Iterator[type]:
     """All dataclasses of the model."""
     for module in iter_modules(fieldspec.language.model.__path__, "fieldspec.language.model."):
-        if module.name == "fieldspec.language.model.attributes":
-            continue  # it describes these classes
+        if module.name.rpartition(".")[2] in APART:
+            continue
         for member in vars(import_module(module.name)).values():
             if dataclasses.is_dataclass(member) and isinstance(member, type) and member.__module__ == module.name:
                 yield member

@@ -24,8 +24,27 @@ MEMORY = 1 << 30
 SECONDS = 60
 """Seconds of a processor, far above the usual one to five."""
 
-BOOK = '<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"/>'
-SHEET = '<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main">'
+_MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+_OFFICE = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+_PACKAGE = "http://schemas.openxmlformats.org/package/2006"
+_FORM = "application/vnd.openxmlformats-officedocument.spreadsheetml"
+BOOK = (
+    f'<workbook xmlns="{_MAIN}" xmlns:r="{_OFFICE}"><sheets><sheet name="list" sheetId="1" r:id="rId1"/></sheets>'
+    "</workbook>"
+)
+PARTS = {
+    "[Content_Types].xml": f'<Types xmlns="{_PACKAGE}/content-types">'
+    f'<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+    f'<Override PartName="/xl/workbook.xml" ContentType="{_FORM}.sheet.main+xml"/>'
+    f'<Override PartName="/xl/worksheets/sheet1.xml" ContentType="{_FORM}.worksheet+xml"/></Types>',
+    "_rels/.rels": f'<Relationships xmlns="{_PACKAGE}/relationships">'
+    f'<Relationship Id="rId1" Type="{_OFFICE}/officeDocument" Target="xl/workbook.xml"/></Relationships>',
+    "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{_PACKAGE}/relationships">'
+    f'<Relationship Id="rId1" Type="{_OFFICE}/worksheet" Target="worksheets/sheet1.xml"/></Relationships>',
+    "xl/workbook.xml": BOOK,
+}
+"""The other parts of a workbook with one sheet."""
+SHEET = f'<worksheet xmlns="{_MAIN}">'
 CELL = '<c r="A1"><v>1</v></c>'
 
 
@@ -48,7 +67,8 @@ def workbook(sheet: str, times: int = 1, repeated: str = "", end: str = "", leve
     """A workbook whose sheet begins with a text and repeats another one, written in parts to save memory."""
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=level) as file:
-        file.writestr("xl/workbook.xml", BOOK)
+        for name, text in PARTS.items():
+            file.writestr(name, text)
         with file.open("xl/worksheets/sheet1.xml", "w") as part:
             part.write((SHEET + sheet).encode())
             for _ in range(times // 1000):
@@ -68,20 +88,28 @@ LISTS: dict[str, tuple[Callable[[], bytes], str]] = {
     ),
     "many rows of cells": (
         lambda: workbook("<sheetData>", 90_000, f"<row>{'<c><v>1</v></c>' * 10}</row>", "</sheetData>"),
-        "which is more than 500000 cells",
+        "has more than 500000 cells",
     ),
-    "many rows": (lambda: workbook("<sheetData>", 200_000, "<row/>", "</sheetData>"), "has more than 100000 rows"),
+    "many rows": (
+        lambda: workbook("<sheetData>", 200_000, "<row><c><v>1</v></c></row>", "</sheetData>"),
+        "has more than 100000 rows",
+    ),
+    "many empty rows": (lambda: workbook("<sheetData>", 200_000, "<row/>", "</sheetData>"), "is empty"),
     "a cell far away": (
         lambda: workbook('<sheetData><row r="99999"><c r="ALL99999"><v>1</v></c></row></sheetData>'),
         "has 99999 rows with 1000 columns, which is more than 500000 cells; remove what is far away",
     ),
     "a cell at the end": (
-        lambda: workbook('<sheetData><row r="1048576"><c r="XFD1048576"/></row></sheetData>'),
+        lambda: workbook('<sheetData><row r="1048576"><c r="XFD1048576"><v>1</v></c></row></sheetData>'),
         "has more than 100000 rows",
     ),
-    "a row of no sheet": (
+    "an empty cell at the end": (
+        lambda: workbook('<sheetData><row r="1048576"><c r="XFD1048576"/></row></sheetData>'),
+        "is empty",
+    ),
+    "an empty row of no sheet": (
         lambda: workbook('<sheetData><row r="2000000000"/></sheetData>'),
-        "has more than 100000 rows",
+        "is empty",
     ),
     "a giant merged range": (
         lambda: workbook('<sheetData/><mergeCells><mergeCell ref="A1:XFD1048576"/></mergeCells>'),

@@ -67,6 +67,11 @@ class Simulated:
         """It has an alarm; 0 when what caused it is gone."""
         self.set(ALARMS[self.device], number)
 
+    def home(self) -> None:
+        """It knows its origin, as after homing: some devices refuse to move before."""
+        self.engine.axis.homed = True
+        self.engine.refresh()
+
     def power_cycle(self) -> None:
         """It is switched off and on."""
         self.engine.power_on()

@@ -114,6 +114,7 @@ class TelegramTaskRig(TelegramRig):
 def test_tasks_that_no_other_rig_has_are_carried_out(device: str, folder: Path) -> None:
     rig: Any = TelegramTaskRig(folder) if device == "hiwin-e" else TaskRig(device, folder)
     form, jog, alarm = "Telegram111" if device == "hiwin-e" else "", JOGS[device], ALARMS[device]
+    rig.device.home()
     rig.bench.set(jog, JogBackward=True)
     rig.run(30)
     assert rig.device.motion.starts == [], "no edge has been seen"

@@ -279,6 +279,7 @@ def test_nothing_starts_without_an_edge_whatever_happens_to_a_simulated_device(n
     rig = {**RIGS, **SPEEDS}[name](folder)
     dice, ended = random.Random(12), 0
     starts = [key for key in rig.bench.inputs if key[0] in rig.bench.blocks and key[1] in Rig.STARTS]
+    rig.device.home()
     for _ in range(STEPS):
         chance = dice.random()
         if chance < 0.08:

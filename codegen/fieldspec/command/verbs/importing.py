@@ -40,6 +40,7 @@ _ABOUT_TEXTS = (
     "senses_differ",
     "siblings_agree",
     "sources_ascending",
+    "switches_readable",
 )
 """The rules that a list may break: they are about its texts, and not about what is on the wire."""
 
