@@ -68,7 +68,7 @@ class ProjectChoices:
 
 def project_choices(specs_folder: str) -> ProjectChoices:
     """The project file beside a folder of specs. Raises UsageError for a file that cannot be read."""
-    place = os.path.dirname(os.path.realpath(specs_folder))
+    place = os.path.dirname(os.path.abspath(specs_folder))  # beside a link, too
     path = os.path.join(place, PROJECT_FILE)
     if specs_folder == INSTALLED:
         return ProjectChoices(None, "")

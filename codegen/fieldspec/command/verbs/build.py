@@ -243,7 +243,7 @@ def _state(path: str) -> State:
     """The time and size of every spec file, and of the project file beside them."""
     state = {}
     with suppress(OSError):
-        status = os.stat(os.path.join(os.path.dirname(os.path.realpath(path)), PROJECT_FILE))
+        status = os.stat(os.path.join(os.path.dirname(os.path.abspath(path)), PROJECT_FILE))
         state[PROJECT_FILE] = status.st_mtime_ns, status.st_size
     for folder, _, names in os.walk(path):
         for name in names:

@@ -63,9 +63,9 @@ def run(arguments: argparse.Namespace) -> int:
 def _bring_project_file(folder: Path) -> None:
     """Writes the project file beside a folder of specs, unless it is there already, and its schema."""
     specs.bring_project_schema(folder)
-    path = Path(os.path.realpath(folder)).parent / PROJECT_FILE
+    path = Path(os.path.abspath(folder)).parent / PROJECT_FILE
     if not os.path.lexists(path):
-        line = f"# yaml-language-server: $schema={Path(os.path.realpath(folder)).name}/{PROJECT_ADDRESS}\n"
+        line = f"# yaml-language-server: $schema={Path(os.path.abspath(folder)).name}/{PROJECT_ADDRESS}\n"
         write(path, (line + _fill_skeleton("project")).encode("utf-8"), new=True)
         print_line(specs.relative_path(path))
 
