@@ -28,7 +28,10 @@ def run(folder: Path, *words: str) -> int:
 @pytest.mark.parametrize("protocol", ["modbus", "packet", "telegram"])
 def test_a_new_device_passes_the_check(protocol: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(folder, "new", "device", "my-drive", "--protocol", protocol) == 0
-    assert capsys.readouterr().out == f"{folder}/fieldspec.schema.json\n{folder}/my-drive/device.yaml\n"
+    assert capsys.readouterr().out == (
+        f"{folder}/fieldspec.schema.json\n{folder}/fieldspec.project.schema.json\n"
+        f"{folder.parent}/fieldspec.yaml\n{folder}/my-drive/device.yaml\n"
+    )
     assert run(folder, "check", "my-drive") == 0
     assert capsys.readouterr().out == "no findings in my-drive\n"
 
@@ -102,9 +105,10 @@ def test_the_schema_for_editors_is_written_beside_the_devices_and_kept(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     schema = folder / "fieldspec.schema.json"
+    project = folder / "fieldspec.project.schema.json", folder.parent / "fieldspec.yaml"
     expected = SPECS.joinpath("fieldspec.schema.json").read_bytes()
     for words, printed in (
-        (("device", "one", "--protocol", "packet"), [schema, folder / "one/device.yaml"]),
+        (("device", "one", "--protocol", "packet"), [schema, *project, folder / "one/device.yaml"]),
         (("device", "two", "--protocol", "packet"), [folder / "two/device.yaml"]),
         (("schema",), []),
     ):

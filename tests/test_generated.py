@@ -29,3 +29,16 @@ def test_no_file_lies_under_generated_that_the_manifest_does_not_list() -> None:
     }
     extra = {path for path in paths if not path.endswith(".pyc")} - set(manifest["files"]) - {"manifest.json"}
     assert not extra
+
+
+def test_a_version_that_is_not_committed_can_be_built(tmp_path: Path) -> None:
+    path = "st/tc100_before_2_0.st"
+    assert not (ROOT / "generated" / path).exists()
+    assert main(["build", "tc100@before-2.0", "--specs", str(ROOT / "specs"), "--out", str(tmp_path)]) == 0
+    assert (tmp_path / path).is_file()
+    assert (tmp_path / "docs/tc100/before-2.0.html").is_file()
+
+
+def test_the_committed_outputs_stay_small() -> None:
+    paths = (path for path in (ROOT / "generated").rglob("*") if path.is_file() and path.suffix != ".pyc")
+    assert sum(path.stat().st_size for path in paths) <= 38 << 20

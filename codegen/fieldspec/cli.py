@@ -179,14 +179,16 @@ def _parser() -> argparse.ArgumentParser:
     build = verb("build", "generate code and documentation")
     build.add_argument("devices", nargs="*", default=[], metavar="DEVICE[@VERSION]", help="default: all devices")
     build.late_help = ("fieldspec.command.packages.plugin_loading", "outputs_help")
-    build.add_argument("--to", metavar="NAME,...", help="the outputs to write, separated by commas (default: all)")
-    build.add_argument("--out", metavar="DIR", default="generated", help="the folder to write to (default: generated)")
+    build.add_argument(
+        "--to", metavar="NAME,...", help="the outputs to write, by commas (default: by fieldspec.yaml, or all)"
+    )
+    build.add_argument("--out", metavar="DIR", help="the folder to write to (default: by fieldspec.yaml, or generated)")
     build.add_argument("--check", action="store_true", help="write nothing; list the files that are out of date")
     build.add_argument("--no-cache", action="store_true", help="rebuild everything and cache nothing")
     build.add_argument("--watch", action="store_true", help="rebuild whenever a spec is saved, until interrupted")
 
     docs = verb("docs", "build the documentation, serve it on this machine, and open it in a browser")
-    docs.add_argument("--out", metavar="DIR", default="generated", help="where to build (default: generated)")
+    docs.add_argument("--out", metavar="DIR", help="where to build (default: by fieldspec.yaml, or generated)")
     docs.add_argument(
         "--port", type=int, default=8080, metavar="NUMBER", help="the port (default: 8080; 0: a free one)"
     )

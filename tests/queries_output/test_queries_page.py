@@ -13,6 +13,7 @@ import polars
 import pytest
 
 from bounded import HANGING
+from fieldspec.cli import main
 from fieldspec.codec.reference.records import decoded
 from layouts import SPECS, newest
 from queries_output.engines import engine_of
@@ -31,8 +32,18 @@ if __name__ == "__main__":
 PARTS, TELEGRAMS = 3, 40
 
 
-def test_the_code_decodes_a_telegram_and_finds_a_value_out_of_range(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(ROOT)
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder where the queries are built, which are not committed."""
+    folder = tmp_path_factory.mktemp("queries_page")
+    assert main(["build", "--specs", str(SPECS), "--to", "queries", "--out", str(folder / "generated")]) == 0
+    return folder
+
+
+def test_the_code_decodes_a_telegram_and_finds_a_value_out_of_range(
+    built: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(built)
     monkeypatch.setattr(sys, "path", list(sys.path))
     names: dict[str, object] = {}
     exec("\n".join(BLOCKS[:-2]), names)
@@ -41,7 +52,7 @@ def test_the_code_decodes_a_telegram_and_finds_a_value_out_of_range(monkeypatch:
     assert names["findings"] == [("motion_command", "out_of_range", "99", 1)]
 
 
-def test_processes_of_dask_decode_the_files_of_a_folder_as_the_reference_does(tmp_path: Path) -> None:
+def test_processes_of_dask_decode_the_files_of_a_folder_as_the_reference_does(built: Path, tmp_path: Path) -> None:
     layout, dice = newest(SPECS, "hiwin-e"), random.Random(111)
     record = layout.messages["telegram_111"].response
     source, target = tmp_path / "source", tmp_path / "target"
@@ -52,7 +63,7 @@ def test_processes_of_dask_decode_the_files_of_a_folder_as_the_reference_does(tm
         polars.DataFrame({"data": data}).write_parquet(source / f"{place}.parquet")
     script = tmp_path / "decode.py"
     script.write_text(BLOCKS[-1] + MAIN, "utf-8")
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated" / "queries"), "POLARS_MAX_THREADS": "1"}
+    environment = {**os.environ, "PYTHONPATH": str(built / "generated" / "queries"), "POLARS_MAX_THREADS": "1"}
     command = [sys.executable, str(script), str(source), str(target)]
     run = subprocess.run(
         command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=HANGING

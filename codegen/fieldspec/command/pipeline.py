@@ -56,8 +56,19 @@ def refusals(versions: list[DeviceLayout], names: Iterable[str]) -> list[Diagnos
     return merged_refusals(versions[0].device.id, {name: OUTPUTS[name].refusals(versions) for name in names})
 
 
-def merged_refusals(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) -> list[Diagnostic]:
-    """The findings of several outputs about a device: one for each fact, which names the outputs."""
+def merged_refusals(
+    device: str, by_output: Mapping[str, Sequence[Diagnostic]], required: bool = True
+) -> list[Diagnostic]:
+    """The findings of several outputs about a device: one for each fact, which names the outputs.
+
+    Outputs that are not `required` are left out where they have errors, with one warning for each reason.
+    """
+    refused = _refused(device, by_output) if required else _left_out(device, by_output)
+    return [*refused, *_omissions(by_output)]
+
+
+def _refused(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) -> Iterator[Diagnostic]:
+    """The errors of some outputs, one for each fact."""
     refusing: dict[tuple[str, str, int], list[str]] = {}
     for name, findings in by_output.items():
         for key in dict.fromkeys(_key(finding) for finding in findings if finding.help == LEAVE_OUT):
@@ -65,14 +76,28 @@ def merged_refusals(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) 
     all_refusing = {name for outputs in refusing.values() for name in outputs}
     remaining = ",".join(name for name in by_output if name not in all_refusing)
     cure = f"build the others: `fieldspec build {device} --to {remaining}`" if remaining else LEAVE_OUT
-    result: list[Diagnostic] = []
     for name, findings in by_output.items():
         for finding in findings:
             outputs = refusing.get(_key(finding), [name])
             if finding.severity is Severity.ERROR and name == outputs[0]:
                 help = f"{', '.join(outputs)} cannot express it; {cure}" if finding.help == LEAVE_OUT else finding.help
-                result.append(replace(finding, help=help))
-    return [*result, *_omissions(by_output)]
+                yield replace(finding, help=help)
+
+
+def _left_out(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) -> Iterator[Diagnostic]:
+    """A warning for each first error of some outputs: it says which of them are left out for the device."""
+    first_errors: dict[tuple[str, str, int], Diagnostic] = {}
+    refusing: dict[tuple[str, str, int], list[str]] = {}
+    for name, findings in by_output.items():
+        error = next((finding for finding in findings if finding.severity is Severity.ERROR), None)
+        if error is not None:
+            first_errors.setdefault(_key(error), error)
+            refusing.setdefault(_key(error), []).append(name)
+    for key, error in first_errors.items():
+        outputs = refusing[key]
+        all_reasons = f"`fieldspec build {device} --to {','.join(outputs)}` shows all reasons as errors"
+        help = f"{', '.join(outputs)} {'is' if len(outputs) == 1 else 'are'} left out for {device}; {all_reasons}"
+        yield replace(error, help=help, severity=Severity.WARNING)
 
 
 def _omissions(by_output: Mapping[str, Sequence[Diagnostic]]) -> Iterator[Diagnostic]:

@@ -10,7 +10,7 @@ from fieldspec.foundation.source import Span
 
 
 class Severity(Enum):
-    """How bad a finding is. Errors stop a build."""
+    """How bad a finding is. With an error, a build writes nothing of the device."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -51,5 +51,5 @@ def in_order(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
 
 
 def has_errors(findings: Iterable[Diagnostic]) -> bool:
-    """Whether any finding stops a build."""
+    """Whether any finding is an error."""
     return any(d.severity is Severity.ERROR for d in findings)

@@ -32,13 +32,16 @@ class Output:
 
     Its module is imported when it is first used, so that nobody pays for outputs that are not asked for. Outputs of one
     `family` are made of the same declarations: one process makes them for less than two. `backend` takes the place of
-    the module where an installed package brings the output.
+    the module where an installed package brings the output. `test_endings` are those of files that test a version;
+    `has_blocks` says that a project can choose blocks of it.
     """
 
     name: str
     title: str
     family: str = ""
     backend: object | None = None
+    test_endings: tuple[str, ...] = ()
+    has_blocks: bool = False
 
     def files(self, versions: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> Files:
         """The files for all versions of one device, the oldest first, by path.
@@ -91,19 +94,19 @@ OUTPUTS = {
     output.name: output
     for output in (
         Output("python", "Python codecs"),
-        Output("c", "C headers with self-tests"),
+        Output("c", "C headers with self-tests", test_endings=("_selftest.c", "_fuzz.c")),
         Output("js", "JavaScript modules with types"),
         Output("wireshark", "Dissectors in Lua for Wireshark"),
         Output("queries", "Decoding as SQL for DuckDB and expressions for Polars"),
         Output("docs", "Documentation as HTML and Markdown"),
         Output("vectors", "Example frames as JSON"),
         Output("hmi", "Texts of alarms, faults and warnings for operator panels as CSV and XLSX"),
-        Output("scl", "Types, data blocks, functions and constants for TIA Portal", "structured"),
+        Output("scl", "Types, data blocks, functions and constants for TIA Portal", "structured", has_blocks=True),
         Output("kv", "Word maps and device comments for word-based PLCs as CSV"),
-        Output("st", "Structured Text for CODESYS and TwinCAT 3", "structured"),
-        Output("twincat", "Structured Text as source files of TwinCAT 3", "structured"),
-        Output("plcopen", "Structured Text as PLCopen TC6 XML", "structured"),
-        Output("iec", "Structured Text of IEC 61131-3 for Beremiz and OpenPLC", "structured"),
+        Output("st", "Structured Text for CODESYS and TwinCAT 3", "structured", has_blocks=True),
+        Output("twincat", "Structured Text as source files of TwinCAT 3", "structured", has_blocks=True),
+        Output("plcopen", "Structured Text as PLCopen TC6 XML", "structured", has_blocks=True),
+        Output("iec", "Structured Text of IEC 61131-3 for Beremiz and OpenPLC", "structured", has_blocks=True),
     )
 }
 """All outputs by name. `build` adds those of installed packages."""

@@ -1,8 +1,6 @@
 /**
  * TAIYO ESC11-B: the names of the newest version.
  *
- * Version before-1.17: ./before_1_17.js
- *
  * Version 1.17: ./v1_17.js
  */
 import { versionOf } from "../runtime/firmware.js";
@@ -10,11 +8,10 @@ export * from "./v1_17.js";
 
 const VERSIONS_BY_NAME = {
   __proto__: null,
-  "before-1.17": () => import("./before_1_17.js"),
   "1.17": () => import("./v1_17.js"),
 };
-const LINES = [["before-1.17", "1.17"]];
-export const VERSIONS = Object.freeze(["before-1.17", "1.17"]);
+const LINES = [["1.17"]];
+export const VERSIONS = Object.freeze(["1.17"]);
 
 /** The value of the device that tells its version. */
 export const DETECTED_BY = "messages/read_version/response/version";

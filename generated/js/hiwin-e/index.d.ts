@@ -1,37 +1,19 @@
 /**
  * HIWIN E1/E2 PROFINET: the names of the newest version.
  *
- * Version before-2.8.16: ./before_2_8_16.js
- *
- * Version 2.8.16: ./v2_8_16.js
- *
- * Version 2.12.5: ./v2_12_5.js
- *
  * Version 2.14.4: ./v2_14_4.js
- *
- * Version before-3.12.5: ./v2_8_16.js
- *
- * Version 3.12.5: ./v2_12_5.js
- *
- * Version before-4.14.4: ./v2_12_5.js
  *
  * Version 3.14.4: ./v2_14_4.js
  *
  * Version 4.14.4: ./v2_14_4.js
  */
 export * from "./v2_14_4.js";
-export declare const VERSIONS: readonly ("before-2.8.16" | "2.8.16" | "2.12.5" | "2.14.4" | "before-3.12.5" | "3.12.5" | "before-4.14.4" | "3.14.4" | "4.14.4")[];
+export declare const VERSIONS: readonly ("2.14.4" | "3.14.4" | "4.14.4")[];
 /** The module of a version. Throws RangeError for a version that the spec does not have. */
-export declare function forVersion(version: "before-2.8.16"): Promise<typeof import("./before_2_8_16.js")>;
-export declare function forVersion(version: "2.8.16"): Promise<typeof import("./v2_8_16.js")>;
-export declare function forVersion(version: "2.12.5"): Promise<typeof import("./v2_12_5.js")>;
 export declare function forVersion(version: "2.14.4"): Promise<typeof import("./v2_14_4.js")>;
-export declare function forVersion(version: "before-3.12.5"): Promise<typeof import("./v2_8_16.js")>;
-export declare function forVersion(version: "3.12.5"): Promise<typeof import("./v2_12_5.js")>;
-export declare function forVersion(version: "before-4.14.4"): Promise<typeof import("./v2_12_5.js")>;
 export declare function forVersion(version: "3.14.4"): Promise<typeof import("./v2_14_4.js")>;
 export declare function forVersion(version: "4.14.4"): Promise<typeof import("./v2_14_4.js")>;
-export declare function forVersion(version: string): Promise<typeof import("./before_2_8_16.js") | typeof import("./v2_8_16.js") | typeof import("./v2_12_5.js") | typeof import("./v2_14_4.js")>;
+export declare function forVersion(version: string): Promise<typeof import("./v2_14_4.js")>;
 /**
  * The module of the firmware that a device reports. Blanks around the version, a `v` before it and leading or
  * trailing zeros do not matter: ` v02.0 ` is 2.0. The version `before-2.0` of a spec is all firmware below 2.0.
@@ -40,4 +22,4 @@ export declare function forVersion(version: string): Promise<typeof import("./be
  *
  * Throws UnknownFirmwareError, which lists the known versions, for every other firmware. Nothing is guessed.
  */
-export declare function forFirmware(firmware: string, options?: { readonly nearest?: boolean }): Promise<typeof import("./before_2_8_16.js") | typeof import("./v2_8_16.js") | typeof import("./v2_12_5.js") | typeof import("./v2_14_4.js")>;
+export declare function forFirmware(firmware: string, options?: { readonly nearest?: boolean }): Promise<typeof import("./v2_14_4.js")>;

@@ -1,19 +1,7 @@
 /**
  * HIWIN E1/E2 PROFINET: the names of the newest version.
  *
- * Version before-2.8.16: ./before_2_8_16.js
- *
- * Version 2.8.16: ./v2_8_16.js
- *
- * Version 2.12.5: ./v2_12_5.js
- *
  * Version 2.14.4: ./v2_14_4.js
- *
- * Version before-3.12.5: ./v2_8_16.js
- *
- * Version 3.12.5: ./v2_12_5.js
- *
- * Version before-4.14.4: ./v2_12_5.js
  *
  * Version 3.14.4: ./v2_14_4.js
  *
@@ -24,18 +12,12 @@ export * from "./v2_14_4.js";
 
 const VERSIONS_BY_NAME = {
   __proto__: null,
-  "before-2.8.16": () => import("./before_2_8_16.js"),
-  "2.8.16": () => import("./v2_8_16.js"),
-  "2.12.5": () => import("./v2_12_5.js"),
   "2.14.4": () => import("./v2_14_4.js"),
-  "before-3.12.5": () => import("./v2_8_16.js"),
-  "3.12.5": () => import("./v2_12_5.js"),
-  "before-4.14.4": () => import("./v2_12_5.js"),
   "3.14.4": () => import("./v2_14_4.js"),
   "4.14.4": () => import("./v2_14_4.js"),
 };
-const LINES = [["before-2.8.16", "2.8.16", "2.12.5", "2.14.4"], ["before-3.12.5", "3.12.5", "3.14.4"], ["before-4.14.4", "4.14.4"]];
-export const VERSIONS = Object.freeze(["before-2.8.16", "2.8.16", "2.12.5", "2.14.4", "before-3.12.5", "3.12.5", "before-4.14.4", "3.14.4", "4.14.4"]);
+const LINES = [["2.14.4"], ["3.14.4"], ["4.14.4"]];
+export const VERSIONS = Object.freeze(["2.14.4", "3.14.4", "4.14.4"]);
 
 /** The module of a version. Throws RangeError for a version that the spec does not have. */
 export async function forVersion(version) {

@@ -1,18 +1,15 @@
 /**
  * TOYO TC100: the names of the newest version.
  *
- * Version before-2.0: ./before_2_0.js
- *
  * Version 2.0: ./v2_0.js
  */
 export * from "./v2_0.js";
-export declare const VERSIONS: readonly ("before-2.0" | "2.0")[];
+export declare const VERSIONS: readonly ("2.0")[];
 /** The value of the device that tells its version. */
 export declare const DETECTED_BY: "registers/firmware_version";
 /** The module of a version. Throws RangeError for a version that the spec does not have. */
-export declare function forVersion(version: "before-2.0"): Promise<typeof import("./before_2_0.js")>;
 export declare function forVersion(version: "2.0"): Promise<typeof import("./v2_0.js")>;
-export declare function forVersion(version: string): Promise<typeof import("./before_2_0.js") | typeof import("./v2_0.js")>;
+export declare function forVersion(version: string): Promise<typeof import("./v2_0.js")>;
 /**
  * The module of the firmware that a device reports. Blanks around the version, a `v` before it and leading or
  * trailing zeros do not matter: ` v02.0 ` is 2.0. The version `before-2.0` of a spec is all firmware below 2.0.
@@ -23,4 +20,4 @@ export declare function forVersion(version: string): Promise<typeof import("./be
  *
  * The device tells its version in `registers/firmware_version`.
  */
-export declare function forFirmware(firmware: string, options?: { readonly nearest?: boolean }): Promise<typeof import("./before_2_0.js") | typeof import("./v2_0.js")>;
+export declare function forFirmware(firmware: string, options?: { readonly nearest?: boolean }): Promise<typeof import("./v2_0.js")>;

@@ -1,8 +1,6 @@
 /**
  * TOYO TC100: the names of the newest version.
  *
- * Version before-2.0: ./before_2_0.js
- *
  * Version 2.0: ./v2_0.js
  */
 import { versionOf } from "../runtime/firmware.js";
@@ -10,11 +8,10 @@ export * from "./v2_0.js";
 
 const VERSIONS_BY_NAME = {
   __proto__: null,
-  "before-2.0": () => import("./before_2_0.js"),
   "2.0": () => import("./v2_0.js"),
 };
-const LINES = [["before-2.0", "2.0"]];
-export const VERSIONS = Object.freeze(["before-2.0", "2.0"]);
+const LINES = [["2.0"]];
+export const VERSIONS = Object.freeze(["2.0"]);
 
 /** The value of the device that tells its version. */
 export const DETECTED_BY = "registers/firmware_version";

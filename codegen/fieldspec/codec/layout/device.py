@@ -10,6 +10,7 @@ from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout, record_layout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.access import narrowed
+from fieldspec.language.model.choice import BlockChoice
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Register, Table
@@ -66,6 +67,7 @@ class DeviceLayout:
     """All numbers of a device at one version. Two layouts have the same `identity` if they exchange the same bytes.
 
     `equal_versions` are the versions of other lines that have no outputs of their own and use the outputs of this one.
+    `blocks` are those that controllers have, None for all.
     """
 
     device: Device
@@ -76,6 +78,7 @@ class DeviceLayout:
     registers: tuple[RegisterLayout, ...]
     tables: Mapping[str, TableLayout]
     equal_versions: tuple[str, ...] = ()
+    blocks: BlockChoice | None = None
 
 
 def device_layout(device: Device) -> DeviceLayout:

@@ -7,12 +7,13 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from fieldspec.command.builds.freshness import BuildRequest, BuildResult, Built, EarlierBuild, Hashes, devices_in
+from fieldspec.command.console.streams import print_error
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.sources import spec_files
 from fieldspec.command.sources.spec_files import INDEX
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.source import Refused
-from fieldspec.language.reading.findings import PROTOCOLS
+from fieldspec.language.model.choice import PROJECT_FILE
 
 if TYPE_CHECKING:
     from fieldspec.command.files.placement import Staging
@@ -40,7 +41,7 @@ def build_result(
     earlier: EarlierBuild,
     staging: Staging | None = None,
 ) -> BuildResult:
-    """Builds what is out of date; nothing where a finding stops the build.
+    """Builds what is out of date, and nothing of devices with errors.
 
     Files that differ from the ones in place are written to `staging`. Raises UsageError.
     """
@@ -59,12 +60,13 @@ def build_result(
 
 
 def _plan(device: str, build_request: BuildRequest, earlier: EarlierBuild) -> _Plan:
+    outputs = build_request.outputs_of(device)
     if earlier.changed(device):
-        return _Plan(True, build_request.outputs, {})
+        return _Plan(True, outputs, {})
     before = earlier.devices[device]
     checked = {name: earlier.unchanged(files) for name, files in before.outputs.items()}
     reused = {name: files for name, files in checked.items() if files is not None}
-    return _Plan(before.warned, tuple(name for name in build_request.outputs if name not in reused), reused)
+    return _Plan(before.warned, tuple(name for name in outputs if name not in reused), reused)
 
 
 def _build_stale(
@@ -83,7 +85,7 @@ def _build_stale(
     from fieldspec.command.files import cache_folder
     from fieldspec.command.packages.plugin_loading import load_checks
     from fieldspec.command.sources import specs
-    from fieldspec.language.diagnostics import Severity, has_errors, in_order
+    from fieldspec.language.diagnostics import has_errors, in_order
     from fieldspec.language.reading.project import read
     from fieldspec.targets import templates
 
@@ -91,37 +93,56 @@ def _build_stale(
     if earlier.trusted and cache_folder.is_usable(TEMPLATES):
         templates.use_cache(partial(cache_folder.cached, TEMPLATES), partial(cache_folder.store, TEMPLATES))
     project = read(files, only)  # without the folder, which outputs must not depend on
-    outputs = not has_errors(project.findings)
+    refused = set(project.broken)
+    misnamed = []
     tasks = []
     for spec in project.devices.values():
         plan = plans.get(spec.id, _Plan(True, (), {}))
         versions = frozenset(specs.picked(spec, version) for version in build_request.devices.get(spec.id, ()))
         if plan.check or plan.outputs:
-            manual = _manual(spec.id, files) if DOCUMENTATION in plan.outputs else None
-            wanted_outputs = (plan.outputs, build_request.outputs) if outputs else ((), ())
-            tasks.append(Task(spec.id, versions, plan.check, *wanted_outputs, manual))
-    lacking = [name for name in build_request.outputs if name not in shared] if outputs else []
+            if unknown_parts := build_request.project.unknown_parts(spec):
+                misnamed += unknown_parts
+                refused.add(spec.id)
+            manual = None
+            if DOCUMENTATION in plan.outputs:
+                try:
+                    manual = _manual(spec.id, files)
+                except UsageError as error:  # which is about this device alone
+                    print_error(error)
+                    refused.add(spec.id)
+            wanted_outputs = (plan.outputs, build_request.outputs_of(spec.id)) if spec.id not in refused else ((), ())
+            tasks.append(
+                Task(
+                    spec.id,
+                    versions,
+                    plan.check,
+                    *wanted_outputs,
+                    build_request.required,
+                    manual,
+                    build_request.project.choice(spec.id),
+                )
+            )
+    lacking = [name for name in build_request.outputs if name not in shared]
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
     work = Work(project, earlier.out, staging)
     done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
-    located = _from_here(findings, spec_files.relative_path(path), spec_files.origins(files))
-    if has_errors(findings):
-        refused = {finding.span.file.path.split("/")[0] for finding in findings if finding.severity is Severity.ERROR}
-        broken = refused | {device for device, result in done.items() if has_errors(result.findings)}
-        # Any device may use a protocol with an error.
-        known = () if PROTOCOLS in refused else project.devices
-        sound = [device for device in plans if device in known and device not in broken]
-        return BuildResult(located, {}, {}, [], False, tuple(sound))
-    stale = [path for result in done.values() for path in result.stale]
+    located = [*misnamed, *_from_here(findings, spec_files.relative_path(path), spec_files.origins(files))]
+    refused |= {device for device, result in done.items() if has_errors(result.findings)}
+    broken = tuple(device for device in plans if device in refused)
+    if len(broken) == len(plans):
+        return BuildResult(located, {}, {}, [], False, broken)
+    stale = [path for device, result in done.items() if device not in refused for path in result.stale]
     hashes = {name: stage_changes(work, contents, stale) for name, contents in common.items()}
     marked = {finding.span.file.path for finding in findings}
     devices = {}
     for device, plan in plans.items():
+        if device in refused:
+            continue
         if device not in done:
             devices[device] = earlier.devices[device]
             continue
-        files_read = project.devices[device].files | ({f"{device}/{INDEX}"} & files.keys())
+        files_read = project.devices[device].files | ({f"{device}/{INDEX}", PROJECT_FILE} & earlier.now.keys())
         result = done[device]
         # Warnings of outputs that were not asked for this time come again when they are.
         was_warned = bool(plan.reused.keys() - set(build_request.outputs)) and earlier.devices[device].warned
@@ -131,7 +152,7 @@ def _build_stale(
             was_warned or not marked.isdisjoint(files_read),
             {**plan.reused, **result.hashes},
         )
-    return BuildResult(located, devices, {**shared, **hashes}, stale, not findings)
+    return BuildResult(located, devices, {**shared, **hashes}, stale, not findings, broken)
 
 
 def _from_here(findings: Iterable[Diagnostic], folder: str, origins: Mapping[str, str]) -> list[Diagnostic]:

@@ -16,7 +16,9 @@ from typing import Any, TypeVar
 from fieldspec.command.files import cache_folder
 from fieldspec.command.files.regular_file import content
 from fieldspec.command.packages.plugins import package_hashes
-from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass
+from fieldspec.command.sources.project_choices import ProjectChoices
+from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, field
+from fieldspec.language.model.choice import PROJECT_FILE
 from fieldspec.language.reading.findings import PROTOCOLS
 
 if TYPE_CHECKING:
@@ -43,10 +45,22 @@ class Built:
 
 @dataclass(frozen=True, slots=True)
 class BuildRequest:
-    """What is to be built: outputs, and devices with their versions, no version for all; no device for all."""
+    """What is to be built: outputs, and devices with their versions, no version for all; no device for all.
+
+    Outputs that are `required` must express each device. `project` has the choices of the project file.
+    """
 
     outputs: tuple[str, ...]
     devices: dict[str, frozenset[str]]
+    required: bool = False
+    project: ProjectChoices = field(default_factory=lambda: ProjectChoices(None, ""))
+
+    def outputs_of(self, device: str) -> tuple[str, ...]:
+        """The outputs of a device: those that are named, or else those that the project file chooses."""
+        chosen = self.project.choice(device).outputs
+        if self.required or chosen is None:
+            return self.outputs
+        return tuple(name for name in self.outputs if name in chosen)
 
     @property
     def whole(self) -> bool:
@@ -63,8 +77,8 @@ class BuildRequest:
 class BuildResult:
     """What a build has found, the devices as they are now, and the files that were not as they should be.
 
-    `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files.
-    Where errors stop the build, `sound` has the devices without one.
+    `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files. `broken`
+    are the devices with errors, whose files stay as they are; they are not among `devices`.
     """
 
     findings: list[Diagnostic]
@@ -72,7 +86,7 @@ class BuildResult:
     shared: dict[str, Hashes]
     stale: list[str]
     quiet: bool
-    sound: tuple[str, ...] = ()
+    broken: tuple[str, ...] = ()
 
 
 def digest(data: bytes) -> str:
@@ -97,9 +111,16 @@ class EarlierBuild:
     """
 
     def __init__(
-        self, output_folder: Path, files: Mapping[str, bytes], packages: Hashes | None = None, trusted: bool = True
+        self,
+        output_folder: Path,
+        files: Mapping[str, bytes],
+        packages: Hashes | None = None,
+        trusted: bool = True,
+        project_file: bytes | None = None,
     ) -> None:
         self.now = {path: digest(data) for path, data in files.items()}
+        if project_file is not None:
+            self.now[PROJECT_FILE] = digest(project_file)
         self.devices: dict[str, Built] = {}
         self.shared: dict[str, Hashes] = {}
         self.out = output_folder
@@ -122,7 +143,7 @@ class EarlierBuild:
         if device not in self.devices:
             return ["*"]
         before = self.devices[device].inputs
-        now = {path for path in self.now if path.startswith(f"{device}/")}
+        now = {path for path in self.now if path.startswith(f"{device}/") or path == PROJECT_FILE}
         return sorted(path for path in now | set(before) if before.get(path) != self.now.get(path))
 
     def unchanged(self, files: Hashes | None) -> Hashes | None:
@@ -143,22 +164,22 @@ class EarlierBuild:
         folders = {path.partition("/")[0] for path in paths}
         return bool(self._specs) and PROTOCOLS not in folders and folders <= {*self.devices} & {*devices_in(self.now)}
 
-    def keep(self, devices: Mapping[str, Built], shared: Mapping[str, Hashes], whole: bool, quiet: bool) -> None:
-        """Records a build for the next one. `quiet` says that there were no findings.
+    def keep(self, result: BuildResult, whole: bool) -> None:
+        """Records a build for the next one, and of devices with errors what was recorded before.
 
         A build during which the compiler changed is not recorded.
         """
         if not self._compiler or _running(package_hashes()) != self._compiler:
             return
-        earlier_devices = {} if whole else self.devices
+        remaining = {name: built for name, built in self.devices.items() if not whole or name in result.broken}
         data: dict[str, Any] = {
             "compiler": self._compiler,
-            "specs": (self.now if quiet else {}) if whole else self._specs,
+            "specs": (self.now if result.quiet else {}) if whole else self._specs,
             "devices": {
                 name: {key: getattr(built, key) for key in attributes(Built)}
-                for name, built in {**earlier_devices, **devices}.items()
+                for name, built in {**remaining, **result.devices}.items()
             },
-            "shared": {**self.shared, **shared},
+            "shared": {**self.shared, **result.shared},
         }
         if data != self._note:
             cache_folder.store(KIND, self._name, json.dumps(data, separators=(",", ":")).encode())
@@ -184,6 +205,12 @@ def _hashes(data: Any) -> Hashes:
     return _by_name(data, _checked_text)
 
 
+def _paths(data: Any) -> list[str]:
+    if not isinstance(data, list):
+        raise TypeError("not a list")
+    return [_checked_text(path) for path in data]
+
+
 def _built(data: Any) -> Built:
     return Built(
         _hashes(data["inputs"]), _hashes(data["identities"]), data["warned"] is True, _by_name(data["outputs"], _hashes)
@@ -192,7 +219,7 @@ def _built(data: Any) -> Built:
 
 def devices_in(paths: Iterable[str]) -> list[str]:
     """The devices that some spec files belong to."""
-    return sorted({folder for path in paths if (folder := path.partition("/")[0]) != PROTOCOLS})
+    return sorted({path.partition("/")[0] for path in paths if path != PROJECT_FILE} - {PROTOCOLS})
 
 
 _at_start: dict[str, str] = {}
@@ -220,6 +247,7 @@ _NAMED = 3
 class Manifest:
     """Identities of versions, hashes of spec files by device, and hashes of the files that were made of them.
 
+    `owned` are the files of each device, `stale` those of devices that had errors when they were to be built.
     `packages` are versions and hashes of installed packages that bring outputs, checks and protocols.
     """
 
@@ -227,6 +255,8 @@ class Manifest:
     specs: dict[str, Hashes]
     files: Hashes
     packages: Hashes
+    owned: dict[str, list[str]]
+    stale: list[str]
 
     def text(self) -> bytes:
         """The text of the file of the manifest."""
@@ -235,28 +265,47 @@ class Manifest:
             "identities": dict(sorted(self.identities.items())),
             "specs": specs,
             "files": dict(sorted(self.files.items())),
+            "devices": {device: sorted(paths) for device, paths in sorted(self.owned.items()) if paths},
+            **({"stale": self.stale} if self.stale else {}),
             **({"packages": self.packages} if self.packages else {}),
         }
         return (json.dumps(data, indent=1) + "\n").encode("utf-8")
+
+    def remaining(self, build_request: BuildRequest, result: BuildResult) -> Hashes:
+        """The files of the requested outputs that stay as they are, since their devices have errors."""
+        names = build_request.outputs
+        paths = (path for device in result.broken for path in self.owned.get(device, ()) if _output_of(path) in names)
+        return {path: self.files[path] for path in paths if path in self.files}
 
     def renewed(
         self, build_request: BuildRequest, result: BuildResult, hashes: Hashes, removed: Sequence[str], packages: Hashes
     ) -> Manifest:
         """The manifest after a build whose files have the given hashes, and which removes others."""
-        identities = {} if build_request.whole else dict(self.identities)
-        specs = {} if build_request.whole else dict(self.specs)
+        whole, broken = build_request.whole, result.broken
+        identities = {key: value for key, value in self.identities.items() if not whole or key.split("@")[0] in broken}
+        specs = {device: files for device, files in self.specs.items() if not whole or device in broken}
         for name, device in result.devices.items():
             identities |= device.identities
             specs[name] = device.inputs
-        if build_request.picked or any(path.partition("/")[0] not in build_request.outputs for path in self.files):
+        remaining = (_output_of(path) for path in self.files if path not in removed)
+        if build_request.picked or not set(build_request.outputs).issuperset(remaining):
             specs = self.specs  # some files are still from other specs
             packages = self.packages
         files = {path: digest for path, digest in self.files.items() if path not in removed} | hashes
-        return Manifest(identities, specs, files, packages)
+        stale = {*self.stale, *self.remaining(build_request, result)}.difference(removed, hashes)
+        return Manifest(identities, specs, files, packages, self._owned(build_request, result, files), sorted(stale))
+
+    def _owned(self, build_request: BuildRequest, result: BuildResult, files: Hashes) -> dict[str, list[str]]:
+        """The files of each device, where a build has left these files."""
+        owned = {device: [path for path in paths if path in files] for device, paths in self.owned.items()}
+        for device, built in result.devices.items():
+            paths_of_device = [path for hashes in built.outputs.values() for path in hashes if path in files]
+            owned[device] = [*dict.fromkeys([*paths_of_device, *owned.get(device, ())])]
+        return owned
 
     def gone(self, hashes: Hashes, names: Sequence[str]) -> list[str]:
         """Files of an earlier build that the requested outputs no longer have."""
-        ours = (path for path in self.files if path.partition("/")[0] in names and path not in hashes)
+        ours = (path for path in self.files if _output_of(path) in names and path not in hashes)
         return sorted(path for path in ours if ".." not in path.split("/"))
 
     def reason(self, path: str, result: BuildResult, earlier: EarlierBuild, packages: Hashes) -> str:
@@ -282,6 +331,11 @@ class Manifest:
         return "another version of the compiler wrote it"
 
 
+def _output_of(path: str) -> str:
+    """The name of the output that a file belongs to."""
+    return path.partition("/")[0]
+
+
 def _enumerated(names: Sequence[str]) -> str:
     """The first few names, and how many more there are."""
     rest_text = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
@@ -293,6 +347,8 @@ def read_manifest(output_folder: Path) -> Manifest:
     try:
         data = json.loads(content(output_folder / MANIFEST, LARGEST_OUTPUT))
         specs, packages = _by_name(data.get("specs", {}), _hashes), _hashes(data.get("packages", {}))
-        return Manifest(_hashes(data["identities"]), specs, _hashes(data["files"]), packages)
+        owned = _by_name(data.get("devices", {}), _paths)
+        stale = _paths(data.get("stale", []))
+        return Manifest(_hashes(data["identities"]), specs, _hashes(data["files"]), packages, owned, stale)
     except (OSError, *_WRONG_SHAPE):
-        return Manifest({}, {}, {}, {})
+        return Manifest({}, {}, {}, {}, {}, [])

@@ -49,13 +49,12 @@ def _inputs(
     name: str, build_request: BuildRequest, result: BuildResult, before: Manifest, earlier: EarlierBuild
 ) -> Hashes:
     """The hashes of the files of an output, of all devices."""
-    inputs: Hashes = {}
-    if not build_request.whole:
-        inputs |= {
-            path: expected
-            for path, expected in before.files.items()
-            if path.startswith(f"{name}/") and earlier.hash_of(path) == expected and not _is_on_top(name, path)
-        }
+    earlier_files = before.remaining(build_request, result) if build_request.whole else before.files
+    inputs = {
+        path: expected
+        for path, expected in earlier_files.items()
+        if path.startswith(f"{name}/") and earlier.hash_of(path) == expected and not _is_on_top(name, path)
+    }
     for device, built in result.devices.items():
         inputs = {path: expected for path, expected in inputs.items() if not path.startswith(f"{name}/{device}/")}
         inputs |= built.outputs.get(name, {})

@@ -10,12 +10,15 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command import pipeline
 from fieldspec.command.builds.freshness import Hashes, digest, file_digest
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.placement import Staging
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field, replace
+from fieldspec.foundation.names import stem
 from fieldspec.language.diagnostics import Diagnostic, has_errors
+from fieldspec.language.model.choice import Choice, VersionChoice
 from fieldspec.language.reading.project import DeviceSpec, Project
 from fieldspec.targets import OUTPUTS
 from fieldspec.tools.proofs.running import Outcome, outcome
@@ -34,8 +37,10 @@ WORTH_IT = 200_000
 class Task:
     """A device, the versions to build (none: all), whether to check it first, and the outputs to build.
 
-    `judged` are the outputs that are asked what they cannot express, those too that are not built anew. `manual` is
-    the index of its manual, for the audit in its documentation.
+    `judged` are the outputs that are asked what they cannot express, those too that are not built anew. Where they are
+    `required`, one that cannot express the device keeps the others from being built; else it is left out. `manual` is
+    the index of its manual, for the audit in its documentation. `choice` is that of the project file, which does not
+    matter where versions are named.
     """
 
     device: str
@@ -43,7 +48,13 @@ class Task:
     check: bool
     outputs: tuple[str, ...]
     judged: tuple[str, ...] = ()
+    required: bool = False
     manual: ManualIndex | None = None
+    choice: Choice = Choice()
+
+    def chosen(self, output: str, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:
+        """The layouts of the versions of a device that an output has; at least that of the newest."""
+        return _chosen(self.choice.of(output).versions, layouts) or [layouts[-1]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +92,15 @@ def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResul
     Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
     first, and then each processor takes outputs of a device. Raises UsageError if an installed package fails.
     """
+    required = {task.device: task.required for task in tasks}
     return [
-        replace(done, findings=[*done.findings, *pipeline.merged_refusals(done.device, done.refusals)])
+        replace(
+            done,
+            findings=[
+                *done.findings,
+                *pipeline.merged_refusals(done.device, done.refusals, required[done.device]),
+            ],
+        )
         for done in _separate_results(work, tasks, size)
     ]
 
@@ -98,11 +116,11 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
         return _in_processes(work, tasks, processes)
     known = {task.device: outcome(devices[task.device]) for task in tasks if task.check}
     checked = [TaskResult(task.device, known[task.device].findings if task.check else [], {}, {}, []) for task in tasks]
-    if any(has_errors(done.findings) for done in checked):
-        return checked
+    broken = {done.device for done in checked if has_errors(done.findings)}
     single = [
         replace(task, check=False, outputs=tuple(name for name in names if name in task.outputs), judged=names)
         for task in tasks
+        if task.device not in broken
         for names in _families(task.judged)
     ]
     parts = _in_processes(replace(work, known=known), single, processes) if single else []
@@ -172,8 +190,15 @@ def task_result(work: Work, task: Task) -> TaskResult:
     layouts = pipeline.layouts(spec, ran)
     if task.versions:
         layouts = [layout for layout in layouts if layout.device.version in task.versions]
-    refusals = {name: OUTPUTS[name].refusals(layouts) for name in task.judged}
-    if any(map(has_errors, refusals.values())) or not task.outputs:
+        task = replace(task, choice=Choice())
+    with_blocks = [replace(layout, blocks=task.choice.blocks) for layout in layouts]
+    chosen = {
+        name: task.chosen(name, with_blocks if OUTPUTS[name].has_blocks else layouts)
+        for name in {*task.judged, *task.outputs}
+    }
+    refusals = {name: OUTPUTS[name].refusals(chosen[name]) for name in task.judged}
+    refusing = {name for name, refused in refusals.items() if has_errors(refused)}
+    if (refusing and task.required) or not task.outputs:
         return TaskResult(task.device, findings, {}, {}, [], refusals)
     identities = {
         f"{spec.id}@{version}": layout.identity
@@ -183,16 +208,39 @@ def task_result(work: Work, task: Task) -> TaskResult:
     hashes: dict[str, Hashes] = {}
     stale: list[str] = []
     for name in task.outputs:
+        if name in refusing:
+            hashes[name] = {}
+            continue
         if name == DOCUMENTATION and not task.versions:
             from fieldspec.command.rendering.audit_pages import LINK, pages
             from fieldspec.targets.docs.backend import fact_links
 
-            files = pipeline.output(name, layouts, (LINK,))
-            files |= pages(spec, layouts, task.manual, fact_links(layouts[-1], files), ran)
+            files = pipeline.output(name, chosen[name], (LINK,))
+            files |= pages(spec, layouts, task.manual, fact_links(chosen[name][-1], files), ran)
         else:
-            files = pipeline.output(name, layouts)
+            files = pipeline.output(name, chosen[name])
+            files = _without_tests(name, files, task.choice.of(name).tests, chosen[name])
         hashes[name] = stage_changes(work, files, stale)
     return TaskResult(task.device, findings, identities, hashes, stale, refusals)
+
+
+def _chosen(choice: VersionChoice, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:
+    """The layouts of chosen versions. The newest version of a line is there under its own name, or equal to one."""
+    newest = {line.versions[-1].id for layout in layouts[-1:] for line in layout.device.lines if line.versions}
+    newest |= {layouts[-1].device.version}
+    return [layout for layout in layouts if choice.includes(layout.device.version, newest)]
+
+
+def _without_tests(
+    name: str, files: dict[str, bytes], choice: VersionChoice, layouts: Sequence[DeviceLayout]
+) -> dict[str, bytes]:
+    """The files of an output without the tests of versions that are not chosen."""
+    without = {layout.device.version for layout in layouts} - {
+        layout.device.version for layout in _chosen(choice, layouts)
+    }
+    stems = [stem(layout.device.id, version) for layout in layouts[-1:] for version in without]
+    left_out = {f"{name}/{own}{ending}" for own in stems for ending in OUTPUTS[name].test_endings}
+    return {path: content for path, content in files.items() if path not in left_out}
 
 
 def stage_changes(work: Work, files: Mapping[str, bytes], stale: list[str]) -> Hashes:

@@ -10,7 +10,8 @@ _INTRODUCTION = """\
 Where a device has something that an output refuses by a rule, the output leaves out the least that has it, and what
 needs it: a message with its functions, a table of the record, a register whose exponent it is, a task that reads it.
 The build warns of each such fact and writes all the rest; the generated files name what is left out, and why. A
-finding about the device as a whole is an error: then nothing is written. `fieldspec rule CODE` explains a rule.
+finding about the device as a whole is an error: the output leaves the device out, with one warning, and the others are
+written. Where `--to` names the output, nothing of the device is written. `fieldspec rule CODE` explains a rule.
 """
 
 NUMBERS = ("plc_numbers_binary", "plc_numbers_fit", "plc_reals_fit", "plc_reals_present", "plc_texts_ascii")

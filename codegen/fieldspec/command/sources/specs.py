@@ -24,11 +24,12 @@ from fieldspec.language.checks.layout_conditions import has_layout
 from fieldspec.language.diagnostics import Severity, has_errors, in_order
 from fieldspec.language.reading.findings import LARGEST_FILE
 from fieldspec.language.reading.project import JOINT, DeviceSpec, Project, read
-from fieldspec.language.schema import ADDRESS, schema_text
+from fieldspec.language.schema import ADDRESS, PROJECT_ADDRESS, project_schema_text, schema_text
 
 __all__ = [
     "FOLDER",
     "VARIABLE",
+    "bring_project_schema",
     "bring_schema",
     "editor_line",
     "files",
@@ -65,7 +66,16 @@ def editor_line(levels: int = 1) -> str:
 
 def bring_schema(folder: Path) -> None:
     """Writes the schema into a folder of specs, for editors, unless it is there as it is now. Raises UsageError."""
-    path, content = folder / ADDRESS, schema_text().encode("utf-8")
+    _bring(folder / ADDRESS, schema_text())
+
+
+def bring_project_schema(folder: Path) -> None:
+    """Writes the schema of project files into a folder of specs in the same way. Raises UsageError."""
+    _bring(folder / PROJECT_ADDRESS, project_schema_text())
+
+
+def _bring(path: Path, text: str) -> None:
+    content = text.encode("utf-8")
     try:
         if regular_file.content(path, LARGEST_FILE) == content:
             return

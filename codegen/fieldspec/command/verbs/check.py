@@ -6,18 +6,36 @@ import argparse
 
 from fieldspec.command.console.terminal import print_findings
 from fieldspec.command.sources import spec_files, specs
-from fieldspec.language.diagnostics import has_errors
+from fieldspec.command.sources.project_choices import project_choices
+from fieldspec.language.diagnostics import Diagnostic, has_errors
+from fieldspec.language.reading.project import Project
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Prints all findings of all files. Exit code 1 where one of them is an error. Raises UsageError."""
+    """Prints all findings of all files, and of the project file beside them.
+
+    Exit code 1 where one of them is an error. Raises UsageError.
+    """
     from fieldspec.command import pipeline
     from fieldspec.command.packages.plugin_loading import load_checks
 
     load_checks()
     project = specs.project(arguments.specs, frozenset(arguments.devices))
-    findings = pipeline.checked(project)
+    findings = [*_of_project_file(arguments.specs, project), *pipeline.checked(project)]
     checked = ", ".join(sorted(project.devices)) or "nothing"
     origin = "" if spec_files.is_own(arguments.specs) else " (the installed specs, as there is no folder specs here)"
     print_findings(findings, arguments.format, f"no findings in {checked}{origin}")
     return 1 if has_errors(findings) else 0
+
+
+def _of_project_file(specs_option: str | None, project: Project) -> list[Diagnostic]:
+    """The findings of the project file, with those of versions that the devices do not have."""
+    from fieldspec.command.packages.plugin_loading import load_outputs
+
+    load_outputs()
+    folder = spec_files.folder(specs_option)
+    choices = project_choices(folder)
+    findings = choices.unknown_names(spec_files.devices(folder))
+    for spec in project.devices.values():
+        findings += choices.unknown_parts(spec)
+    return findings

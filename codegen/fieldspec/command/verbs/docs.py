@@ -10,6 +10,8 @@ from pathlib import Path
 from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.placement import JournalError, inside
+from fieldspec.command.sources import spec_files
+from fieldspec.command.sources.project_choices import project_choices
 from fieldspec.command.verbs.build import build
 from fieldspec.tools.carriers.carrier import CarrierError
 from fieldspec.tools.carriers.pages import PageServer
@@ -22,12 +24,13 @@ def run(arguments: argparse.Namespace) -> int:
     """Builds and serves until interrupted. Exit code 1 for findings, with nothing served. Raises UsageError."""
     if arguments.port not in PORTS:
         raise UsageError(f"--port {arguments.port} is no port; use 0 to {PORTS[-1]}, 0 for one that is free")
+    output_folder = arguments.out or project_choices(spec_files.folder(arguments.specs)).folder("")
     options = argparse.Namespace(
-        specs=arguments.specs, out=arguments.out, devices=(), to=OUTPUT, check=False, no_cache=False, watch=False
+        specs=arguments.specs, out=output_folder, devices=(), to=OUTPUT, check=False, no_cache=False, watch=False
     )
     if code := build(options):
         return code
-    folder = Path(arguments.out) / OUTPUT
+    folder = Path(output_folder) / OUTPUT
     if not (folder / "index.html").is_file():
         raise UsageError("there is no device, so there are no pages")
     try:

@@ -16,11 +16,12 @@ from fieldspec.command.files.storage import write
 from fieldspec.command.sources import protocol_entries, spec_files, specs
 from fieldspec.command.sources.spec_files import INSTALLED
 from fieldspec.foundation.reserved import file_name_fault
+from fieldspec.language.model.choice import PROJECT_FILE
 from fieldspec.language.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
 from fieldspec.language.reading.nodes import Mapping, Scalar, identity, mappings
 from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.yaml_reader import decoded, parsed
-from fieldspec.language.schema import schema
+from fieldspec.language.schema import PROJECT_ADDRESS, schema
 
 SHAPES = ("packet", "telegram")
 """The skeletons of devices without a protocol."""
@@ -40,7 +41,9 @@ def run(arguments: argparse.Namespace) -> int:
         if getattr(arguments, name) is not None:
             raise UsageError(f"--{name.replace('_', '-')} has no effect on a new {arguments.kind}; leave it out")
     if arguments.kind == "schema":
-        specs.bring_schema(specs.writable_folder(arguments.specs))
+        schema_folder = specs.writable_folder(arguments.specs)
+        specs.bring_schema(schema_folder)
+        specs.bring_project_schema(schema_folder)
         return 0
     if arguments.name is None:
         raise UsageError(f"name the device; see: fieldspec new {arguments.kind} --help")
@@ -50,9 +53,21 @@ def run(arguments: argparse.Namespace) -> int:
     specs.bring_schema(folder)
     if arguments.protocol is not None and arguments.protocol not in SHAPES:
         _bring_protocols(folder, arguments.protocol)
+    if arguments.kind == "device":
+        _bring_project_file(folder)
     write(path, text.encode("utf-8"), new=True)
     print_line(specs.relative_path(path))
     return 0
+
+
+def _bring_project_file(folder: Path) -> None:
+    """Writes the project file beside a folder of specs, unless it is there already, and its schema."""
+    specs.bring_project_schema(folder)
+    path = Path(os.path.abspath(folder)).parent / PROJECT_FILE
+    if not os.path.lexists(path):
+        line = f"# yaml-language-server: $schema={Path(os.path.abspath(folder)).name}/{PROJECT_ADDRESS}\n"
+        write(path, (line + _fill_skeleton("project")).encode("utf-8"), new=True)
+        print_line(specs.relative_path(path))
 
 
 def _version(arguments: argparse.Namespace) -> tuple[Path, Path, str]:

@@ -85,10 +85,14 @@ class DeviceSpec:
 
 @dataclass(frozen=True, slots=True)
 class Project:
-    """The devices by id, and what is wrong with the files."""
+    """The devices by id, and what is wrong with the files.
+
+    `broken` are the folders and ids of devices with an error in their files, or in those of a protocol that they use.
+    """
 
     devices: Table[str, DeviceSpec]
     findings: list[Diagnostic]
+    broken: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +110,16 @@ class FileRead:
 
 
 @dataclass(frozen=True, slots=True)
+class DeviceRead:
+    """A device as it was read: its files and those of all protocols, what they give, and whether they have errors."""
+
+    files: dict[str, bytes]
+    spec: DeviceSpec | None
+    findings: list[Diagnostic]
+    is_broken: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Memory:
     """What reading remembers for a project that is read again and again: what has not changed is not read again.
 
@@ -114,7 +128,7 @@ class Memory:
     """
 
     files: dict[str, FileRead] = field(default_factory=dict)
-    devices: dict[str, tuple[dict[str, bytes], DeviceSpec | None, list[Diagnostic]]] = field(default_factory=dict)
+    devices: dict[str, DeviceRead] = field(default_factory=dict)
 
 
 def read(
@@ -151,6 +165,8 @@ class _Reader:
         """The files that were read, by their paths without what some file systems do not tell apart."""
         self.incomplete: set[str] = set()
         """The protocols that lack one that they use; the empty name is that of the last device."""
+        self.faulty: set[str] = set()
+        """The protocols in whose files something is wrong."""
 
     def project(self, only: frozenset[str]) -> Project:
         folders: dict[str, list[str]] = {}
@@ -159,40 +175,53 @@ class _Reader:
             subfolder, _, file = name.rpartition("/")
             if name.endswith(".yaml") and subfolder in ("", VERSIONS) and folder != PROTOCOLS and file:
                 folders.setdefault(folder, []).append(path)
-        devices: dict[str, DeviceSpec] = {}
+        specs: dict[str, DeviceSpec] = {}
+        broken: set[str] = set()
         for folder, paths in folders.items():
             if only and folder not in only:
                 continue
-            spec = self._device(folder, paths) if self.memory is None else self._remembered(folder, paths, self.memory)
-            if spec is None:
-                continue
+            remembered = self.memory is not None
+            spec, is_broken = self._remembered(folder, paths) if remembered else self._judged(folder, paths)
+            if is_broken:
+                broken.add(folder)
+            if spec is not None:
+                specs[folder] = spec
+        devices: dict[str, DeviceSpec] = {}
+        # An id belongs to the folder that has its name.
+        for folder, spec in sorted(specs.items(), key=lambda item: item[0] != item[1].id):
             other = next((device for device in devices.values() if Name.of(device.id) == Name.of(spec.id)), None)
             if other is not None:
-                first = Label(_id_span(other.tree), "the first one")
-                text = f"two devices have the id `{spec.id}`"
-                if other.id != spec.id:
-                    text = f"the ids `{other.id}` and `{spec.id}` become the same name in generated code"
-                span = _id_span(spec.tree)
-                self.findings.append(Diagnostic("device_id_unique", text, span, (first,), "change one of them"))
+                self.findings.append(_same_id(spec, other))
+                broken |= {folder} if folder != spec.id else {folder, other.id}
                 continue
             devices[spec.id] = spec
+            if folder in broken:
+                broken.add(spec.id)
         for path in sorted(self.files) if not only else ():
             folder, _, name = path.partition("/")
             if folder == PROTOCOLS and name.endswith(".yaml"):
                 self._loaded(name.removesuffix(".yaml"), ())
-        return Project(devices, self.findings)
+        return Project(devices, self.findings, frozenset(broken))
 
-    def _remembered(self, folder: str, paths: list[str], memory: Memory) -> DeviceSpec | None:
-        """A device as it was read before, where none of its files and no protocol has changed since then."""
-        contents = {path: data for path, data in self.files.items() if path in paths or path.startswith(_SHARED)}
-        before, spec, findings = memory.devices.get(folder, ({}, None, []))
-        if before == contents and all(self.folded.setdefault(folded(path), path) == path for path in paths):
-            self.findings += findings
-            return spec
+    def _judged(self, folder: str, paths: list[str]) -> tuple[DeviceSpec | None, bool]:
+        """A device as its files have it, and whether these or the protocols that it uses have errors."""
         known = len(self.findings)
         spec = self._device(folder, paths)
-        memory.devices[folder] = contents, spec, self.findings[known:]
-        return spec
+        return spec, spec is None or len(self.findings) > known or not self.faulty.isdisjoint(self._used(""))
+
+    def _remembered(self, folder: str, paths: list[str]) -> tuple[DeviceSpec | None, bool]:
+        """The same as it was read before, where none of its files and no protocol has changed since then."""
+        assert self.memory is not None
+        contents = {path: data for path, data in self.files.items() if path in paths or path.startswith(_SHARED)}
+        before = self.memory.devices.get(folder)
+        unclashing = all(self.folded.setdefault(folded(path), path) == path for path in paths)
+        if before is not None and before.files == contents and unclashing:
+            self.findings += before.findings
+            return before.spec, before.is_broken
+        known = len(self.findings)
+        spec, is_broken = self._judged(folder, paths)
+        self.memory.devices[folder] = DeviceRead(contents, spec, self.findings[known:], is_broken)
+        return spec, is_broken
 
     def _tree(self, path: str) -> Mapping | None:
         """The typed tree of one file, or None where it cannot be used."""
@@ -345,6 +374,7 @@ class _Reader:
     def _loaded(self, name: str, users: tuple[str, ...]) -> Mapping | None:
         """The tree of a protocol whose file is there, read once."""
         if name not in self.protocols:
+            before = len(self.findings)
             tree = self._tree(f"{PROTOCOLS}/{name}.yaml")
             head = tree.values.get("protocol") if tree is not None else None
             if tree is not None and not isinstance(head, Mapping):
@@ -354,6 +384,8 @@ class _Reader:
             elif tree is not None and isinstance(head, Mapping):
                 self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
             self.protocols[name] = self._with_protocols(tree, (*users, name)) if tree is not None else None
+            if len(self.findings) > before:
+                self.faulty.add(name)
         return self.protocols[name]
 
 
@@ -372,6 +404,15 @@ def _file(path: str, data: bytes, before: Mapping | None) -> FileRead:
         if isinstance(result, Mapping) and not findings:
             return FileRead(data, file, [], [], result)
     return FileRead(data, file, [], findings, before)
+
+
+def _same_id(spec: DeviceSpec, other: DeviceSpec) -> Diagnostic:
+    """The finding of a device whose id another one has, or one that is the same in generated code."""
+    first = Label(_id_span(other.tree), "the first one")
+    text = f"two devices have the id `{spec.id}`"
+    if other.id != spec.id:
+        text = f"the ids `{other.id}` and `{spec.id}` become the same name in generated code"
+    return Diagnostic("device_id_unique", text, _id_span(spec.tree), (first,), "change one of them")
 
 
 def _id_span(tree: Node) -> Span:

@@ -23,7 +23,7 @@ from fieldspec.language.reading.help_on_forms import form_help
 from fieldspec.language.reading.help_on_scalars import number_help
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, copied, json_data, node_at
 from fieldspec.language.reading.yaml_reader import key_span
-from fieldspec.language.schema import Schema, described, resolved, schema
+from fieldspec.language.schema import Schema, described, project_schema, resolved, schema
 
 # Longer numbers are on no wire; a number that is not written like this is text, and then of the wrong type.
 _INTEGER = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})")
@@ -40,10 +40,17 @@ def _validator(path: tuple[str, ...]) -> Any:
     return jsonschema_rs.Draft202012Validator({**part_at(path), "$defs": whole["$defs"]} if path else whole)
 
 
+PROJECT_FILE = "the project file"
+"""The key below which `part_at` has the schema of project files."""
+
+
 def part_at(path: Iterable[str]) -> Schema:
     """The part of the schema at some keys, with all references followed."""
     part: Any = schema()
     for key in path:
+        if key == PROJECT_FILE:
+            part = project_schema()
+            continue
         part = resolved(part)[key] if isinstance(part, dict) else part[int(key)]
     return resolved(part)
 

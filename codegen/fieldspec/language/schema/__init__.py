@@ -14,15 +14,30 @@ ADDRESS = "fieldspec.schema.json"
 """The name of the schema beside the devices of a folder of specs, where the first line of a spec leads editors."""
 
 
+PROJECT_ADDRESS = "fieldspec.project.schema.json"
+"""The name of the schema of project files, beside that of specs."""
+
+
 def schema_text() -> str:
     """The file of the schema."""
     return Path(__file__).with_name("spec.schema.json").read_text("utf-8")
+
+
+def project_schema_text() -> str:
+    """The file of the schema of project files."""
+    return Path(__file__).with_name("project.schema.json").read_text("utf-8")
 
 
 @cache
 def schema() -> Schema:
     """The language as JSON Schema, draft 2020-12."""
     return json.loads(schema_text())  # type: ignore[no-any-return]
+
+
+@cache
+def project_schema() -> Schema:
+    """The keys of a project file as JSON Schema, draft 2020-12."""
+    return json.loads(project_schema_text())  # type: ignore[no-any-return]
 
 
 @cache

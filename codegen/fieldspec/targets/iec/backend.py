@@ -11,6 +11,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.targets.controllers.adapters.programs import Source as ProgramSource
 from fieldspec.targets.controllers.adapters.programs import standard
 from fieldspec.targets.controllers.cache import cached
+from fieldspec.targets.controllers.chosen import chosen_routines, trimmed
 from fieldspec.targets.controllers.constants import ConstantList
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import IEC, Spelling
@@ -72,7 +73,8 @@ def source(layout: DeviceLayout) -> Source:
     declared = declarations(layout, IEC)
     spelling = replace(IEC.spelling, array=IEC.spelling.array.format(declared.world.names.device, "{}"))
     all_blocks = routines(declared.world)
-    return Source(declared, all_blocks.routines, spelling, all_blocks.missing)
+    wanted_routines = chosen_routines(declared.world, all_blocks.routines)
+    return Source(trimmed(declared, wanted_routines, spelling), wanted_routines, spelling, all_blocks.missing)
 
 
 def text(iec_source: Source) -> str:

@@ -9,6 +9,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, stem
 from fieldspec.language.diagnostics import Diagnostic, has_errors
 from fieldspec.targets.controllers.cache import cached
+from fieldspec.targets.controllers.chosen import chosen_routines, trimmed
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import SIEMENS, Scope
 from fieldspec.targets.controllers.enums import TextTable
@@ -96,6 +97,9 @@ def project(layout: DeviceLayout) -> Project:
     """The project of a device that has passed the checks; without functions if TIA Portal cannot have it."""
     declared = declared_for_portal(layout)
     findings = [*declared.findings]
+    all_blocks = Blocks((), ()) if has_errors(findings) else routines(declared.world)
+    chosen = chosen_routines(declared.world, all_blocks.routines)
+    declared = trimmed(declared, chosen, SIEMENS.spelling)
     scope = Scope(SIEMENS, "block", findings)
     device = Name.of(layout.device.id).pascal()
     telegram_blocks = tuple(_telegrams(declared, scope, device))
@@ -103,11 +107,8 @@ def project(layout: DeviceLayout) -> Project:
         TextBlock(scope.take(f"{device}{Name.of(table.enum.name).pascal()}Texts", table.enum), table)
         for table in declared.texts
     )
-    all_blocks = Blocks((), ()) if has_errors(findings) else routines(declared.world)
     text_type = SIEMENS.texts.format(device, "Code")
-    return Project(
-        layout, declared, telegram_blocks, texts, all_blocks.routines, text_type, tuple(findings), all_blocks.missing
-    )
+    return Project(layout, declared, telegram_blocks, texts, chosen, text_type, tuple(findings), all_blocks.missing)
 
 
 def _telegrams(declared: Declarations, scope: Scope, device: str) -> Iterator[TelegramBlock]:

@@ -20,7 +20,9 @@ _STEP = "    "
 
 
 def examples(world: World, routines: Sequence[Routine], spelling: Spelling) -> list[str]:
-    """The lines of a comment: one use of each kind that the device has."""
+    """The lines of a comment: one use of each kind that the device has; none where a project chooses blocks."""
+    if world.layout.blocks is not None:
+        return []
     uses = _Uses(world, {routine.name: routine for routine in routines}, spelling)
     lines: list[str] = []
     for title, steps in uses.all():

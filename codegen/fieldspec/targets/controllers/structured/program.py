@@ -9,6 +9,7 @@ from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.names import Name
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.targets.controllers.cache import cached
+from fieldspec.targets.controllers.chosen import chosen_routines, trimmed
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import STRUCTURED, Dialect, Spelling
 from fieldspec.targets.controllers.layout.memory import Placed, placed
@@ -102,6 +103,9 @@ def declared_in_text(layout: DeviceLayout) -> Declarations:
 def program(layout: DeviceLayout) -> Program:
     """The program of a device that has no findings, in Structured Text, whose dialects differ in their files alone."""
     declared = declared_in_text(layout)
+    all_blocks = routines(declared.world)
+    device_routines = chosen_routines(declared.world, all_blocks.routines)
+    declared = trimmed(declared, device_routines, STRUCTURED.spelling)
     structs = padded(declared)
     by_name = {struct.name: struct for struct in structs}
     placed_structs = tuple(placed(struct, PACKED, by_name) for struct in structs)
@@ -109,8 +113,6 @@ def program(layout: DeviceLayout) -> Program:
     texts = text_form(declared.texts, STRUCTURED.texts.format(device, "Code"))
     sizes = {placed.struct.name: placed.size for placed in placed_structs if placed.struct.members}
     item = sizes_item(f"F_{device}_SizesAreRight", sizes)
-    all_blocks = routines(declared.world)
-    device_routines = all_blocks.routines
     array = STRUCTURED.spelling.array.format(device, "{}")
     spelling = replace(STRUCTURED.spelling, array=array, named=lent_arrays(device_routines))
     functions = tuple(_function(routine, spelling) for routine in device_routines)
