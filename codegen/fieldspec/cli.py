@@ -44,9 +44,8 @@ class _Parser(argparse.ArgumentParser):
         """Reports a value that is not among the choices of an argument, with the nearest ones. Raises UsageError."""
         if action.choices is not None and value not in action.choices:
             name = "/".join(action.option_strings) or str(action.metavar or action.dest)
-            text = str(
-                unknown("command" if name == "VERB" else f"value of {name}", str(value), map(str, action.choices))
-            )
+            subject = "command" if name == "VERB" else f"value of {name}"
+            text = unknown(subject, str(value), map(str, action.choices))
             raise UsageError(f"{text}; see: {self.prog} --help")
 
     def error(self, message: str) -> None:  # type: ignore[override]
@@ -200,20 +199,14 @@ def _parser() -> argparse.ArgumentParser:
 
     show = verb("show", "show a device or one of its items", compiled=True)
     show.add_argument("device", metavar="DEVICE[@VERSION]")
-    show.add_argument(
-        "item", nargs="?", metavar="ITEM", help="a name, a name as printed in the manual, an address or a code"
-    )
+    item = "a name, a name as printed in the manual, an address or a code"
+    show.add_argument("item", nargs="?", metavar="ITEM", help=item)
 
     placed = verb("layout", "show where a controller places the members of a record in memory", compiled=True)
     placed.add_argument("device", metavar="DEVICE[@VERSION]")
     placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message (by name or number)")
-    placed.add_argument(
-        "--target",
-        required=True,
-        choices=_Names("fieldspec.targets.controllers.layout.memory", "MEMORIES"),
-        metavar="NAME",
-        help="one of %(choices)s",
-    )
+    memories = _Names("fieldspec.targets.controllers.layout.memory", "MEMORIES")
+    placed.add_argument("--target", required=True, choices=memories, metavar="NAME", help="one of %(choices)s")
 
     facts = verb("facts", "list all facts of a device", compiled=True)
     facts.add_argument("device", metavar="DEVICE[@VERSION]")

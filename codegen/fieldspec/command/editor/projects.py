@@ -15,7 +15,8 @@ from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.checks.layout_conditions import has_layout
 from fieldspec.language.diagnostics import Diagnostic, Label, has_errors, in_order
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS
-from fieldspec.language.reading.project import DeviceSpec, FileRead, Memory, Project, read
+from fieldspec.language.reading.memory import FileRead, Memory
+from fieldspec.language.reading.project import DeviceSpec, Project, read
 from fieldspec.tools.proofs.running import Outcome, outcome
 
 

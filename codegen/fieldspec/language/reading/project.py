@@ -8,7 +8,7 @@ from collections.abc import Mapping as Table
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.names import Name, folded
 from fieldspec.foundation.reserved import file_name_fault
-from fieldspec.foundation.source import Refused, SourceFile, Span
+from fieldspec.foundation.source import Refused, Span
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.building.context import Reused
@@ -16,11 +16,11 @@ from fieldspec.language.reading.building.device import built
 from fieldspec.language.reading.expansion import expanded
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS, bounded, near, quoted
 from fieldspec.language.reading.joining import joined, merged_over
+from fieldspec.language.reading.memory import DeviceRead, Memory, file_read
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.language.reading.overlays import Silent, applied
-from fieldspec.language.reading.scalars import typed
 from fieldspec.language.reading.versions import Lines, overlays, selected, unportable
-from fieldspec.language.reading.yaml_reader import decoded, key_span, parsed
+from fieldspec.language.reading.yaml_reader import key_span
 
 _OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
 _NOT_OF_A_DEVICE = ("protocol", *_OF_A_VERSION)
@@ -93,42 +93,6 @@ class Project:
     devices: Table[str, DeviceSpec]
     findings: list[Diagnostic]
     broken: frozenset[str] = frozenset()
-
-
-@dataclass(frozen=True, slots=True)
-class FileRead:
-    """A file as it was read: its bytes, its text, what is wrong with its text or else its nodes, and its typed tree.
-
-    Where something is wrong, the tree is that of an earlier text, if there is one in memory.
-    """
-
-    data: bytes
-    file: SourceFile
-    unread: list[Diagnostic]
-    findings: list[Diagnostic]
-    tree: Mapping | None
-
-
-@dataclass(frozen=True, slots=True)
-class DeviceRead:
-    """A device as it was read: its files and those of all protocols, what they give, and whether they have errors."""
-
-    files: dict[str, bytes]
-    spec: DeviceSpec | None
-    findings: list[Diagnostic]
-    is_broken: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Memory:
-    """What reading remembers for a project that is read again and again: what has not changed is not read again.
-
-    Of a file that cannot be used, the tree of its last sound text stands in, so that the rest is judged all the same:
-    findings and places in another text than that of `files` are of that one.
-    """
-
-    files: dict[str, FileRead] = field(default_factory=dict)
-    devices: dict[str, DeviceRead] = field(default_factory=dict)
 
 
 def read(
@@ -231,7 +195,7 @@ class _Reader:
             result = before
         else:
             display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
-            result = _file(display_path, data, before.tree if before is not None else None)
+            result = file_read(display_path, data, before.tree if before is not None else None)
         if self.memory is not None:
             self.memory.files[path] = result
         unportable = [*self._unportable(path, Span(result.file, 0, 0))]
@@ -387,23 +351,6 @@ class _Reader:
             if len(self.findings) > before:
                 self.faulty.add(name)
         return self.protocols[name]
-
-
-def _file(path: str, data: bytes, before: Mapping | None) -> FileRead:
-    """A file with its typed tree; with the one `before` where something is wrong."""
-    file, unread = decoded(path, data)
-    if unread:
-        return FileRead(data, file, unread, [], before)
-    node, findings = parsed(file)
-    if node is None and not findings:
-        help = "write a section, or remove the file"
-        findings = [Diagnostic("file_empty", "the file is empty", Span(file, 0, 0), help=help)]
-    elif node is not None:
-        result, type_findings = typed(node)
-        findings += type_findings
-        if isinstance(result, Mapping) and not findings:
-            return FileRead(data, file, [], [], result)
-    return FileRead(data, file, [], findings, before)
 
 
 def _same_id(spec: DeviceSpec, other: DeviceSpec) -> Diagnostic:
