@@ -1,0 +1,66 @@
+"""What reading remembers of files and devices, for a project that is read again and again."""
+
+from __future__ import annotations
+
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.reading.nodes import Mapping
+from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.yaml_reader import decoded, parsed
+
+if TYPE_CHECKING:
+    from fieldspec.language.reading.project import DeviceSpec
+
+
+@dataclass(frozen=True, slots=True)
+class FileRead:
+    """A file as it was read: its bytes, its text, what is wrong with its text or else its nodes, and its typed tree.
+
+    Where something is wrong, the tree is that of an earlier text, if there is one in memory.
+    """
+
+    data: bytes
+    file: SourceFile
+    unread: list[Diagnostic]
+    findings: list[Diagnostic]
+    tree: Mapping | None
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceRead:
+    """A device as it was read: its files and those of all protocols, what they give, and whether they have errors."""
+
+    files: dict[str, bytes]
+    spec: DeviceSpec | None
+    findings: list[Diagnostic]
+    is_broken: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Memory:
+    """What reading remembers for a project that is read again and again: what has not changed is not read again.
+
+    Of a file that cannot be used, the tree of its last sound text stands in, so that the rest is judged all the same:
+    findings and places in another text than that of `files` are of that one.
+    """
+
+    files: dict[str, FileRead] = field(default_factory=dict)
+    devices: dict[str, DeviceRead] = field(default_factory=dict)
+
+
+def file_read(path: str, data: bytes, before: Mapping | None) -> FileRead:
+    """A file as it is read; with the tree `before` where something is wrong."""
+    file, unread = decoded(path, data)
+    if unread:
+        return FileRead(data, file, unread, [], before)
+    node, findings = parsed(file)
+    if node is None and not findings:
+        help = "write a section, or remove the file"
+        findings = [Diagnostic("file_empty", "the file is empty", Span(file, 0, 0), help=help)]
+    elif node is not None:
+        result, type_findings = typed(node)
+        findings += type_findings
+        if isinstance(result, Mapping) and not findings:
+            return FileRead(data, file, [], [], result)
+    return FileRead(data, file, [], findings, before)
