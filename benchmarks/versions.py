@@ -15,7 +15,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from fieldspec.language.changes import changes
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 
 SPECS = Path(__file__).parent.parent / "specs"
 VERSIONS = 20

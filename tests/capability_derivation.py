@@ -22,8 +22,9 @@ from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.behaviour.part import Part
 from fieldspec.language.behaviour.reading import behaviour_of
 from fieldspec.language.diagnostics import Severity, has_errors
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.project import read
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 from fieldspec.language.schema import Schema, resolved, schema
 from fieldspec.language.schema.capabilities import AUDIT, CHECK, EXPORT, SIMULATOR

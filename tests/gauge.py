@@ -5,7 +5,8 @@ from __future__ import annotations
 import hashlib
 
 from fieldspec.codec.layout.device import device_layout
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.tools.audit.coverage import coverage
 from fieldspec.tools.audit.manual_lines import ManualIndex, index_of
 from fieldspec.tools.audit.section import Section, Subject

@@ -8,7 +8,8 @@ from pathlib import Path
 from fieldspec.codec.layout.characters import character_refusals
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.language.diagnostics import has_errors
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 
 SPECS = Path(__file__).parent.parent / "specs"
 TEST_SPECS = Path(__file__).parent / "specs"

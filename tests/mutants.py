@@ -22,7 +22,8 @@ from fieldspec.codec.reference import CodecError, codec
 from fieldspec.language.changes import changes
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.model.device import Device
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.tools.audit.coverage import coverage
 from fieldspec.tools.audit.manual_lines import NAME, ManualIndex, parsed
 from fieldspec.tools.audit.section import Subject

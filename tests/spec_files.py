@@ -6,7 +6,8 @@ import re
 
 from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic
-from fieldspec.language.reading.project import DeviceSpec, Project, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import Project, read
 
 MANUAL = f'{{title: The manual, file: gadget.txt, sha256: "{"0" * 64}", lines: 999}}'
 DEVICE = f"device: {{id: gadget, name: Gadget, vendor: Maker, manual: {MANUAL}}}\n"

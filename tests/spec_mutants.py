@@ -10,8 +10,8 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Scalar
-from fieldspec.language.reading.project import DeviceSpec
 from mutations import ALGORITHMS, NUMBERS, SWAPPED, mappings
 
 Other = Callable[[Scalar, random.Random], str | None]

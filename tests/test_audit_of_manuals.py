@@ -15,7 +15,8 @@ from pathlib import Path
 import pytest
 
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.tools.audit.accounting import OPEN, Accounts, accounts_of
 from fieldspec.tools.audit.citations import CitationResults, citation_results
 from fieldspec.tools.audit.coverage import coverage

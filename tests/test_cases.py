@@ -21,7 +21,7 @@ from fieldspec.command.rules import all_rules, rule
 from fieldspec.command.sources.spec_files import files as specs
 from fieldspec.foundation.source import SourceFile
 from fieldspec.language.diagnostics import Diagnostic, in_order
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.targets import OUTPUTS
 from fieldspec.tools.audit.coverage import coverage
 from fieldspec.tools.audit.manual_lines import index_of

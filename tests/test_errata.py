@@ -8,7 +8,8 @@ import pytest
 
 from fieldspec.language import checks
 from fieldspec.language.model.texts import JUDGEMENT
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.tools.proofs.errata import errata_by_version, put_back
 from fieldspec.tools.proofs.running import FindingsCache, errata_proofs, everything
 from layouts import TEST_SPECS, newest

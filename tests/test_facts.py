@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from fieldspec.codec.layout.device import device_layout
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping, Scalar, Sequence, find
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.project import read
 from fieldspec.tools.facts import COLUMNS, FactRow, rows
 
 ROOT = Path(__file__).resolve().parent.parent

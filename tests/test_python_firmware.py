@@ -14,7 +14,8 @@ from types import ModuleType
 import pytest
 
 from fieldspec.command import pipeline
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.targets.python.backend import files, shared
 from layouts import SPECS, layout_at, layouts
 from python_package import NAME, package, write

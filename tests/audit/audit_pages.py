@@ -7,7 +7,8 @@ from pathlib import Path
 
 from fieldspec.command.pipeline import output
 from fieldspec.command.rendering.audit_pages import LINK, pages
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.targets.docs.backend import fact_links
 from fieldspec.tools.audit.manual_lines import NAME, parsed
 from layouts import SPECS, TEST_SPECS, layout_at

@@ -11,7 +11,8 @@ from command_line import SPECS, CommandLine
 from fieldspec.language import checks
 from fieldspec.language.checks import table
 from fieldspec.language.model.texts import JUDGEMENT
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.tools.audit.detection import CLASSES, OF_WRITING, WIRE, PrintedDevice, as_printed, misprint
 from fieldspec.tools.proofs.running import errata_proofs
 

@@ -11,7 +11,8 @@ import pytest
 
 from command_line import SPECS, CommandLine
 from fieldspec.command.rendering.audit_formats import as_csv, as_xlsx
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.tools.audit.ledger import COLUMNS, EFFECTS, KINDS, by_effect, verdict
 from fieldspec.tools.audit.section import SectionTable
 from fieldspec.tools.lists.workbook_reader import workbook_sheet

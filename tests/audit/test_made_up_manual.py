@@ -13,7 +13,8 @@ import pytest
 from command_line import CommandLine
 from fieldspec.command.pipeline import checked, load
 from fieldspec.language.diagnostics import Diagnostic
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.tools.audit.detection import as_printed
 from fieldspec.tools.audit.ledger import verdict
 from fieldspec.tools.proofs.running import errata_proofs

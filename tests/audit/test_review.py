@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from command_line import CommandLine
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.tools.audit.review import State, reviewed, reviews_of, since, state_hash, states, uncited
 from fieldspec.tools.facts import rows
 from layouts import layout_at

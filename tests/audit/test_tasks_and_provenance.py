@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from fieldspec.language.model.operand import Operands
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.tools.audit.manual_lines import index_of
 from fieldspec.tools.audit.print_gaps import empty_cells, labels_elsewhere, without_unit
 from fieldspec.tools.audit.section import Section, Subject

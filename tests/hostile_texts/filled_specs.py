@@ -10,7 +10,8 @@ import yaml
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.diagnostics import has_errors
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from hostile_texts.poison import poison
 from layouts import SPECS, TEST_SPECS, layout_at
 

@@ -11,7 +11,8 @@ import pytest
 
 from external_tools import require_tool
 from fieldspec.command import pipeline
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import read
 from fieldspec.targets.js.backend import files, shared
 from layouts import SPECS, layout_at
 from test_python_firmware import DETECTIONS, MILL, detecting_spec

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic, Severity, has_errors, in_order
-from fieldspec.language.reading.project import DeviceSpec, Project, read
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import Project, read
 from fieldspec.targets import OUTPUTS, Files, PageLink
 from fieldspec.tools.proofs.equal_lines import equal_versions
 from fieldspec.tools.proofs.running import Outcome, proven

@@ -15,8 +15,9 @@ from fieldspec.command.files.regular_file import SizeError
 from fieldspec.command.files.storage import exclusive_folder, replace
 from fieldspec.command.sources import specs
 from fieldspec.language.model.device import Device
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.findings import LARGEST_FILE
-from fieldspec.language.reading.project import DeviceSpec, read
+from fieldspec.language.reading.project import read
 from fieldspec.tools.audit.manual_lines import NAME, ManualError, ManualIndex, index_of, index_text, parsed
 from fieldspec.tools.audit.review import FILE, State, is_day, review_entry, states
 from fieldspec.tools.audit.sources import section_order

@@ -19,7 +19,8 @@ from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field, replac
 from fieldspec.foundation.names import stem
 from fieldspec.language.diagnostics import Diagnostic, has_errors
 from fieldspec.language.model.choice import Choice, VersionChoice
-from fieldspec.language.reading.project import DeviceSpec, Project
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.language.reading.project import Project
 from fieldspec.targets import OUTPUTS
 from fieldspec.tools.proofs.running import Outcome, outcome
 

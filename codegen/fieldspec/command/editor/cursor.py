@@ -6,9 +6,9 @@ from fieldspec.command.editor.positions import moved
 from fieldspec.command.editor.projects import EditedProject
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import Span
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.memory import FileRead
 from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, children, keys, node_at, schema_path
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.scalars import part_at
 from fieldspec.language.reading.yaml_reader import key_at
 from fieldspec.language.schema import Schema

@@ -16,8 +16,8 @@ from fieldspec.command.rendering.item import Item, fact_of, items
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.line_text import visible_text
 from fieldspec.language.model.texts import Example
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping, Scalar, children
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.references import used_by
 from fieldspec.language.schema.manual import key_text
 

@@ -9,9 +9,9 @@ from fieldspec.command.editor.projects import EditedProject
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.source import Span
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.findings import VERSIONS
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, children, find
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.references import PlaceInFile, Reference, place_in_file, references, unquoted
 
 _IDENTITIES = ("name", "id", "group", "line")

@@ -14,9 +14,10 @@ from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.checks.layout_conditions import has_layout
 from fieldspec.language.diagnostics import Diagnostic, Label, has_errors, in_order
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS
 from fieldspec.language.reading.memory import FileRead, Memory
-from fieldspec.language.reading.project import DeviceSpec, Project, read
+from fieldspec.language.reading.project import Project, read
 from fieldspec.tools.proofs.running import Outcome, outcome
 
 

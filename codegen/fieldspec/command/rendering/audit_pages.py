@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.rendering.audit_html import rendered
 from fieldspec.foundation.html_text import clean
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.targets import PageLink
 from fieldspec.targets.docs.site import device_place
 from fieldspec.tools.audit.manual_lines import ManualIndex

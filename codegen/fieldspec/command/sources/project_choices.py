@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from fieldspec.language.diagnostics import Diagnostic
-    from fieldspec.language.reading.project import DeviceSpec
+    from fieldspec.language.reading.device_spec import DeviceSpec
     from fieldspec.language.reading.project_file import ProjectFile
 
 

@@ -12,8 +12,9 @@ from fieldspec.command.sources import specs
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.model.device import Device
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS
-from fieldspec.language.reading.project import DeviceSpec, Project, read
+from fieldspec.language.reading.project import Project, read
 
 
 class NoRevision(UsageError):

@@ -22,8 +22,9 @@ from fieldspec.command.sources.spec_files import (
 )
 from fieldspec.language.checks.layout_conditions import has_layout
 from fieldspec.language.diagnostics import Severity, has_errors, in_order
+from fieldspec.language.reading.device_spec import JOINT, DeviceSpec
 from fieldspec.language.reading.findings import LARGEST_FILE
-from fieldspec.language.reading.project import JOINT, DeviceSpec, Project, read
+from fieldspec.language.reading.project import Project, read
 from fieldspec.language.schema import ADDRESS, PROJECT_ADDRESS, project_schema_text, schema_text
 
 __all__ = [

@@ -10,8 +10,8 @@ from fieldspec.command.console.usage import UsageError
 from fieldspec.command.rendering.blocks import Table
 from fieldspec.command.sources import specs
 from fieldspec.language.diagnostics import has_errors
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, find, keys, node_at
-from fieldspec.language.reading.project import DeviceSpec
 
 _HEADINGS = ("key", "value", "set in")
 _LONGEST = 60

@@ -9,7 +9,7 @@ from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.rendering.blocks import Table
 from fieldspec.command.sources import specs
 from fieldspec.language.diagnostics import has_errors
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 
 _HEADINGS = ("device", "name", "vendor", "versions", "registers", "parameters", "messages", "examples", "errata")
 

@@ -23,7 +23,7 @@ from fieldspec.tools.live.firmware import firmware_of
 from fieldspec.tools.simulator.clock import SystemClock
 
 if TYPE_CHECKING:
-    from fieldspec.language.reading.project import DeviceSpec
+    from fieldspec.language.reading.device_spec import DeviceSpec
     from fieldspec.tools.live.access import Access, DumpRow, Item, Reading
 
 

@@ -17,9 +17,9 @@ from fieldspec.command.sources import protocol_entries, spec_files, specs
 from fieldspec.command.sources.spec_files import INSTALLED
 from fieldspec.foundation.reserved import file_name_fault
 from fieldspec.language.model.choice import PROJECT_FILE
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.findings import LARGEST_FILE, MAIN, PROTOCOLS, VERSIONS
 from fieldspec.language.reading.nodes import Mapping, Scalar, identity, mappings
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 from fieldspec.language.schema import PROJECT_ADDRESS, schema
 

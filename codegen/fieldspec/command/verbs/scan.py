@@ -20,7 +20,7 @@ from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError
 from fieldspec.tools.live.scanning import Scan, ScanSpace, compared, scan, scan_spaces, usual_ranges
 
 if TYPE_CHECKING:
-    from fieldspec.language.reading.project import DeviceSpec
+    from fieldspec.language.reading.device_spec import DeviceSpec
 
 _RANGE = re.compile(r"(?:([a-z][a-z0-9_]*):)?(0x[0-9A-Fa-f]{1,8}|[0-9]{1,9})(?:\.\.(0x[0-9A-Fa-f]{1,8}|[0-9]{1,9}))?")
 

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.rendering.blocks import Line, Table
 from fieldspec.command.sources import specs
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, children
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.versions import named
 
 _HEADINGS = ("version", "outputs", "based on", "facts since", "until", "only", "what is known of it")

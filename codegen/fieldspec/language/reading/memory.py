@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
+from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping
 from fieldspec.language.reading.scalars import typed
 from fieldspec.language.reading.yaml_reader import decoded, parsed
-
-if TYPE_CHECKING:
-    from fieldspec.language.reading.project import DeviceSpec
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,21 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from collections.abc import Mapping as Table
 
-from fieldspec.foundation.classes import dataclass, field
+from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, folded
 from fieldspec.foundation.reserved import file_name_fault
 from fieldspec.foundation.source import Refused, Span
 from fieldspec.language.diagnostics import Diagnostic, Label
-from fieldspec.language.model.device import Device
-from fieldspec.language.reading.building.context import Reused
-from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.expansion import expanded
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS, bounded, near, quoted
 from fieldspec.language.reading.joining import joined, merged_over
 from fieldspec.language.reading.memory import DeviceRead, Memory, file_read
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.language.reading.overlays import Silent, applied
-from fieldspec.language.reading.versions import Lines, overlays, selected, unportable
+from fieldspec.language.reading.versions import Lines, overlays, unportable
 from fieldspec.language.reading.yaml_reader import key_span
 
 _OF_A_VERSION = ("overlay", "adds", "changes", "removes", "renames")
@@ -37,50 +35,6 @@ LARGEST_VERSIONS = 32 * 1024 * 1024
 """Bytes of the files of a device, once for each of its versions: what reading all versions takes grows with it."""
 
 _SHARED = f"{PROTOCOLS}/"
-
-JOINT = "+"
-"""The separator of versions of different lines that are picked together."""
-
-
-@dataclass(frozen=True, slots=True)
-class DeviceSpec:
-    """The joined tree of a device, with its protocols, before a version is picked.
-
-    `trees` are those of the versions that are written as changes of others, `bases` the versions that they change. A
-    version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths of
-    all files that it was read from, those of protocols too. `kept` and what follows it remember what was asked for.
-    """
-
-    id: str
-    tree: Mapping
-    lines: Lines
-    trees: Table[str, Mapping]
-    bases: Table[str, str]
-    files: frozenset[str]
-    reused: Reused = field(default_factory=dict, repr=False, compare=False)
-    picked: dict[str, Mapping] = field(default_factory=dict, repr=False, compare=False)
-    built: dict[str, tuple[Device, list[Diagnostic]]] = field(default_factory=dict, repr=False, compare=False)
-
-    def versions(self) -> list[str]:
-        """The versions that outputs are written for, the oldest first."""
-        return self.lines.versions()
-
-    def at(self, version: str) -> tuple[Device, list[Diagnostic]]:
-        """The model at one version."""
-        if version not in self.built:
-            device, findings = built(self.tree_at(version), version, self.reused)
-            self.built[version] = device, bounded(findings)
-        return self.built[version]
-
-    def tree_at(self, version: str) -> Mapping:
-        """The tree with the facts of one version."""
-        if version not in self.picked:
-            picked = tuple(version.split(JOINT))
-            whole = next((self.trees[identifier] for identifier in picked if identifier in self.trees), self.tree)
-            tree = selected(whole, picked, self.lines)
-            assert isinstance(tree, Mapping)
-            self.picked[version] = tree
-        return self.picked[version]
 
 
 @dataclass(frozen=True, slots=True)

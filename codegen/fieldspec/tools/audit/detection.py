@@ -9,8 +9,8 @@ from fieldspec.language.diagnostics import Diagnostic, in_order
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Erratum
 from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.tools.audit.ledger import EFFECTS, by_effect
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.tools.proofs.errata import Proof, finding_key, printed_tree, put_back

@@ -13,8 +13,8 @@ from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.fact import Citation
 from fieldspec.language.model.texts import Erratum
 from fieldspec.language.reading.building.context import citations
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Node, Scalar, children
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.tools.facts import COLUMNS, FactRow
 
 _OUR_WORDS = ("cause", "remedy", "statement", "task", "step", "step_value")

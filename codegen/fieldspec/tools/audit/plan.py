@@ -13,8 +13,8 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.fact import Place
 from fieldspec.language.reading.building.context import Entry
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.tools.audit.pattern import PatternError, RowPattern, Template, row, template
 
 HEADINGS = "Headings of the sections."

@@ -16,7 +16,7 @@ from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.fact import Place
 from fieldspec.language.reading.building.context import Entry
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.tools.audit.sources import section_order
 from fieldspec.tools.facts import FactRow

@@ -11,7 +11,7 @@ from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.tools.audit.address_map import Space
 from fieldspec.tools.audit.manual_lines import ManualIndex
 from fieldspec.tools.facts import FactRow

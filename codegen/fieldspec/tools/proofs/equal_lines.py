@@ -9,8 +9,8 @@ from fieldspec.foundation.caches import ObjectsKey
 from fieldspec.language.checks.layout_conditions import has_layout
 from fieldspec.language.diagnostics import Diagnostic, has_errors
 from fieldspec.language.model.device import Device
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import identity, mappings
-from fieldspec.language.reading.project import DeviceSpec
 
 
 def equal_versions(spec: DeviceSpec, identities: Mapping[str, str]) -> dict[str, str]:

@@ -9,8 +9,8 @@ from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import JUDGEMENT, Erratum
 from fieldspec.language.reading.building.device import built
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, exact, find, keys, node_at, put, schema_path
-from fieldspec.language.reading.project import DeviceSpec
 from fieldspec.language.reading.scalars import part_at, violations_at
 
 MISSING = "present"

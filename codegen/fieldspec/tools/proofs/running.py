@@ -12,7 +12,7 @@ from fieldspec.language.behaviour.findings import findings as behaviour_findings
 from fieldspec.language.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.language.diagnostics import Diagnostic, has_errors
 from fieldspec.language.model.device import Device
-from fieldspec.language.reading.project import DeviceSpec
+from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.tools.proofs.detections_alike import detections_alike
 from fieldspec.tools.proofs.equal_lines import equal_versions, lines_alike
 from fieldspec.tools.proofs.errata import Findings, Proof, errata_by_version, proofs
