@@ -127,6 +127,7 @@ IGNORED = {
 
 
 APART = {
+    "choice": "what a project generates is no part of a device",
     "attributes": "it describes the classes of the model",
     "encoding": "an encoding is what a primitive stands for, and primitives are compared by their names",
 }

@@ -109,7 +109,8 @@ def test_a_protocol_of_an_installed_package_is_used_and_its_findings_show_its_fi
 
 def test_a_new_device_may_use_a_protocol_of_an_installed_package(site: Site) -> None:
     result = site.run("new", "device", "valve", "--protocol", "acme_bus")
-    assert (result.code, result.out) == (0, "specs/fieldspec.schema.json\nspecs/valve/device.yaml\n")
+    schemas = "specs/fieldspec.schema.json\nspecs/fieldspec.project.schema.json\n"
+    assert (result.code, result.out) == (0, f"{schemas}fieldspec.yaml\nspecs/valve/device.yaml\n")
     assert site.run("check", "valve").code == 0
     assert not (site.folder / "specs/protocols").exists()
 
@@ -189,7 +190,8 @@ def test_specs_without_the_protocols_of_fieldspec_can_use_them(tmp_path: Path, v
     site = Site(tmp_path, tmp_path / "site")
     (tmp_path / "specs").mkdir()
     new = site.run("new", "device", "pump", "--protocol", "modbus", "--specs", "specs")
-    assert new.out == "specs/fieldspec.schema.json\nspecs/protocols/modbus.yaml\nspecs/pump/device.yaml\n"
+    project = "specs/fieldspec.project.schema.json\nfieldspec.yaml\n"
+    assert new.out == f"specs/fieldspec.schema.json\nspecs/protocols/modbus.yaml\n{project}specs/pump/device.yaml\n"
     shutil.rmtree(tmp_path / "specs/protocols")
     ran = site.run(*verb)
     assert (ran.code, ran.err) == (0, "")

@@ -33,7 +33,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["blame", "tc100", "nothing"], "tc100 has no fact nothing at 2.0; `fieldspec facts` lists all paths"),
         (["build", "--check", "--watch"], "use one of them"),
         (["shwo", "tc100"], "there is no command shwo; did you mean show?; see: fieldspec --help"),
-        (["zzz"], "there is no command zzz; the nearest of 26 are "),
+        (["zzz"], "there is no command zzz; the nearest of 27 are "),
         (["show", "tc100@2.1"], "there is no version of tc100 2.1; did you mean 2.0?"),
         (["show", "tc100", "0x2F00"], "there is no item of tc100 at 0x2F00 (12032); the nearest are "),
         (["show", "tc100", "alrm"], "did you mean alarm?"),

@@ -14,7 +14,12 @@ from fieldspec.language.changes.rules.addresses import (
     stride_changed,
     table_moved,
 )
-from fieldspec.language.changes.rules.carriers import network_changed, serial_changed, timing_changed
+from fieldspec.language.changes.rules.carriers import (
+    default_link_changed,
+    network_changed,
+    serial_changed,
+    timing_changed,
+)
 from fieldspec.language.changes.rules.enums import (
     aliases_changed,
     enum_changed,
@@ -90,6 +95,7 @@ RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
     ("conversion_changed", conversion_changed, (_W,)),
     ("count_changed", count_changed, (_W, _S, _B)),
     ("default_changed", default_changed, (_W, _B)),
+    ("default_link_changed", default_link_changed, (_B,)),
     ("detection_changed", detection_changed, (_B,)),
     ("documentation_changed", documentation_changed, (_D,)),
     ("edge_changed", edge_changed, (_B,)),

@@ -41,6 +41,23 @@ def serial_changed(comparison: Comparison) -> Iterator[Change]:
                 yield change("serial_changed", Effect.BEHAVIOUR, pair, "serial", text, old, new)
 
 
+def default_link_changed(comparison: Comparison) -> Iterator[Change]:
+    """A device uses another link with factory settings, or none of them is stated any more.
+
+    Why: programs that open a device as it is delivered speak the protocol of this link.
+
+    Example: `default: true` that moves from the link `rtu` to the link `ascii`.
+
+    Cure: Tell users which link new devices use.
+    """
+    for pair in comparison.of(Link):
+        if pair.old.is_default != pair.new.is_default:
+            state = "the default link" if pair.new.is_default else "no longer the default link"
+            text = f"{named(pair.new)} is {state}"
+            old, new = pair.old.is_default, pair.new.is_default
+            yield change("default_link_changed", Effect.BEHAVIOUR, pair, "default", text, old, new)
+
+
 _NO_NETWORK = Network(None, None, ())
 
 
