@@ -48,7 +48,7 @@ SIZES = {
     "f32": 4,
 }
 SIZES |= {"u24": 3, "i24": 3, "u40": 5, "i40": 5, "u48": 6, "i48": 6, "u56": 7, "i56": 7, "f64": 8}
-MAGNITUDES = ("sm8", "sm16", "sm24", "sm32", "sm48", "sm56", "sm64")
+MAGNITUDES = ("sm8", "sm16", "sm24", "sm32", "sm40", "sm48", "sm56", "sm64")
 SIZES |= {"f16": 2, **{kind: int(kind[2:]) // 8 for kind in MAGNITUDES}}
 INTEGERS = ("u16", "u8", "i16", "u32", "i32", "i8", "u64", "i64")
 ODD_INTEGERS = ("u24", "i24", "u40", "i40", "u48", "i48", "u56", "i56")

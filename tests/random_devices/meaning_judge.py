@@ -206,7 +206,7 @@ def assert_printed(text: str, leaf: Leaf, exact: Fraction | None, printed: str) 
     assert exact is not None
     assert unit == own_unit, f"{text} is {printed}, and its unit is {own_unit}"
     if is_float:
-        form = "<f" if value.size == 4 else "<d"
+        form = {2: "<e", 4: "<f", 8: "<d"}[value.size]
         assert struct.pack(form, float(number)) == struct.pack(form, leaf.raw), f"{text} is printed as {number}"
         return
     own = Fraction(Decimal(number))

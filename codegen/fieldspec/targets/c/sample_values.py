@@ -252,6 +252,8 @@ def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, A
 
 def _element_bytes(field: FieldLayout, item: Any) -> bytes:
     assert field.value is not None
+    if isinstance(item, bytes):  # also the zeros of a reserved text
+        return _filled(field.value, item)
     return value_bytes(field.value, field.order, field.swapped, item)
 
 
