@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import math
-import struct
 from collections.abc import Iterator
 from typing import Any
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_bounds, digits_bytes
-from fieldspec.language.model.encoding import is_array, is_octets, is_real, is_signed, is_text, is_truth
+from fieldspec.language.model.encoding import (
+    Precision,
+    Real,
+    is_array,
+    is_octets,
+    is_real,
+    is_signed,
+    is_text,
+    is_truth,
+    real_bits,
+)
 from fieldspec.language.model.value import Value
 
 Place = tuple[int, Value, str, bool]
@@ -33,8 +42,15 @@ _REALS = (
     math.inf,
     -math.inf,
 )
-_SINGLES = ("7fc00000", "7f800001", "ffc12345", "7f800000", "ff800000", "00000001", "80000000", "7f7fffff")
-_DOUBLES = ("7ff8000000000000", "7ff0000000000001", "fff8000000012345", "7ff0000000000000", "0000000000000001")
+_PATTERNS = {
+    Precision.HALF: ("7e00", "7c01", "fe12", "7c00", "fc00", "0001", "8000", "7bff"),
+    Precision.SINGLE: ("7fc00000", "7f800001", "ffc12345", "7f800000", "ff800000", "00000001", "80000000", "7f7fffff"),
+    Precision.DOUBLE: (
+        *("7ff8000000000000", "7ff0000000000001", "fff8000000012345"),
+        *("7ff0000000000000", "0000000000000001"),
+    ),
+}
+"""Bits of NaN, of infinities, and of the least and the greatest numbers."""
 
 
 def edge_numbers(device: Device, value: Value) -> list[Any]:
@@ -70,12 +86,10 @@ def edge_data(device: Device, value: Value, order: str, swapped: bool) -> list[b
     patterns = [bytes(size), ones, b"\x80" + bytes(size - 1), b"\x7f" + ones[1:], bytes(size - 1) + b"\x01"]
     if is_array(encoding):
         return [*patterns, b"A" * size, b"A".ljust(size, b"\0"), b"A".ljust(size), b" " * size]
-    if is_real(encoding):
-        letter = "f" if size == 4 else "d"
-        patterns += [
-            struct.pack(f">{letter}", number) for number in edge_numbers(device, value) if _fits(letter, number)
-        ]
-        patterns += map(bytes.fromhex, _SINGLES if size == 4 else _DOUBLES)
+    if isinstance(encoding, Real):
+        numbers = [number for number in edge_numbers(device, value) if _fits(encoding.precision, number)]
+        patterns += [real_bits(encoding.precision, number).to_bytes(size, "big") for number in numbers]
+        patterns += map(bytes.fromhex, _PATTERNS[encoding.precision])
     elif value.digits:
         numbers = [number for number in edge_numbers(device, value) if value.low <= number <= value.high]
         patterns += [digits_bytes(value, number) for number in numbers]
@@ -85,9 +99,9 @@ def edge_data(device: Device, value: Value, order: str, swapped: bool) -> list[b
     return list(dict.fromkeys(_placed(pattern, order, swapped) for pattern in patterns))
 
 
-def _fits(letter: str, number: float) -> bool:
+def _fits(precision: Precision, number: float) -> bool:
     try:
-        struct.pack(f">{letter}", number)
+        real_bits(precision, number)
     except OverflowError:
         return False
     return True

@@ -67,10 +67,10 @@ def _types(draft: Draft, place: str) -> tuple[str, ...]:
     if place == "part":
         return ODD_INTEGERS if draft.chance(12) else INTEGERS
     wide = place in ("register", "table")
-    if place in ("register", "table", "parameter", "subindex", "case", "field", "signal") and draft.chance(8):
-        fitting = MAGNITUDES if place in ("case", "field", "signal") else [k for k in MAGNITUDES if SIZES[k] > 1]
-        words = [k for k in fitting if not wide or SIZES[k] % 2 == 0]
-        return (*words, *["f16"] * 3)
+    if draft.chance(8):
+        least = 1 if place in ("case", "field", "signal") else 2
+        fitting = [kind for kind in MAGNITUDES if SIZES[kind] >= least and not (wide and SIZES[kind] % 2)]
+        return (*fitting, *["f16"] * 3)
     if wide and draft.chance(8):
         return ODD_WORDS
     if place == "register" and draft.chance(8):

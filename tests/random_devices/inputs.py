@@ -102,7 +102,8 @@ def _whole_number(layout: DeviceLayout, value: Value, dice: random.Random) -> in
     if value.const is not None and dice.random() < 0.9:
         return value.const
     if value.sentinels and dice.random() < 0.1:
-        return dice.randint(*dice.choice(value.sentinels).interval)
+        first, last = dice.choice(value.sentinels).interval
+        return first if first == last else dice.randint(first, last)
     if value.enum and dice.random() < 0.95:
         members = layout.device.enums[value.enum].members
         return dice.choice(members).value if members else 0

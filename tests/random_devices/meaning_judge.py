@@ -97,11 +97,8 @@ class Meanings:
         names = [each.name for each in value_meanings if each.name]
         assert names == list(meaning.names), f"{text}: {leaf.raw} is {names}, not {meaning.names}"
         assert [each.bits for each in value_meanings if not each.name] == [str(place) for place in meaning.others], text
-        has_quantity = (
-            not meaning.state
-            and not leaf.value.flags
-            and (is_count(leaf.value.encoding) or is_real(leaf.value.encoding))
-        )
+        is_number = is_count(leaf.value.encoding) or is_real(leaf.value.encoding)
+        has_quantity = is_number and not meaning.state and not leaf.value.flags
         exact = quantity(leaf.value, leaf.raw, leaf.power) if has_quantity else None
         assert_printed(f"{text}: {leaf.raw}", leaf, exact, printed if exact is not None else "")
         if leaf.value.flags:

@@ -116,7 +116,7 @@ def _flat_element(field: FieldLayout, value: Any) -> str:
 
 
 def flat_value(value: Value, raw: Any) -> str:
-    """A value as a text, with a semicolon behind it."""
+    """A value as a text, with a semicolon behind it. Numbers of half precision are written as doubles."""
     encoding = value.encoding
     if is_real(encoding):
         return "nan;" if math.isnan(raw) else struct.pack(">f" if value.size == 4 else ">d", raw).hex() + ";"
@@ -129,14 +129,10 @@ def flat_value(value: Value, raw: Any) -> str:
 
 def has_quantity(value: Value) -> bool:
     """Whether codecs have a quantity of a value: of counts in a unit or with a scale, and of what may be a state."""
-    if (
-        value.const is not None
-        or value.enum
-        or value.flags
-        or not (is_count(value.encoding) or is_real(value.encoding))
-    ):
+    is_whole = is_count(value.encoding)
+    if value.const is not None or value.enum or value.flags or not (is_whole or is_real(value.encoding)):
         return False
-    return bool(value.sentinels or (is_count(value.encoding) and (value.unit or value.scaled)))
+    return bool(value.sentinels or (is_whole and (value.unit or value.scaled)))
 
 
 def quantity_text(number: float | str | None, state: str | None) -> str:

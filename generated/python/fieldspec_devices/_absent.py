@@ -60,7 +60,7 @@ def absent_number(name: str, absent: Absent) -> Any:
     if len(absent) > 1:
         states = " or ".join(f"{state} ({first_number(other)})" for state, other in absent)
         raise CodecError("wrong_type", f"None is no single value of {name}: write {states}")
-    return first_number(absent[0][1])
+    return next(first_number(state) for _, state in absent)
 
 
 def counts_or_absent(

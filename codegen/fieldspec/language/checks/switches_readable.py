@@ -31,5 +31,5 @@ def switches_readable(device: Device) -> Iterator[Diagnostic]:
             continue
         if sorted(member.value for member in enum.members) == _SWITCH:
             text = f"{register.name} takes every number as a switch, and what reading it gives is not stated"
-            help = "close the enum, or allow it with what the manual leaves open, and write an erratum"
+            help = "close the enum, give it a range, or allow it with what the manual leaves open, and write an erratum"
             yield finding(_CODE, register.place, "enum", text, help)
