@@ -8,7 +8,10 @@ from contextlib import suppress
 
 import pytest
 
+from captures.bulk import Sent, decoded, verdicts
 from captures.conversations import RTAC, USER_0, ethernet, pcap, pcapng, rtu, tcp_poll
+from fieldspec.codec.layout.device import device_layout
+from fieldspec.language.reading.project import read
 from fieldspec.tools.captures.capture_files import CaptureError
 from fieldspec.tools.captures.conversion import Conversion
 from fieldspec.tools.captures.decoding import Choices, DeviceDecoder
@@ -74,3 +77,29 @@ def test_a_packet_source_of_nothing_has_no_payload() -> None:
     file = io.BytesIO(pcap([]))
     assert list(PacketSource(file.read, Names(), ()).payloads()) == []
     assert Network((), Names()).skipped == {}
+
+
+CHECK_IN_FRONT = """
+device:
+  {id: chance, name: Chance, vendor: Nobody, manual: {title: T, file: t.txt, sha256: "%s", lines: 9}}
+links:
+  - name: line
+    source: 1 L1
+    byte_order: big
+    request: &parts
+      - {name: check, role: checksum, algorithm: sum8, covers: {from: code, to: last}}
+      - {name: code, role: code, type: u8}
+      - {name: last, type: u8}
+      - {name: body, role: body}
+    response: *parts
+messages:
+  - {name: read, source: 1 L1, code: 3, request: [], response: []}
+""" % ("0" * 64)
+
+
+def test_frames_that_end_before_what_their_check_covers_are_incomplete() -> None:
+    device = read({"chance/device.yaml": CHECK_IN_FRONT.encode()}).devices["chance"]
+    layout = device_layout(device.at(device.versions()[-1])[0])
+    whole = bytes([3 + 9, 3, 9])
+    sent = [Sent(0, "request", whole[:size]) for size in (3, 2, 1)]
+    assert verdicts(decoded(layout, sent, Choices("line"))) == ["ok", "incomplete", "incomplete"]
