@@ -26,7 +26,9 @@ SPECS = Path(__file__).resolve().parent / "specs"
 MOST = 2000
 STEP = int(os.environ.get("FAULT_STEP", "11"))
 """A whole build is tested with a fault at every n-th operation; `make soak` tests every operation."""
-REPAIRS = 4 if STEP == 1 else 10
+PLACING_STEP = min(STEP, 3)
+"""The same for placing a few files."""
+REPAIRS = 4 if STEP == 1 else 24
 """Every how many of the places at which a build was killed its repair is killed too."""
 
 State = dict[str, bytes]
@@ -110,7 +112,7 @@ def files(tmp_path: Path) -> Work:
 def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work) -> None:
     assert files.new == {path: content for path, content in {**OLD, **NEW}.items() if path not in GONE}
     states = set()
-    for number in files.faulty(fault, STEP if fault.name == "interrupted call" else 1):
+    for number in files.faulty(fault, STEP if fault.name == "interrupted call" else PLACING_STEP):
         if fault.error is not None and not fault.lasts:
             assert state(files.folder) in (files.old, files.new), f"at operation {number}"
         with Staging(files.folder):

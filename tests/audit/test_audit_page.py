@@ -54,6 +54,7 @@ def tree(device: str) -> Element:
     return root
 
 
+@cache
 def ids(text: str) -> set[str]:
     return set(re.findall(r'\bid="([^"]+)"', text))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections import Counter
 from functools import cache
 from xml.etree.ElementTree import Element
 
@@ -38,6 +39,12 @@ def tree(path: str) -> Element:
     """The tree of a page; that it is the one that browsers make of it is a test of its own."""
     root: Element = lxml.html.document_fromstring(documentation()[path].encode(), parser=PARSER)
     return root
+
+
+@cache
+def anchors(path: str) -> Counter[str]:
+    """How often each anchor is on a page."""
+    return Counter(node.get("id", "") for node in tree(path).iter() if node.get("id"))
 
 
 def resolved(page: str, link: str) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
 from xml.etree.ElementTree import Element
@@ -12,7 +11,7 @@ from xml.etree.ElementTree import Element
 import html5lib
 import pytest
 
-from docs_output.documented import documentation, resolved, tree, visible_text, with_ending
+from docs_output.documented import anchors, documentation, resolved, tree, visible_text, with_ending
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.fact import Fact
 from fieldspec.targets.docs import lab
@@ -98,8 +97,7 @@ def test_a_page_says_its_language(path: str) -> None:
 
 @pytest.mark.parametrize("path", PAGES, scope="module")
 def test_an_anchor_is_there_once(path: str) -> None:
-    ids = Counter(node.get("id") for node in tree(path).iter() if node.get("id"))
-    assert [anchor for anchor, count in ids.items() if count > 1] == []
+    assert [anchor for anchor, count in anchors(path).items() if count > 1] == []
 
 
 @pytest.mark.parametrize("path", PAGES, scope="module")
@@ -109,7 +107,7 @@ def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
         target = resolved(path, page) if page else path
         assert target in PAGES, page
         if anchor and "=" not in anchor:  # with values it is the state of a page
-            assert anchor in {element.get("id") for element in tree(target).iter()}, node.get("href")
+            assert anchor in anchors(target), node.get("href")
 
 
 @pytest.mark.parametrize("path", PAGES, scope="module")
@@ -153,8 +151,7 @@ def test_tables_have_captions_and_headers_with_scopes(path: str) -> None:
 
 @pytest.mark.parametrize("path", LAYOUTS, scope="module")
 def test_every_fact_has_its_anchor(path: str) -> None:
-    ids = {node.get("id") for node in tree(path).iter()}
-    missing = [fact.place.path for fact in facts(LAYOUTS[path]) if fact.place.path not in ids]
+    missing = [fact.place.path for fact in facts(LAYOUTS[path]) if fact.place.path not in anchors(path)]
     assert missing == []
 
 
@@ -168,9 +165,8 @@ def test_every_text_of_a_spec_is_on_its_page(path: str) -> None:
 @pytest.mark.parametrize("path", LAYOUTS, scope="module")
 def test_examples_and_errata_are_on_the_page(path: str) -> None:
     device = LAYOUTS[path].device
-    ids = {node.get("id") for node in tree(path).iter()}
-    assert {f"examples/{name}" for name in device.examples} <= ids
-    assert {f"errata/{erratum.id}" for erratum in device.errata} <= ids
+    assert {f"examples/{name}" for name in device.examples} <= set(anchors(path))
+    assert {f"errata/{erratum.id}" for erratum in device.errata} <= set(anchors(path))
     page = visible(path)
     assert [erratum.reason for erratum in device.errata if visible_text(erratum.reason) not in page] == []
 

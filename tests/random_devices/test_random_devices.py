@@ -39,7 +39,7 @@ def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
     text = case.read_text(encoding="utf-8")
     spec = yaml.safe_load(text)
     own = re.search(r"^# seed (\d+)$", text, re.MULTILINE)
-    for number in {1, 2, int(own[1]) if own else 1}:
+    for number in [int(own[1])] if own else (1, 2):
         result = compare(spec, number, 60)
         assert result.findings == ()
         assert result.disagreements == []
