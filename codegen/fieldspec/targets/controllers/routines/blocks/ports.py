@@ -7,15 +7,19 @@ the answer and frees the port. Each request has a number, which its answer bears
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.record import Message
+from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
+from fieldspec.targets.controllers.routines.exchanges import judging_slots
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import framed
+from fieldspec.targets.controllers.sources.lookups import Members
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     INT,
@@ -28,6 +32,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     Type,
     Whole,
     compared,
+    number,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Statement, when
 from fieldspec.targets.controllers.structs import fixed
@@ -133,11 +138,38 @@ def axis_key(message: MessageLayout | Message) -> str:
     return f"axis of {message.name}"
 
 
+def port_members(world: World) -> Members:
+    """The members of all ports, by the name of the struct and their key."""
+    if not world.port_members:
+        world.port_members.update(
+            {
+                world.names.structs[port.key]: {
+                    key: (world.names.members[port.key][key], kind) for key, kind, _ in port.members
+                }
+                for port in ports(world)
+            }
+        )
+    return world.port_members
+
+
 def member(world: World, port: str, name: str, struct: Expression) -> Member:
     """A member of a port."""
-    if not world.port_members:
-        world.port_members.update({port.key: {name: kind for name, kind, _ in port.members} for port in ports(world)})
-    return Member(struct, world.names.members[port][name], world.port_members[port][name])
+    return Member(struct, *port_members(world)[world.names.structs[port]][name])
+
+
+def handshake_slots(world: World) -> dict[str, Any]:
+    """What the sources of blocks may name that ask through ports, and of those that serve them."""
+    slots = judging_slots(world)
+    reasons = {key: Whole(code, UINT) for key, (code, _) in ERRORS.items()}
+    return {
+        **slots,
+        "Reason": {**reasons, "postponed": Whole(POSTPONED, UINT)},
+        "Port": {
+            name: number(state)
+            for name, state in (("free", FREE), ("asked", ASKED), ("answered", ANSWERED), ("abandoned", ABANDONED))
+        },
+        "Urgency": {"pressing": number(PRESSING), "urgent": number(URGENT)},
+    }
 
 
 def increment(count: Expression) -> Statement:

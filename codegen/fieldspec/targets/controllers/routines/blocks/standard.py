@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.targets.controllers.routines.exchanges import ERRORS as EXCHANGE_ERRORS
@@ -208,11 +208,6 @@ class BlockDraft(Variables):
 def assigned(variable: Expression, value: bool) -> Statement:
     """The statement that makes a BOOL TRUE or FALSE."""
     return Assignment(variable, Truth(value))
-
-
-def meanings(reasons: Mapping[str, tuple[int, str]]) -> str:
-    """A line of a comment that says what the numbers of ErrorID mean."""
-    return "ErrorID: " + "; ".join(f"{code} {text}" for code, text in reasons.values()) + "."
 
 
 def chain(branches: Sequence[tuple[Expression, Sequence[Statement]]], otherwise: Sequence[Statement] = ()) -> Statement:
