@@ -60,10 +60,23 @@ _TYPES: Mapping[str, Type] = {**ELEMENTARY, "TIME": TIME, "TON": TIMER}
 
 
 @cache
-def source(name: str) -> tuple[Source, ...]:
-    """A source of this folder, behind those that it extends. Raises SourceError where it is none."""
-    own = parsed(f"{name}.st", text(f"targets/controllers/sources/{name}.st"))
-    return (*(source(own.extends) if own.extends else ()), own)
+def source(*names: str) -> tuple[Source, ...]:
+    """Sources of this folder, each behind the one that it extends. Raises SourceError where one is none.
+
+    Of actions and properties with one name, that of the last source counts.
+    """
+    sources: list[Source] = []
+    for name in names:
+        own = _parsed(name)
+        for part in (*(source(own.extends) if own.extends else ()), own):
+            if all(part is not other for other in sources):
+                sources.append(part)
+    return tuple(sources)
+
+
+@cache
+def _parsed(name: str) -> Source:
+    return parsed(f"{name}.st", text(f"targets/controllers/sources/{name}.st"))
 
 
 class Expansion(Lookup):
@@ -90,7 +103,8 @@ class Expansion(Lookup):
 
     def body(self) -> Body:
         """The statements, behind the declarations of late variables. Raises SourceError where one cannot be."""
-        for source in self.sources:
+        # The variables of the carrier, which is the last source, stand in front of those of the kind.
+        for source in reversed(self.sources):
             self._declare(source.late)
         statements = self._block(next(source.body for source in reversed(self.sources) if source.body))
         names = {name for source in self.sources for name in source.names}
@@ -224,6 +238,9 @@ class Expansion(Lookup):
         branches: list[tuple[Expression, Body]] = []
         otherwise: Body = ()
         for term, block in step.branches:
+            if isinstance(term, Insertion):
+                branches += self._branches(term)
+                continue
             test = self.truth(term) if term is not None else Truth(True)
             if isinstance(test, Truth) and test.value:
                 otherwise = self._block(block)
@@ -231,3 +248,11 @@ class Expansion(Lookup):
             if not isinstance(test, Truth):
                 branches.append((test, self._block(block)))
         return (Condition(tuple(branches), otherwise),) if branches else otherwise
+
+    def _branches(self, step: Insertion) -> Sequence[tuple[Expression, Body]]:
+        """The branches of the IF that an insertion is; none where nothing of it is left."""
+        statements = self._write(step)
+        first = statements[0] if statements else Condition(())
+        if len(statements) > 1 or not isinstance(first, Condition) or first.otherwise:
+            raise self.fail(step.token, f"{step.token.text} is no single IF without ELSE")
+        return first.branches

@@ -129,10 +129,10 @@ class Insertion:
 
 @dataclass(frozen=True, slots=True)
 class Chosen:
-    """IF with its branches; `ELSE` has no test."""
+    """IF with its branches. ELSE has no test; an insertion in the place of a test brings the branches of its own IF."""
 
     token: Token
-    branches: tuple[tuple[Term | None, Block], ...]
+    branches: tuple[tuple[Term | Insertion | None, Block], ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -195,9 +195,12 @@ class _Parser:
         return result
 
     def choice(self, token: Token) -> Chosen:
-        branches: list[tuple[Term | None, Block]] = []
+        branches: list[tuple[Term | Insertion | None, Block]] = []
         while not branches or self.taken("ELSIF"):
             test = self.term()
+            if isinstance(test, Named | Indexed) and self.taken(";"):
+                branches.append((Insertion(test.token, test, None), ()))
+                continue
             self.take("THEN")
             branches.append((test, self.block(token, "ELSIF", "ELSE", "END_IF")))
         if self.taken("ELSE"):

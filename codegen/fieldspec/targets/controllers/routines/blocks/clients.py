@@ -9,7 +9,8 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.language.model.record import RegisterAccess
 from fieldspec.targets.controllers.routines.answers import judged
 from fieldspec.targets.controllers.routines.blocks.frames import Exchange, exchange_of
-from fieldspec.targets.controllers.routines.blocks.ports import AXIS, FRAMES, handshake_slots, member, port_members
+from fieldspec.targets.controllers.routines.blocks.kinds import handshake_slots
+from fieldspec.targets.controllers.routines.blocks.ports import AXIS, FRAMES, member, port_members
 from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
 from fieldspec.targets.controllers.routines.exchanges import meanings
 from fieldspec.targets.controllers.routines.parameters import FRAME, parameters_of

@@ -13,10 +13,11 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.watches import MOVING, before_effect, halting_task, is_command, last_command
 from fieldspec.targets.controllers.routines.answers import judged, received
+from fieldspec.targets.controllers.routines.blocks.kinds import handshake_slots
 from fieldspec.targets.controllers.routines.blocks.line_tasks import Decide, LineTask, Unit
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, constant
-from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, handshake_slots, own_links, port_members
+from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, own_links, port_members
 from fieldspec.targets.controllers.routines.blocks.progress import Seen
 from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
 from fieldspec.targets.controllers.routines.exchanges import meanings

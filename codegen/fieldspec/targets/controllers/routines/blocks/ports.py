@@ -7,15 +7,12 @@ the answer and frees the port. Each request has a number, which its answer bears
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.record import Message
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
-from fieldspec.targets.controllers.routines.exchanges import judging_slots
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import framed
@@ -27,14 +24,9 @@ from fieldspec.targets.controllers.statements.expressions import (
     UINT,
     Expression,
     Member,
-    Operation,
     StructType,
     Type,
-    Whole,
-    compared,
-    number,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Statement, when
 from fieldspec.targets.controllers.structs import fixed
 
 FREE, ASKED, ANSWERED, ABANDONED = range(4)
@@ -155,25 +147,3 @@ def port_members(world: World) -> Members:
 def member(world: World, port: str, name: str, struct: Expression) -> Member:
     """A member of a port."""
     return Member(struct, *port_members(world)[world.names.structs[port]][name])
-
-
-def handshake_slots(world: World) -> dict[str, Any]:
-    """What the sources of blocks may name that ask through ports, and of those that serve them."""
-    slots = judging_slots(world)
-    reasons = {key: Whole(code, UINT) for key, (code, _) in ERRORS.items()}
-    return {
-        **slots,
-        "Reason": {**reasons, "postponed": Whole(POSTPONED, UINT)},
-        "Port": {
-            name: number(state)
-            for name, state in (("free", FREE), ("asked", ASKED), ("answered", ANSWERED), ("abandoned", ABANDONED))
-        },
-        "Urgency": {"pressing": number(PRESSING), "urgent": number(URGENT)},
-    }
-
-
-def increment(count: Expression) -> Statement:
-    """The statement that adds 1 to a count, with 0 after its greatest value."""
-    successor = Operation("+", (count, Whole(1, UDINT)), UDINT)
-    is_greatest = compared(count, "=", Whole(UDINT.high, UDINT))
-    return when(is_greatest, [Assignment(count, Whole(0, UDINT))], [Assignment(count, successor)])
