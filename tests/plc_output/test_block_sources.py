@@ -106,6 +106,15 @@ FAULTS = {
     "two types": ("exchange", "iTry < iRetries", "iTry < «xFailed»", "INT < BOOL: convert one of them"),
     "a conversion of another type": ("exchange", "iTry + 1", "«UINT_TO_INT»(iTry) + 1", "the value is INT"),
     "what follows the end": ("exchange", "END_FUNCTION_BLOCK", "END_FUNCTION_BLOCK «x»", "expected end, not x"),
+    "an action in the place of branches that is no IF": (
+        *("line", "    IF {Guards};", "    IF {«Tail»};"),
+        "Tail is no single IF without ELSE",
+    ),
+    "a member that an axis does not have": (
+        *("moving", "udiClaim <> stAxis.claims", "udiClaim <> stAxis.«claim»"),
+        "ST_Ck10_Axis has no member claim: is it claims?",
+    ),
+    "an action of another block": ("stopping", "{Succeed};", "{«GoOut»};", "no action is called GoOut"),
     "a fault in an action of what is extended": (
         *("judging", "{answer.station}", "{answer.«stations»}"),
         "answer has no stations: is it station?",

@@ -60,23 +60,28 @@ _TYPES: Mapping[str, Type] = {**ELEMENTARY, "TIME": TIME, "TON": TIMER}
 
 
 @cache
-def source(*names: str) -> tuple[Source, ...]:
-    """Sources of this folder, each behind the one that it extends. Raises SourceError where one is none.
+def source(*names: str) -> Source:
+    """Sources of this folder as one, each behind the one that it extends. Raises SourceError where one is none.
 
-    Of actions and properties with one name, that of the last source counts.
+    Of actions and properties with one name, that of the last source counts. The late variables of the last source stand
+    in front.
     """
-    sources: list[Source] = []
-    for name in names:
-        own = _parsed(name)
-        for part in (*(source(own.extends) if own.extends else ()), own):
-            if all(part is not other for other in sources):
-                sources.append(part)
-    return tuple(sources)
+    parts = [*{key: part for name in names for key, part in _chain(name).items()}.values()]
+    return Source(
+        remarks=tuple(remark for part in parts for remark in part.remarks),
+        sections=[section for part in parts for section in part.sections],
+        late=[section for part in reversed(parts) for section in part.late],
+        actions={name: action for part in parts for name, action in part.actions.items()},
+        properties={name: term for part in parts for name, term in part.properties.items()},
+        body=next((part.body for part in reversed(parts) if part.body), ()),
+        names={name for part in parts for name in part.names},
+    )
 
 
-@cache
-def _parsed(name: str) -> Source:
-    return parsed(f"{name}.st", text(f"targets/controllers/sources/{name}.st"))
+def _chain(name: str) -> dict[str, Source]:
+    """A source behind those that it extends, by their names."""
+    own = parsed(f"{name}.st", text(f"targets/controllers/sources/{name}.st"))
+    return {**(_chain(own.extends) if own.extends else {}), name: own}
 
 
 class Expansion(Lookup):
@@ -86,32 +91,25 @@ class Expansion(Lookup):
     of those. A function is called where its slot is first named, and may declare variables.
     """
 
-    def __init__(
-        self, sources: Sequence[Source], variables: Variables, slots: Mapping[str, Any], members: Members
-    ) -> None:
-        super().__init__(sources, slots, members)
-        self.sources, self.variables = sources, variables
-        self.actions = {name: action for source in sources for name, action in source.actions.items()}
-        for source in sources:
-            self._declare(source.sections)
+    def __init__(self, source: Source, variables: Variables, slots: Mapping[str, Any], members: Members) -> None:
+        super().__init__(source, slots, members)
+        self.variables = variables
+        self._declare(source.sections)
 
     def remarks(self) -> tuple[str, ...]:
         """The paragraphs of the comment."""
         texts = {key: value for key, value in self.scope.items() if isinstance(value, str)}
-        remarks = (remark.format_map(texts).strip() for source in self.sources for remark in source.remarks)
+        remarks = (remark.format_map(texts).strip() for remark in self.source.remarks)
         return tuple(filter(None, remarks))
 
     def body(self) -> Body:
         """The statements, behind the declarations of late variables. Raises SourceError where one cannot be."""
-        # The variables of the carrier, which is the last source, stand in front of those of the kind.
-        for source in reversed(self.sources):
-            self._declare(source.late)
-        statements = self._block(next(source.body for source in reversed(self.sources) if source.body))
-        names = {name for source in self.sources for name in source.names}
-        sections = [section for source in self.sources for section in (*source.sections, *source.late)]
-        for entry in (entry for section in sections for entry in section.entries):
-            if entry.kind is not None and entry.token.text not in names:
-                raise self.fail(entry.token, f"nothing uses {entry.token.text}")
+        self._declare(self.source.late)
+        statements = self._block(self.source.body)
+        for section in (*self.source.sections, *self.source.late):
+            for entry in section.entries:
+                if entry.kind is not None and entry.token.text not in self.source.names:
+                    raise self.fail(entry.token, f"nothing uses {entry.token.text}")
         return statements
 
     def routine(self, name: str, group: str) -> Routine:
@@ -121,7 +119,7 @@ class Expansion(Lookup):
 
     def action(self, name: str, **arguments: Any) -> list[Statement]:
         """The statements of an action, with its argument by the name of its parameter."""
-        return self._expand(self.actions[name].body, arguments)
+        return self._expand(self.source.actions[name].body, arguments)
 
     def _expand(self, body: Block, arguments: Mapping[str, Any], *trace: str) -> list[Statement]:
         before = self.arguments, self.trace
@@ -223,9 +221,9 @@ class Expansion(Lookup):
             if not isinstance(statements, Sequence):
                 raise self.fail(step.token, f"{name} has no statements")
             return statements
-        action = self.actions.get(name)
+        action = self.source.actions.get(name)
         if action is None:
-            known = self.actions if argument is not None else (*self.actions, *self.scope)
+            known = self.source.actions if argument is not None else (*self.source.actions, *self.scope)
             raise self.fail(step.token, f"no action is called {name}{near_text(name, known)}")
         if bool(action.parameter) != (argument is not None):
             raise self.fail(step.token, f"{name} has {'one argument' if action.parameter else 'no argument'}")

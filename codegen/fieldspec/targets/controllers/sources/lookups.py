@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 from typing import Any, get_args
 
@@ -51,11 +51,11 @@ Members = Mapping[str, Mapping[str, tuple[str, Type]]]
 class Lookup:
     """What the names of a source stand for while its statements are written."""
 
-    def __init__(self, sources: Sequence[Source], slots: Mapping[str, Any], members: Members) -> None:
+    def __init__(self, source: Source, slots: Mapping[str, Any], members: Members) -> None:
+        self.source = source
         self.members: Members = {**members, TIMER.name: {"Q": ("Q", BOOL)}}
         self.scope: dict[str, Any] = {"TRUE": True, "FALSE": False, **slots}
-        self.arguments: Mapping[str, Any] = {}
-        self.properties = {name: term for source in sources for name, term in source.properties.items()}
+        self.arguments: dict[str, Any] = {}
         self.trace: tuple[str, ...] = ()
 
     def fail(self, token: Token, text: str) -> SourceError:
@@ -64,7 +64,7 @@ class Lookup:
 
     def property(self, name: str) -> Expression:
         """The expression that a property stands for."""
-        return self.expression(self.properties[name])
+        return self.expression(self.source.properties[name])
 
     def value(self, term: Term) -> Any:
         """What a term names, which need not be an expression. Raises SourceError where nothing has the name."""
@@ -75,16 +75,16 @@ class Lookup:
             name = token.text
             if name in self.arguments:
                 return self.arguments[name]
-            if name in self.properties:
+            if name in self.source.properties:
                 return self.property(name)
             if name not in self.scope:
-                known = (*self.arguments, *self.scope, *self.properties)
+                known = (*self.arguments, *self.scope, *self.source.properties)
                 raise self.fail(token, f"nothing is called {name}{near_text(name, known)}")
             if callable(self.scope[name]):
                 self.scope[name] = self.scope[name]()
             return self.scope[name]
         outer = self.value(term.of)
-        if isinstance(outer, Mapping):
+        if isinstance(outer, dict):
             if token.text in outer:
                 return outer[token.text]
             raise self.fail(token, f"{term.of.token.text} has no {token.text}{near_text(token.text, outer)}")
@@ -99,6 +99,13 @@ class Lookup:
     def expression(self, term: Term, expected: Type | None = None) -> Expression:
         """A term as an expression; a number takes the expected type. Raises SourceError for what is none."""
         match term:
+            case Named():
+                value = self.value(term)
+                if isinstance(value, bool):
+                    return Truth(value)
+                if not isinstance(value, _EXPRESSION_CLASSES):
+                    raise self.fail(term.token, f"{term.token.text} is no value")
+                return value  # type: ignore[no-any-return]
             case Literal():
                 return self._number(term.token, expected)
             case Inverted():
@@ -113,13 +120,6 @@ class Lookup:
                 if not isinstance(array.type, ArrayType):
                     raise self.fail(term.token, f"{term.of.token.text} is no array")
                 return Element(array, index, array.type.of)
-            case Named():
-                value = self.value(term)
-                if isinstance(value, bool):
-                    return Truth(value)
-                if not isinstance(value, _EXPRESSION_CLASSES):
-                    raise self.fail(term.token, f"{term.token.text} is no value")
-                return value  # type: ignore[no-any-return]
             case _:
                 assert_never(term)
 
@@ -160,16 +160,16 @@ class Lookup:
 
     def _joined(self, term: Joined) -> Expression:
         """AND or OR; what is known is left out, or decides: then the terms behind need not exist."""
-        decides = Truth(term.token.text == "OR")
+        decides = term.token.text == "OR"
         left: list[Expression] = []
         for part in term.parts:
             test = self.truth(part)
-            if test == decides:
-                return decides
             if not isinstance(test, Truth):
                 left.append(test)
+            elif test.value is decides:
+                return test
         if len(left) < 2:
-            return left[0] if left else Truth(not decides.value)
+            return left[0] if left else Truth(not decides)
         return Operation(term.token.text, tuple(left), BOOL)
 
     def _call(self, term: Applied) -> Expression:
