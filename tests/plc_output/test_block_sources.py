@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import pickle
+import re
 from collections.abc import Iterator
 
 import pytest
 
+from compiler_modules import PACKAGE
 from fieldspec.targets import templates
 from fieldspec.targets.controllers.sources import expansion
 from fieldspec.targets.controllers.sources.nodes import SourceError
@@ -74,6 +76,12 @@ FAULTS = {
     "an unknown action": ("client", "{Take(single)}", "{«Taek»(single)}", "no action is called Taek: is it Take?"),
     "an action without its argument": ("client", "{Take(single)}", "{«Take»}", "Take has one argument"),
     "an unknown type": ("client", "iTry : INT;", "iTry : «INTEGER»;", "INTEGER is no type: is it INT?"),
+    "a type of 64 bits": (
+        "client",
+        "iTry : INT;",
+        "iTry : «LINT»;",
+        "not every controller has LINT: take the type from",
+    ),
     "an unknown reason": (
         *("client", "uiReason <> Reason.exception", "uiReason <> Reason.«refused»"),
         "Reason has no refused; there is alarm, damaged, exception,",
@@ -169,3 +177,18 @@ def test_the_mark_stands_below_the_word_and_the_actions_say_from_where(monkeypat
 def test_a_fault_passes_from_one_process_to_another(monkeypatch: pytest.MonkeyPatch) -> None:
     error, _ = refused(monkeypatch, "client", "iTry := 0;", "iTry := «T#5s»;")
     assert str(pickle.loads(pickle.dumps(error))) == str(error)
+
+
+def test_actions_and_properties_of_sources_are_used() -> None:
+    folder = PACKAGE / "targets" / "controllers"
+    sources = {path: path.read_text("utf-8") for path in sorted(folder.rglob("*.st"))}
+    python = "\n".join(path.read_text("utf-8") for path in sorted(folder.rglob("*.py")))
+    everything = "\n".join(sources.values())
+    names = {name for text in sources.values() for name in re.findall(r"(?:ACTION|PROPERTY) (\w+)", text)}
+    assert len(names) > 40
+    unused = {
+        name
+        for name in names
+        if f'"{name}"' not in python and not re.search(rf"(?<!ACTION )(?<!PROPERTY )\b{name}\b", everything)
+    }
+    assert unused == set()

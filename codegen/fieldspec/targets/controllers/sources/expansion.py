@@ -57,6 +57,7 @@ from fieldspec.targets.controllers.statements.routine import (
 from fieldspec.targets.templates import text
 
 _TYPES: Mapping[str, Type] = {**ELEMENTARY, "TIME": TIME, "TON": TIMER}
+_WIDE = [kind.name for kind in ELEMENTARY.values() if kind.size > 4]
 
 
 @cache
@@ -158,6 +159,8 @@ class Expansion(Lookup):
         name = term.token.text
         if isinstance(term, Named) and term.of is None and name not in (*_TYPES, *self.scope):
             raise self.fail(term.token, f"{name} is no type{near_text(name, _TYPES)}")
+        if name in _WIDE:
+            raise self.fail(term.token, f"not every controller has {name}: take the type from a slot")
         kind = _TYPES[name] if name in _TYPES else self.value(term)
         if isinstance(kind, Elementary | EnumType | StructType | ArrayType):
             return kind
