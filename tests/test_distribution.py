@@ -64,6 +64,10 @@ def test_a_wheel_holds_the_compiler_the_specs_and_their_package_alone(
         path.relative_to(specs).as_posix() for path in specs.rglob("*") if path.is_file()
     }
     assert not any("__pycache__" in name or name.endswith((".pyc", ".whl")) for name in names)
+    package = ROOT / "codegen" / "fieldspec"
+    sources = {f"fieldspec/{path.relative_to(package).as_posix()}" for path in package.rglob("*.st")}
+    assert sources
+    assert sources <= set(names)
 
 
 def test_an_installed_wheel_works_in_an_empty_folder(distributions: dict[str, bytes], tmp_path: Path) -> None:

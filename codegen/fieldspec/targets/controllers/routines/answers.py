@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
@@ -41,7 +42,6 @@ from fieldspec.targets.controllers.statements.expressions import (
 from fieldspec.targets.controllers.statements.numbers import whole_type
 from fieldspec.targets.controllers.statements.routine import (
     Assignment,
-    Condition,
     Declared,
     Loop,
     Routine,
@@ -104,16 +104,13 @@ def judged(
     request_values: Mapping[str, Expression],
     response_values: Mapping[str, Expression],
     variables: Variables,
-    bodies: Callable[[str], Sequence[Statement]],
-    right: Sequence[Statement],
-) -> list[Statement]:
-    """What does `right` where an answer is to what was asked, and else what `bodies` has for the name of an error.
+) -> dict[str, Any]:
+    """What `judging.st` has to know of an answer: the tests for one that is not to what was asked.
 
     Both mappings go by the names of the parameters that build the request and parse the answer.
     """
     comparison = _Comparison(world, variables)
     asks, answers = parameters_of(world, link, message)
-    good = compared(status, "=", world.status.of("ok"))
     refused = compared(status, "=", world.status.of("refused"))
     station: list[Expression] = []
     head: list[Expression] = []
@@ -159,18 +156,14 @@ def judged(
     body += _counts(comparison, message, asks.fields, answers.fields, request_values, response_values)
     if statements:
         body.append(flag)
-    readable = either([good, refused]) if error is not None else good
-    branches: list[tuple[Expression, Sequence[Statement]]] = [(Negation(readable), bodies("damaged"))]
-    if station:
-        branches.append((either(station), bodies("station")))
-    if head:
-        branches.append((either(head), bodies("other")))
-    if error is not None:
-        branches.append((refused, bodies("exception")))
-    if body:
-        branches.append((either(body), bodies("other")))
-    before: list[Statement] = [Assignment(flag, Truth(False)), when(good, statements)] if statements else []
-    return [*before, Condition(tuple((test, tuple(branch)) for test, branch in branches), tuple(right))]
+    tests_by_name = {"station": station, "head": head, "body": body}
+    return {
+        **{name: either(operands) if operands else Truth(False) for name, operands in tests_by_name.items()},
+        "refusable": error is not None,
+        "differs": flag,
+        "lists": bool(statements),
+        "comparing": statements,
+    }
 
 
 def _counts(

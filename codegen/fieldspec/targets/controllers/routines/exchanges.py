@@ -6,44 +6,19 @@ A block knows the protocol and nothing of the line. It asks for a frame to be se
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
-from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.classes import replace
 from fieldspec.targets.controllers.routines.answers import Received, judged, received
 from fieldspec.targets.controllers.routines.parameters import FRAME
 from fieldspec.targets.controllers.routines.world import World
-from fieldspec.targets.controllers.routines.wrapping import LENGTH, framed, link_words
-from fieldspec.targets.controllers.statements.expressions import (
-    BOOL,
-    INT,
-    TIME,
-    TIMER,
-    UINT,
-    Expression,
-    Member,
-    Negation,
-    Truth,
-    Variable,
-    Whole,
-    compared,
-    either,
-    every,
-    number,
-    plus,
-)
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Condition,
-    Declared,
-    Routine,
-    Statement,
-    Timing,
-    Variables,
-    when,
-)
+from fieldspec.targets.controllers.routines.wrapping import framed, link_words
+from fieldspec.targets.controllers.sources.expansion import Expansion, source
+from fieldspec.targets.controllers.statements.expressions import UINT, Expression, Variable, Whole
+from fieldspec.targets.controllers.statements.routine import STATUSES, Declared, Routine, Variables
 
-_IDLE, _BUILD, _WAIT, _AGAIN = range(4)
 ERRORS = {
     "request": (1, "the request cannot be built: eStatus says why"),
     "timeout": (2, "there was no answer in time"),
@@ -56,6 +31,11 @@ ERRORS = {
 """The numbers of ErrorID, and what they mean."""
 
 
+def meanings(reasons: Mapping[str, tuple[int, str]]) -> str:
+    """A line of a comment that says what the numbers of ErrorID mean."""
+    return "ErrorID: " + "; ".join(f"{code} {text}" for code, text in reasons.values()) + "."
+
+
 def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine]) -> Iterator[Routine]:
     """A block for each message of a link that reads or writes registers; `routines` are those that it may call."""
     if not framed(link):
@@ -65,183 +45,65 @@ def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine])
         if message.message.accesses is not None:
             words = (*link_words(world, link), message.name)
             build, parse = by_name[world.routine("build", *words)], by_name[world.routine("parse", *words)]
-            yield _Exchange(world, link, message, build, parse).block(world.block(*words))
+            yield _block(world, link, message, build, parse, world.block(*words))
 
 
-@dataclass(frozen=True, slots=True)
-class _Standard:
-    """The variables that the body of every exchange block uses."""
-
-    execute: Variable
-    abort: Variable
-    timeout: Variable
-    retries: Variable
-    received: Variable
-    failed: Variable
-    done: Variable
-    busy: Variable
-    aborted: Variable
-    error: Variable
-    error_id: Variable
-    send: Variable
+def judging_slots(world: World) -> dict[str, Any]:
+    """What every source may name that judges answers."""
+    return {
+        "StatusType": world.status.type,
+        "Status": {name: world.status.of(name) for name, _ in STATUSES},
+        "Reason": {key: Whole(code, UINT) for key, (code, _) in ERRORS.items()},
+    }
 
 
-class _Exchange:
-    """Makes the block that exchanges a message."""
+def _block(
+    world: World, link: LinkLayout, message: MessageLayout, build: Routine, parse: Routine, name: str
+) -> Routine:
+    """The block that exchanges a message: the slots of `exchange.st`."""
+    request_values: dict[str, Expression] = {
+        declared.variable.name: declared.variable for declared in (*build.of_role("input"), *build.of_role("in_out"))
+    }
+    parameters = [declared for declared in (*build.declared, *parse.declared) if declared.role != "local"]
+    variables = Variables(*(declared.variable.name for declared in parameters))
+    frame = "what is sent, and then what was received"
+    answer: list[Received] = []
 
-    def __init__(self, world: World, link: LinkLayout, message: MessageLayout, build: Routine, parse: Routine) -> None:
-        self.world, self.link, self.message, self.build, self.parse = world, link, message, build, parse
-        self.status = world.status
-        inputs = (*build.of_role("input"), *build.of_role("in_out"))
-        self.asked = {declared.variable.name: declared.variable for declared in inputs}
-        messages = [
-            declared.variable.name for declared in (*build.declared, *parse.declared) if declared.role != "local"
-        ]
-        self.variables = Variables(*messages)
-        self.declared, self._declare = self.variables.declared, self.variables.declare
-
-    def block(self, name: str) -> Routine:
-        """The block that exchanges the message: its variables and its statements."""
-        execute = self._declare(
-            "Execute", BOOL, "input", "a rising edge starts; the other inputs stay until Busy is FALSE"
-        )
-        abort = self._declare("Abort", BOOL, "input", "ends the exchange with CommandAborted")
-        self.declared += self.build.of_role("input")
-        timeout = self._declare("tTimeout", TIME, "input", "for each try", "T#500ms")
-        retries = self._declare("iRetries", INT, "input", "how often the request is sent again", "2")
-        arrived = self._declare("xReceived", BOOL, "input", "its rising edge says that aFrame holds iReceived bytes")
-        count = self._declare("iReceived", INT, "input", "how many bytes of aFrame were received")
-        failed = self._declare("xFailed", BOOL, "input", "aFrame cannot be sent")
-        frame = "what is sent, and then what was received"
-        self.declared += [
-            replace(declared, remark=frame if declared.variable.name == FRAME else declared.remark)
-            for declared in self.build.of_role("in_out")
-        ]
-        done = self._declare("Done", BOOL, "output")
-        busy = self._declare("Busy", BOOL, "output")
-        aborted = self._declare("CommandAborted", BOOL, "output")
-        error = self._declare("Error", BOOL, "output")
-        error_id = self._declare("ErrorID", UINT, "output", "0, or why Error is TRUE")
-        send = self._declare("xSend", BOOL, "output", "its rising edge asks to send iSend bytes of aFrame")
-        size = self._declare("iSend", INT, "output", "how many bytes of aFrame are to be sent")
-        status = self._declare("eStatus", self.status.type, "output", "what the last function has returned")
-        answer = received(self.world, self.link, self.message, self.parse, self.variables, self._output)
-        standard = _Standard(
-            *(execute, abort, timeout, retries, arrived, failed, done, busy, aborted, error, error_id, send)
-        )
-        body = self._body(standard, count, size, status, answer)
-        return Routine(name, self.build.group, None, self.variables.needed(body), body, tuple(self._remarks()))
-
-    def _remarks(self) -> Iterator[str]:
-        title = self.message.message.title or self.message.name.replace("_", " ")
-        comment = self.world.comment(self.message.message, None)
-        yield f"Exchanges a message on {self.link.name}: {title}. {comment}".strip()
-        yield "ErrorID: " + "; ".join(f"{code} {text}" for code, text in ERRORS.values()) + "."
-        yield (
-            "Nothing starts without a rising edge of Execute, the first scan included. Done, CommandAborted and Error "
-            "stay until Execute is FALSE, and at least one scan. Call the block in each scan."
-        )
-
-    def _output(self, declared: Declared) -> Variable:
+    def output(declared: Declared) -> Variable:
         """Declares an output for a part of the response; where the request has the name, another one."""
         variable = declared.variable
-        if variable.name in self.asked:
-            return self._declare(f"{variable.name}Answered", variable.type, declared.role, declared.remark)
-        self.declared.append(declared)
+        if variable.name in request_values:
+            return variables.declare(f"{variable.name}Answered", variable.type, declared.role, declared.remark)
+        variables.declared.append(declared)
         return variable
 
-    def _body(
-        self, standard: _Standard, count: Variable, size: Variable, status: Variable, answer: Received
-    ) -> tuple[Statement, ...]:
-        before = self._declare("xExecuteBefore", BOOL, "local", "so that nothing starts in the first scan", "TRUE")
-        received_before = self._declare("xReceivedBefore", BOOL, "local")
-        edge, arrived = self._declare("xEdge", BOOL, "local"), self._declare("xArrived", BOOL, "local")
-        state, tries = self._declare("iState", INT, "local"), self._declare("iTry", INT, "local")
-        reason, timer = self._declare("uiReason", UINT, "local"), self._declare("fbTimeout", TIMER, "local")
+    def outputs() -> Sequence[Declared]:
+        answer.append(received(world, link, message, parse, variables, output))
+        return ()
 
-        def in_state(expected: int) -> Expression:
-            return compared(state, "=", number(expected))
-
-        def ended(output: Variable, error_code: Expression | None = None) -> list[Statement]:
-            first = [Assignment(standard.error_id, error_code)] if error_code is not None else []
-            return [
-                *first,
-                *(Assignment(output, Truth(True)), Assignment(standard.busy, Truth(False))),
-                *(Assignment(standard.send, Truth(False)), Assignment(state, number(_IDLE))),
-            ]
-
-        def because(key: str) -> Whole:
-            return Whole(ERRORS[key][0], UINT)
-
-        def noted(key: str) -> list[Statement]:
-            return [Assignment(reason, because(key))]
-
-        def called(routine: Routine, length: Variable, outputs: Mapping[str, Expression]) -> Assignment:
-            names = [declared.variable for declared in routine.declared if declared.role != "local"]
-            arguments: dict[str, Expression] = {
-                variable.name: outputs.get(variable.name, variable) for variable in names
-            }
-            return Assignment(status, routine.called(**{**arguments, LENGTH: length}))
-
-        repeat: list[Statement] = [Assignment(standard.send, Truth(False)), Assignment(state, number(_AGAIN))]
-        good = compared(status, "=", self.status.of("ok"))
-        bodies = {
-            **{key: noted(key) for key in ("damaged", "station", "other")},
-            "exception": [*answer.refused, *ended(standard.error, because("exception"))],
-        }
-        right = [*answer.taken, *ended(standard.done)]
-        values = (self.asked, answer.answered, self.variables)
-        judgement = judged(self.world, self.link, self.message, status, *values, bodies.__getitem__, right)
-        reset = [Assignment(variable, Truth(False)) for variable in (standard.done, standard.aborted, standard.error)]
-        idle = [
-            when(
-                either([edge, Negation(standard.execute)]),
-                [*reset, Assignment(standard.error_id, Whole(0, UINT))],
-            ),
-            when(
-                edge,
-                [
-                    *(Assignment(standard.busy, Truth(True)), Assignment(tries, number(0))),
-                    Assignment(state, number(_BUILD)),
-                ],
-            ),
-        ]
-        building: list[Statement] = [
-            called(self.build, size, {}),
-            when(
-                good,
-                [
-                    *(Assignment(standard.send, Truth(True)), Assignment(reason, because("timeout"))),
-                    Assignment(state, number(_WAIT)),
-                ],
-                ended(standard.error, because("request")),
-            ),
-        ]
-        waiting: list[Statement] = [
-            when(arrived, [called(self.parse, count, answer.answered), *judgement]),
-            when(every([in_state(_WAIT), standard.failed]), [Assignment(reason, because("transport")), *repeat]),
-            when(every([in_state(_WAIT), Member(timer, "Q", BOOL)]), repeat),
-        ]
-        repeating = [
-            when(
-                compared(tries, "<", standard.retries),
-                [Assignment(tries, plus(tries, 1)), Assignment(state, number(_BUILD))],
-                ended(standard.error, reason),
-            )
-        ]
-        return (
-            Timing(timer, in_state(_WAIT), standard.timeout),
-            Assignment(edge, every([standard.execute, Negation(before)])),
-            Assignment(before, standard.execute),
-            Assignment(arrived, every([standard.received, Negation(received_before)])),
-            Assignment(received_before, standard.received),
-            Condition(
-                (
-                    (in_state(_IDLE), tuple(idle)),
-                    (standard.abort, tuple(ended(standard.aborted))),
-                    (in_state(_BUILD), tuple(building)),
-                    (in_state(_WAIT), tuple(waiting)),
-                ),
-                tuple(repeating),
-            ),
-        )
+    slots = {
+        **judging_slots(world),
+        "link": link.name,
+        "title": message.message.title or message.name.replace("_", " "),
+        "comment": world.comment(message.message, None),
+        "errors": meanings(ERRORS),
+        "build": build,
+        "parse": parse,
+        "inputs": build.of_role("input"),
+        "lent": [
+            replace(item, remark=frame if item.variable.name == FRAME else item.remark)
+            for item in build.of_role("in_out")
+        ],
+        "outputs": outputs,
+        "asked": request_values,
+    }
+    expansion = Expansion(source("exchange"), variables, slots, {})
+    response, own = answer[0], {item.variable.name: item.variable for item in parse.of_role("in_out")}
+    status = expansion.scope["eStatus"]
+    expansion.scope |= {
+        "answered": {**own, **response.answered},
+        "taken": response.taken,
+        "refused": response.refused,
+        "answer": judged(world, link, message, status, request_values, response.answered, variables),
+    }
+    return expansion.routine(name, build.group)

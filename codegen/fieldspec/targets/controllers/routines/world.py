@@ -79,12 +79,12 @@ class Names:
 class World:
     """A device, and how the declarations call its parts.
 
-    `port_members` are the types of the members of ports, once one of them is used.
+    `port_members` are the members of ports with their names and types, once one of them is used.
     """
 
     layout: DeviceLayout
     names: Names
-    port_members: dict[str, dict[str, Type]] = field(default_factory=dict)
+    port_members: dict[str, dict[str, tuple[str, Type]]] = field(default_factory=dict)
     _raw: dict[str, Elementary] = field(default_factory=dict)
 
     def routine(self, *parts: str) -> str:

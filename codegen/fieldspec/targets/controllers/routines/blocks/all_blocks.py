@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.foundation.classes import dataclass, replace
@@ -13,16 +13,13 @@ from fieldspec.language.model.watches import MOVING
 from fieldspec.targets.controllers.routines.blocks.clients import client_blocks
 from fieldspec.targets.controllers.routines.blocks.cyclic import CyclicTask
 from fieldspec.targets.controllers.routines.blocks.frames import MessageTask, exchange_of, message_block
-from fieldspec.targets.controllers.routines.blocks.jogging import Jogging
-from fieldspec.targets.controllers.routines.blocks.kinds import Edged, Executed, Kind, Reading
+from fieldspec.targets.controllers.routines.blocks.kinds import Executed, Jogging, Kind, Moving, Reading, Stopping
 from fieldspec.targets.controllers.routines.blocks.line_tasks import LineTask
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
-from fieldspec.targets.controllers.routines.blocks.motion import AxisPort, Moving
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock
 from fieldspec.targets.controllers.routines.blocks.panels import panels
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS, FRAMES, cyclic, own_links
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
-from fieldspec.targets.controllers.routines.blocks.stopping import Stopping
 from fieldspec.targets.controllers.routines.blocks.tables import group_blocks, table_blocks
 from fieldspec.targets.controllers.routines.blocks.tasks import describe
 from fieldspec.targets.controllers.routines.blocks.telegram_places import TelegramPlaces
@@ -152,7 +149,7 @@ class _Maker:
 
         def build(known: LineTask | None) -> tuple[LineDraft, LineTask]:
             draft = LineDraft(self.world, self.world.block(job.name), f"task {job.name}", port)
-            draft.connect(_kind(draft, job, draft.axis_port))
+            draft.kind = _kind(draft, job)
             if port == AXIS:
                 return draft, WordTask(self.world, self.operands, self.helpers, draft, job.tasks, known)
             return draft, MessageTask(self.world, self.operands, self.by_name, draft, job.tasks, known)
@@ -171,7 +168,8 @@ class _Maker:
 
         def build(known: CyclicTask | None) -> CyclicTask:
             draft = BlockDraft(self.world, name, f"telegram {message.name}")
-            kind = _kind(draft, job, TelegramPlaces(self.world, self.operands, draft, message).axis_port)
+            TelegramPlaces(self.world, self.operands, draft, message)
+            kind = _kind(draft, job)
             return CyclicTask(self.world, self.operands, draft, kind, message, job.tasks, known)
 
         first = build(None)
@@ -182,16 +180,18 @@ class _Maker:
         return task.block()
 
 
-def _kind(draft: BlockDraft, job: Job, axis: Callable[[], AxisPort]) -> Kind:
+def _kind(draft: BlockDraft, job: Job) -> Kind:
     """The kind of start and end that the block of a job has."""
     if job.kind.startswith("read_"):
         return Reading(draft)
+    if job.kind in ("jog", "stop") or job.kind in MOVING or job.halts:
+        draft.lend_axis()
     if job.kind == "jog":
         backward = any(task.direction == "negative" for task in job.tasks)
-        return Jogging(draft, axis(), len(job.tasks) > 1 or not backward, backward)
+        return Jogging(draft, len(job.tasks) > 1 or not backward, backward)
     if job.kind in MOVING or job.halts:
-        return Moving(draft, axis(), job.halts)
-    return Stopping(draft, axis()) if job.kind == "stop" else Executed(draft, abort=False)
+        return Moving(draft, job.halts)
+    return Stopping(draft) if job.kind == "stop" else Executed(draft, abort=False)
 
 
 _HIDDEN = (
@@ -207,7 +207,6 @@ _AGAIN = (
 
 def _comments(kind: Kind) -> tuple[str, ...]:
     """The paragraphs of a block's comment about its start and end."""
-    assert isinstance(kind, Edged | Reading)
     if isinstance(kind, Moving) and kind.hidden:
         return kind.comment, _HIDDEN
     return (kind.comment, _AGAIN) if isinstance(kind, Stopping) and kind.stop else (kind.comment,)

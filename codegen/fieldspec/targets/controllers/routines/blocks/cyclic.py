@@ -21,14 +21,10 @@ from fieldspec.language.model.watches import (
     shows_acceptance,
     watches,
 )
-from fieldspec.targets.controllers.routines.blocks.jogging import Jogging
-from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Edged, Executed, Kind
-from fieldspec.targets.controllers.routines.blocks.motion import Moving, unready
+from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Executed, Jogging, Kind, Moving, Stopping
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, constant, kind_of, outputs_of
-from fieldspec.targets.controllers.routines.blocks.ports import increment
 from fieldspec.targets.controllers.routines.blocks.progress import Conditions, opposite, standstill
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft, assigned, chain
-from fieldspec.targets.controllers.routines.blocks.stopping import Stopping
 from fieldspec.targets.controllers.routines.blocks.tasks import end_steps
 from fieldspec.targets.controllers.routines.blocks.telegram_places import RequestBit, TelegramPlaces, cleared
 from fieldspec.targets.controllers.routines.world import World
@@ -73,7 +69,7 @@ class CyclicTask:
         self.neutral: list[Statement] = []
         self.lowered: list[Statement] = []
         self.insists: list[Statement] = []
-        self.begun: list[Statement] = []
+        self.takes_at_edge = False
         self.insisting = False
         self.unsettled = False
         self.remarks: list[str] = []
@@ -105,7 +101,7 @@ class CyclicTask:
         self._walk(task, before_effect(task), stop, acceptance(self.operands, task, self.message.name))
         kind.look = self.labels["look"]
         if ends is not None:
-            kind.wanted = kind.execute
+            kind.lasts = True
             place, field = self.places.place(self._operand(task.steps[ends[1]]))
             self.neutral.append(Assignment(place, self._value(task.steps[ends[1]], field)))
             self._follow()
@@ -117,7 +113,9 @@ class CyclicTask:
         self._look_first()
         direction_steps = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
         if len(self.tasks) > 1:
-            draft.add([when(kind.backward, [direction_steps[1]], [direction_steps[0]])], remark="the direction")
+            draft.add(
+                [when(draft.variable("xBackward"), [direction_steps[1]], [direction_steps[0]])], remark="the direction"
+            )
         for number, other in enumerate(self.tasks):
             end = end_steps(other)
             assert end is not None
@@ -139,7 +137,7 @@ class CyclicTask:
             kind.restart = [*self.insists, *kind.restart]
             starts = [self.places.bit(bit) for bit in self.places.starting() if "move_start" in bit.roles]
             kind.fresh += [*self.insists, *cleared(starts)]
-            kind.at_once = [*kind.goes_out(), *kind.take_over()]
+            kind.at_once = [*draft.action("GoOut"), *self.draft.action("TakeOver")]
         kind.tries, kind.ending = 1, draft.next
         is_standing = self.conditions.stands(self.places.seen)
         reached = self.operands.with_role("speed_reached", self.message.name)
@@ -171,7 +169,7 @@ class CyclicTask:
                 raise NoBlock(f"`{step.action} {step.target}` is nothing that can be repeated in each scan")
         self.insisting = True
         if isinstance(kind, Stopping):
-            self.begun = [increment(self.places.axis_port().motion)]
+            self.takes_at_edge = True
             levels = _BY_LEVEL | {"move_start"}
             bits += [self.places.bit(operand) for operand in self.places.starting() if levels & {*operand.roles}]
             self.remarks.append("It clears the bits that start a motion too, in each scan while it is Busy.")
@@ -202,7 +200,7 @@ class CyclicTask:
         is_standing = self.conditions.stands(self.places.seen) if task.kind in MOVING and not confirms else None
         if is_standing is not None:
             assert isinstance(self.kind, Moving)
-            branches.append(unready(self.kind, draft, opposite(is_standing)))
+            branches.append(self.kind.unready(opposite(is_standing)))
         for step in first:
             _, holds = self.conditions.test(step, self.places.seen)
             branches.append((opposite(holds), [draft.fail("unready")]))
@@ -232,7 +230,7 @@ class CyclicTask:
 
     def _taken(self, accepts: bool) -> list[Statement]:
         kind = self.kind
-        return kind.take_over() if accepts and isinstance(kind, Moving) and not kind.halts else []
+        return self.draft.action("TakeOver") if accepts and isinstance(kind, Moving) and not kind.halts else []
 
     def _waits(
         self,
@@ -270,7 +268,7 @@ class CyclicTask:
         operand = self._operand(step)
         dispatch: list[Statement] = []
         if isinstance(self.kind, Moving) and not self.kind.halts and (starts or takeover):
-            dispatch = self.kind.goes_out()
+            dispatch = self.draft.action("GoOut")
         is_last = index + 1 == len(task.steps)
         on = 0 if is_last else draft.next + 1
         if step.action == "read":
@@ -364,24 +362,18 @@ class CyclicTask:
     def block(self) -> Routine:
         """The block: the statements of each scan, with the steps in a CASE."""
         draft, kind = self.draft, self.kind
-        edges = kind.edges()
-        guards = kind.guards()
-        ending = [Negation(kind.ending_flag)] if isinstance(kind, Moving) else []
-        if not self.insisting:
-            guards.append((every([Negation(self.places.valid), draft.unharmed(), *ending]), [draft.fail("transport")]))
+        ending = [Negation(draft.variable("xEnding"))] if isinstance(kind, Moving) else []
         alarms: list[Statement] = []
+        guards: list[Branch] = []
         for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):
             place, _ = self.places.place(watch.operand)
             test = opposite(self.conditions.has(watch.operand, (watch.value,), place))
             if isinstance(kind, Moving) and watch.reason == "alarm":
-                alarms += kind.alarmed([every([kind.ending_flag, self.places.valid, test])])
+                alarms += kind.alarmed([every([draft.variable("xEnding"), self.places.valid, test])])
             guards.append((every([test, draft.unharmed(), *ending]), [draft.fail(watch.reason)]))
-        steps = draft.selected(asks=True)
-        works = [*kind.may_ask(), draft.unharmed()]
-        guards.append((every(works), steps))
-        orders: list[Statement] = [when(kind.edge, self.begun)] if self.begun and isinstance(kind, Edged) else []
-        orders += self.insists if self.insisting else alarms
-        tail = kind.tail()
-        always = [kind.unlock()] if isinstance(kind, Stopping) else []
-        body = [*orders, chain(guards), *kind.accepted(), *tail]
-        return draft.finished([*draft.timers(), *edges, when(kind.active(), body), *always])
+        return kind.block(
+            insists=self.insisting,
+            takes_at_edge=self.takes_at_edge,
+            orders=self.insists if self.insisting else alarms,
+            watches=[chain(guards)] if guards else [],
+        )

@@ -13,17 +13,20 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.watches import MOVING, before_effect, halting_task, is_command, last_command
 from fieldspec.targets.controllers.routines.answers import judged, received
+from fieldspec.targets.controllers.routines.blocks.kinds import handshake_slots
 from fieldspec.targets.controllers.routines.blocks.line_tasks import Decide, LineTask, Unit
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, constant
-from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, own_links
+from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, own_links, port_members
 from fieldspec.targets.controllers.routines.blocks.progress import Seen
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, meanings
+from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
+from fieldspec.targets.controllers.routines.exchanges import meanings
 from fieldspec.targets.controllers.routines.parameters import FRAME, parameters_of
 from fieldspec.targets.controllers.routines.world import World
-from fieldspec.targets.controllers.routines.wrapping import LENGTH, link_words
+from fieldspec.targets.controllers.routines.wrapping import link_words
+from fieldspec.targets.controllers.sources.expansion import Expansion, source
 from fieldspec.targets.controllers.statements.expressions import Expression, Variable
-from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Routine, Statement
+from fieldspec.targets.controllers.statements.routine import Declared, Routine, Statement
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,27 +58,26 @@ def add_exchange(
 
     `success` follows where it is right, and `refused` where the device refuses.
     """
-    lent = {FRAME: block.of_port("frame")}
-    built = exchange.build.called(**{**lent, **request_values, LENGTH: block.of_port("send")})
-    parsed = exchange.parse.called(**{**lent, **response_values, LENGTH: block.of_port("received")})
-    fill = block.attempt(built, tuple(block.ask()), "request")
-
-    def fail(reason: str) -> list[Statement]:
-        return [*(refused if reason == "exception" else ()), block.fail(reason)]
-
-    judgement = judged(
-        block.world,
-        exchange.link,
-        exchange.message,
-        block.result,
-        request_values,
-        response_values,
-        block,
-        fail,
-        success,
-    )
-    take: list[Statement] = [Assignment(block.result, parsed), *judgement]
-    return block.request(fill, take, remark)
+    status = block.result
+    judgement = judged(block.world, exchange.link, exchange.message, status, request_values, response_values, block)
+    slots = {
+        **handshake_slots(block.world),
+        "eStatus": status,
+        "uiReason": block.reason,
+        "stPort": block.port,
+        "ask": block.ask(),
+        "success": success,
+        "refused": refused,
+        "answer": {
+            **judgement,
+            "build": exchange.build,
+            "parse": exchange.parse,
+            "asked": request_values,
+            "answered": response_values,
+        },
+    }
+    step = Expansion(source("message_step"), block, slots, port_members(block.world))
+    return block.request(step.action("Send"), step.action("Receive"), remark)
 
 
 def message_block(world: World, exchange: Exchange) -> Routine:

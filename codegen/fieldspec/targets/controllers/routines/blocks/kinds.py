@@ -1,207 +1,203 @@
-"""How blocks start and end: by an edge, or while an input is TRUE. What moves an axis is in `motion.py`."""
+"""How blocks start and end, and how they move an axis: what their sources may name. The sources say what they do."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
-from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft, assigned, chain
+from fieldspec.targets.controllers.routines.blocks.ports import (
+    ABANDONED,
+    ANSWERED,
+    ASKED,
+    FREE,
+    POSTPONED,
+    PRESSING,
+    URGENT,
+    port_members,
+)
+from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, BlockDraft, assigned
+from fieldspec.targets.controllers.routines.exchanges import judging_slots
+from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.sources.expansion import Expansion, source
 from fieldspec.targets.controllers.statements.expressions import (
-    BOOL,
+    UINT,
     Expression,
-    Negation,
+    Whole,
     compared,
     either,
-    every,
     number,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Statement, when
+from fieldspec.targets.controllers.statements.routine import Routine, Statement
 
 Branch: TypeAlias = tuple[Expression, Sequence[Statement]]
-EDGES = (
-    "Nothing starts without a rising edge of Execute, the first scan included; a rising edge while Busy starts again, "
-    "with the inputs of its scan. Done, CommandAborted and Error stay until Execute is FALSE, and at least one scan. "
-    "Call the block in each scan."
-)
+TRIES = 3
+"""How often the end of a motion is asked for, where it fails."""
 
 
-class Kind(ABC):
-    """How a block starts and ends.
+def handshake_slots(world: World) -> dict[str, Any]:
+    """What the sources of blocks may name that ask through ports, and of those that serve them."""
+    reasons = {key: Whole(code, UINT) for key, (code, _) in ERRORS.items()}
+    states = {"free": FREE, "asked": ASKED, "answered": ANSWERED, "abandoned": ABANDONED}
+    return {
+        **judging_slots(world),
+        "Reason": {**reasons, "postponed": Whole(POSTPONED, UINT)},
+        "Port": {name: number(state) for name, state in states.items()},
+        "Urgency": {"pressing": number(PRESSING), "urgent": number(URGENT)},
+    }
 
-    `release` gives up what it has asked for, `drop` does so at the end of the scan; both are empty where it asks for
-    nothing.
+
+class Kind:
+    """How a block starts and ends. `sources` say what it does, `comment` says so in the output.
+
+    `fresh` is done where it starts; `late` is whether its time is over.
     """
 
-    def __init__(self, draft: BlockDraft) -> None:
+    sources: tuple[str, ...]
+    comment = (
+        "Nothing starts without a rising edge of Execute, the first scan included; a rising edge while Busy starts "
+        "again, with the inputs of its scan. Done, CommandAborted and Error stay until Execute is FALSE, and at least "
+        "one scan. Call the block in each scan."
+    )
+
+    def __init__(self, draft: BlockDraft, **slots: Any) -> None:
         self.draft = draft
-        self.release: Sequence[Statement] = ()
-        self.drop: Sequence[Statement] = ()
-
-    @abstractmethod
-    def edges(self) -> list[Statement]:
-        """The statements that evaluate the inputs in each scan."""
-
-    def guards(self) -> list[Branch]:
-        """The branches that precede the step: where the test of one holds, the step is not carried out."""
-        return []
-
-    def active(self) -> Expression:
-        """The condition under which the block carries out its steps."""
-        return self.draft.busy
-
-    def may_ask(self) -> list[Expression]:
-        """The conditions under which the block may send a request."""
-        return []
-
-    def on_ask(self) -> list[Statement]:
-        """The statements that follow when the block has sent a request."""
-        return []
-
-    def accepted(self) -> list[Statement]:
-        """The statements that follow from a response, whichever step has parsed it."""
-        return []
-
-    def urgent(self) -> Expression | None:
-        """The condition under which it stops, which precedes other requests; None where it never does."""
-        return None
-
-    def pressing(self) -> Expression | None:
-        """The condition under which its requests precede all but stops; None where they never do."""
-        return None
-
-    @abstractmethod
-    def tail(self) -> list[Statement]:
-        """The statements that end the block."""
-
-
-class Edged(Kind):
-    """A block that each rising edge of Execute starts."""
-
-    comment = EDGES
-
-    def __init__(self, draft: BlockDraft, aborted: bool) -> None:
-        super().__init__(draft)
         self.fresh: list[Statement] = []
-        self.declare_start()
-        draft.outputs("Done", aborted)
-        draft.steps_from(0)
-        self.declare_edge()
+        self.late: Expression | None = None
+        lists = {"fresh": self.fresh, "at_start": draft.at_start}
+        slots = {**handshake_slots(draft.world), **draft.slots, **lists, **slots}
+        sources = source(*self.sources, draft.carrier)
+        draft.expand(Expansion(sources, draft, slots, port_members(draft.world)))
 
-    def declare_start(self) -> None:
-        """Declares the input that starts the block."""
-        self.execute: Expression = self.draft.declare("Execute", BOOL, "input", "a rising edge starts")
-
-    def declare_edge(self) -> None:
-        """Declares the variables that detect the rising edge."""
-        self.edge = self.draft.declare("xEdge", BOOL, "local")
-        remark = "so that nothing starts in the first scan"
-        self.before = self.draft.declare("xExecuteBefore", BOOL, "local", remark, "TRUE")
-
-    def find_edge(self) -> list[Statement]:
-        """The statements that detect the rising edge."""
-        return [
-            Assignment(self.edge, every([self.execute, Negation(self.before)])),
-            Assignment(self.before, self.execute),
-        ]
-
-    def idle(self) -> Branch:
-        """The branch that resets the outputs of a block that has ended."""
+    def known(self) -> dict[str, Any]:
+        """What the sources may name once the steps of the block are known."""
         draft = self.draft
-        return every([Negation(draft.busy), Negation(self.execute)]), draft.cleared()
+        return {
+            "converts": bool(draft.at_start),
+            "late": False if self.late is None else self.late,
+            "has_end": False,
+            "timers": draft.timers(),
+            "settling": draft.settling_timer(),
+            "asks": draft.branches(asks=True),
+            "takes": draft.branches(asks=False),
+        }
 
-    def begun(self) -> list[Statement]:
-        """The statements that begin the block at the edge."""
-        draft = self.draft
-        return [*self.release, *draft.cleared(), assigned(draft.busy, True), draft.go(1), *self.fresh]
+    def block(self, **slots: Any) -> Routine:
+        """The block. `slots` is what its carrier knows."""
+        self.draft.expansion.scope |= {**self.known(), **slots}
+        return self.draft.finished()
+
+    def limit(self) -> None:
+        """Ends the block with an error, or its motion, when its time is over."""
+        running = self.draft.expansion.property("Limited")
+        self.late = self.draft.timer("fbLimit", running, "tLimit", "T#60s", "the longest time until Done")
 
     def forget_first(self, flag: Expression) -> None:
-        """Adds the reset of a flag to what the block does at the edge."""
+        """Adds the reset of a flag to what the block does where it starts."""
         if assigned(flag, False) not in self.fresh:
             self.fresh.append(assigned(flag, False))
 
-    def may_ask(self) -> list[Expression]:
-        """See `Kind`."""
-        return [Negation(self.edge)]
 
-    def over(self, *statements: Statement) -> Statement:
-        """The statement that leaves the block once one of its outputs says that it has ended."""
-        draft = self.draft
-        return chain([(either(draft.ends()), [*self.drop, *statements, assigned(draft.busy, False), draft.end()])])
-
-    def done(self) -> Branch:
-        """The branch that ends the block after its last step."""
-        return compared(self.draft.step, "=", number(0)), self.ended_well()
-
-    def ended_well(self) -> list[Statement]:
-        """The statements for an end without an error."""
-        return [assigned(self.draft.done, True)]
-
-
-class Executed(Edged):
+class Executed(Kind):
     """A block that carries out its steps once; its input Abort, if it has one, ends it."""
 
+    sources = ("executed",)
+
     def __init__(self, draft: BlockDraft, abort: bool) -> None:
-        self._has_abort = abort
-        super().__init__(draft, abort)
-
-    def declare_start(self) -> None:
-        """See `Edged`."""
-        super().declare_start()
-        if self._has_abort:
-            self.abort = self.draft.declare("Abort", BOOL, "input", "ends the block with CommandAborted")
-
-    def limit(self) -> None:
-        """Ends the block with an error when its time is over."""
-        self.late = self.draft.timer("fbLimit", self.draft.busy, "tLimit", "T#60s", "the longest time until Done")
-
-    late: Expression | None = None
-
-    def edges(self) -> list[Statement]:
-        """See `Kind`."""
-        draft = self.draft
-        begin = [*self.begun(), draft.forgotten(), *draft.at_start]
-        return [*self.find_edge(), chain([(self.edge, begin), self.idle()])]
-
-    def tail(self) -> list[Statement]:
-        """See `Kind`."""
-        draft = self.draft
-        late = [when(self.late, [draft.fail("late")])] if self.late is not None else []
-        branches: list[Branch] = []
-        if draft.aborted is not None:
-            branches.append((self.abort, [assigned(draft.aborted, True)]))
-        branches += [(draft.failed(), draft.erroneous()), self.done()]
-        return [*late, chain(branches), self.over()]
+        super().__init__(draft, is_abortable=abort)
 
 
 class Reading(Kind):
     """A block that reads while Enable is TRUE. It goes on after an error, and recovers by itself."""
 
+    sources = ("reading",)
     comment = "Reads again and again while Enable is TRUE, after an error too. Call the block in each scan."
 
+
+class Stopping(Kind):
+    """A block that stops the axis, and locks it while Execute is TRUE. `stop` is the last step that asks for it."""
+
+    sources = ("stopping",)
+    comment = (
+        "While it is Busy or Execute is TRUE, the axis is locked: no motion starts. It asks for the stop until it is "
+        "answered, and is Busy until the device stands."
+    )
+
     def __init__(self, draft: BlockDraft) -> None:
-        super().__init__(draft)
-        self.enable = draft.declare("Enable", BOOL, "input", "reads while it is TRUE")
-        draft.outputs("Valid", False)
-        draft.steps_from(1)
+        self.stop = 0
+        super().__init__(draft, is_abortable=False)
 
-    def edges(self) -> list[Statement]:
+    def known(self) -> dict[str, Any]:
+        """See `Kind`."""
+        return {**super().known(), "stops": self.draft.between(1, self.stop)}
+
+
+class Moving(Kind):
+    """A block that moves the axis, or halts it.
+
+    `commands` are the steps whose requests begin the motion, `look` is the one behind its acceptance. `ending` is the
+    first step of what ends the motion, and `stop` the last one that asks for its end, both 0 where nothing does.
+    `at_once` is done where it begins, `restart` where its end begins, `tries` is how often that is tried. One that
+    `lasts` goes on while Execute is TRUE. One that `halts` is sent before all starts, and has failed only where none of
+    its tries succeeds. Where the device does not show that it takes the command, it is `hidden`: no other may be under
+    way then. Where it `remembers`, an edge that comes while the motion is being ended begins afterwards.
+    """
+
+    sources: tuple[str, ...] = ("edged", "moving")
+    remembers = True
+
+    def __init__(self, draft: BlockDraft, halts: bool = False, **slots: Any) -> None:
+        self.halts = halts
+        super().__init__(draft, is_abortable=True, halts=halts, remembers=self.remembers, **slots)
+        draft.refusal = draft.variable("uiRefusal")
+        self.look = self.ending = self.stop = 0
+        self.commands: list[int] = []
+        self.restart: Sequence[Statement] = ()
+        self.at_once: Sequence[Statement] = ()
+        self.lowered: Sequence[Statement] = ()
+        self.lowered_unless_done: Sequence[Statement] = ()
+        self.tries = TRIES
+        self.lasts = self.hidden = False
+
+    def known(self) -> dict[str, Any]:
         """See `Kind`."""
         draft = self.draft
-        off: list[Statement] = [*self.release, *draft.cleared(), assigned(draft.busy, False), draft.go(1)]
-        return [when(Negation(self.enable), off)]
+        return {
+            **super().known(),
+            **{name: number(getattr(self, name)) for name in ("look", "ending", "stop", "tries")},
+            **{name: getattr(self, name) for name in ("restart", "at_once", "lowered", "lowered_unless_done", "lasts")},
+            "is_hidden": self.hidden,
+            "is_repeated": self.tries > 1,
+            "has_end": self.ending > 0,
+            "has_stop": self.stop > 0,
+            "stops": draft.between(self.ending, self.stop),
+            "looks": bool(self.commands) and self.look > max(self.commands) + 1,
+            "at_command": either([compared(draft.step, "=", number(step)) for step in self.commands])
+            if self.commands
+            else False,
+            "lowers_unless_done": bool(self.lowered_unless_done),
+        }
 
-    def active(self) -> Expression:
-        """See `Kind`."""
-        return self.enable
+    def alarmed(self, tests: Sequence[Expression]) -> list[Statement]:
+        """The statements that record an alarm as the reason, while the motion is being ended."""
+        return [statement for test in tests for statement in self.draft.action("SeeAlarm", is_there=test)]
 
-    def tail(self) -> list[Statement]:
-        """See `Kind`."""
-        draft = self.draft
-        wrong = [assigned(draft.done, False), *draft.erroneous(), draft.forgotten(), draft.go(1)]
-        right = [*draft.cleared()[1:], assigned(draft.done, True), draft.go(1)]
-        finished = compared(draft.step, "=", number(0))
-        return [
-            chain([(draft.failed(), wrong), (finished, right)]),
-            Assignment(draft.busy, Negation(draft.error)),
-        ]
+    def unready(self, moves: Expression) -> Branch:
+        """The branch for an axis that has to stand: the block's own motion is ended, then it begins again."""
+        self.hidden = True
+        moves = either([moves, self.draft.expansion.property("StillEarlier")])
+        return moves, self.draft.action("AskForStandstill")
+
+
+class Jogging(Moving):
+    """A block that moves the axis in a direction while the input of that direction alone is TRUE."""
+
+    sources = ("levels", "moving", "jogging")
+    comment = (
+        "It moves while one of its inputs is TRUE; with both TRUE, or none, it stops, and is Busy until the device "
+        "stands. Nothing starts in the first scan, and after an error or CommandAborted not before both inputs were "
+        "FALSE. These outputs stay while an input is TRUE, and at least one scan. Call the block in each scan."
+    )
+    remembers = False
+
+    def __init__(self, draft: BlockDraft, forward: bool, backward: bool) -> None:
+        super().__init__(draft, has_forward=forward, has_backward=backward)

@@ -21,15 +21,11 @@ from fieldspec.language.model.watches import (
     shows_acceptance,
     watches,
 )
-from fieldspec.targets.controllers.routines.blocks.jogging import Jogging
-from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Executed
+from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Executed, Jogging, Moving, Stopping
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
-from fieldspec.targets.controllers.routines.blocks.motion import Moving, unready
 from fieldspec.targets.controllers.routines.blocks.operands import outputs_of
-from fieldspec.targets.controllers.routines.blocks.ports import increment
 from fieldspec.targets.controllers.routines.blocks.progress import Conditions, Seen, opposite
 from fieldspec.targets.controllers.routines.blocks.standard import chain
-from fieldspec.targets.controllers.routines.blocks.stopping import Stopping
 from fieldspec.targets.controllers.routines.blocks.tasks import end_steps, target
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import Variable
@@ -107,7 +103,7 @@ class LineTask(ABC):
         elif isinstance(kind, Moving):
             self._motion(kind)
         elif isinstance(kind, Stopping):
-            self._walk(task, 0, whole, kind.take_over(), last_command(task))
+            self._walk(task, 0, whole, self.draft.action("TakeOver"), last_command(task))
             kind.stop = self.labels["accepted"]
         else:
             if isinstance(kind, Executed):
@@ -116,7 +112,7 @@ class LineTask(ABC):
             if first:
                 self._look_first()
             takes = task.kind == "servo_off"
-            takeover = [increment(self.draft.axis_port().motion)] if takes else []
+            takeover = self.draft.action("Increment", count=self.draft.of_axis("motion")) if takes else []
             self._walk(task, first, whole, takeover, acceptance(self.operands, task) if takes else -1)
 
     def _motion(self, kind: Moving) -> None:
@@ -126,7 +122,14 @@ class LineTask(ABC):
         first = before_effect(task)
         if task.kind in MOVING:
             self._look_first()
-        self._walk(task, first, len(task.steps), kind.take_over(), acceptance(self.operands, task), begins_motion=True)
+        self._walk(
+            task,
+            first,
+            len(task.steps),
+            self.draft.action("TakeOver"),
+            acceptance(self.operands, task),
+            begins_motion=True,
+        )
         kind.look = self.labels["look"]
         if task.kind not in MOVING:
             kind.ending, kind.stop = 1, kind.commands[-1]
@@ -149,13 +152,17 @@ class LineTask(ABC):
         ends = [end_steps(other) for other in self.tasks]
         direction_steps = [draft.go(self.known.get(f"direction {number}", 0)) for number in range(len(self.tasks))]
         if len(self.tasks) > 1:
-            draft.add([when(kind.backward, [direction_steps[1]], [direction_steps[0]])], remark="the direction")
+            draft.add(
+                [when(draft.variable("xBackward"), [direction_steps[1]], [direction_steps[0]])], remark="the direction"
+            )
         for number, (other, end) in enumerate(zip(self.tasks, ends, strict=True)):
             assert end is not None
             self.labels[f"direction {number}"] = draft.next
             accepted_at = acceptance(self.operands, other)
             on = self.known.get("watch", 0)
-            self._walk(other, end[0], end[1], kind.take_over(), accepted_at, begins_motion=True, behind_all=on)
+            self._walk(
+                other, end[0], end[1], self.draft.action("TakeOver"), accepted_at, begins_motion=True, behind_all=on
+            )
         kind.look = self.labels["watch"] = draft.next
         watching = self.watching_unit()
         if watching is None:
@@ -168,7 +175,7 @@ class LineTask(ABC):
             moves: list[Statement] = []
             if is_standing is not None:
                 operands += [self.target(step) for step in self.conditions.standstill]
-                moves = [when(opposite(is_standing), [kind.seen_to_move()])]
+                moves = [when(opposite(is_standing), draft.action("SeeMotion"))]
             self.perform(
                 *watching, operands, lambda following: [*moves, chain(branches, [draft.go(this_step)])], "it moves"
             )
@@ -210,7 +217,7 @@ class LineTask(ABC):
             is_standing = conditions.stands(value_of) if must_stand else None
             if is_standing is not None:
                 assert isinstance(draft.kind, Moving)
-                branches.append(unready(draft.kind, draft, opposite(is_standing)))
+                branches.append(draft.kind.unready(opposite(is_standing)))
             visible = [operand for operand in operands if value_of(operand) is not None]
             if visible:
                 self.perform(own, unit, visible, self._first(branches, noted), "whether it may begin")
@@ -337,4 +344,4 @@ class LineTask(ABC):
             return [refused]
         if self.fault_before is None:
             return [refused]
-        return [Assignment(kind.sent, self.fault_before), refused]
+        return [Assignment(self.draft.variable("xSent"), self.fault_before), refused]

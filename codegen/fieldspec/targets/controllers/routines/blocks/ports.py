@@ -16,6 +16,7 @@ from fieldspec.language.model.record import Message
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import framed
+from fieldspec.targets.controllers.sources.lookups import Members
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     INT,
@@ -23,13 +24,9 @@ from fieldspec.targets.controllers.statements.expressions import (
     UINT,
     Expression,
     Member,
-    Operation,
     StructType,
     Type,
-    Whole,
-    compared,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Statement, when
 from fieldspec.targets.controllers.structs import fixed
 
 FREE, ASKED, ANSWERED, ABANDONED = range(4)
@@ -133,15 +130,20 @@ def axis_key(message: MessageLayout | Message) -> str:
     return f"axis of {message.name}"
 
 
+def port_members(world: World) -> Members:
+    """The members of all ports, by the name of the struct and their key."""
+    if not world.port_members:
+        world.port_members.update(
+            {
+                world.names.structs[port.key]: {
+                    key: (world.names.members[port.key][key], kind) for key, kind, _ in port.members
+                }
+                for port in ports(world)
+            }
+        )
+    return world.port_members
+
+
 def member(world: World, port: str, name: str, struct: Expression) -> Member:
     """A member of a port."""
-    if not world.port_members:
-        world.port_members.update({port.key: {name: kind for name, kind, _ in port.members} for port in ports(world)})
-    return Member(struct, world.names.members[port][name], world.port_members[port][name])
-
-
-def increment(count: Expression) -> Statement:
-    """The statement that adds 1 to a count, with 0 after its greatest value."""
-    successor = Operation("+", (count, Whole(1, UDINT)), UDINT)
-    is_greatest = compared(count, "=", Whole(UDINT.high, UDINT))
-    return when(is_greatest, [Assignment(count, Whole(0, UDINT))], [Assignment(count, successor)])
+    return Member(struct, *port_members(world)[world.names.structs[port]][name])

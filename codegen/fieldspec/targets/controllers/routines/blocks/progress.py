@@ -9,11 +9,9 @@ from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.operand import Operand, Operands
 from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.watches import Watch, halting_task, last_command, proves_target, shows_acceptance
-from fieldspec.targets.controllers.routines.blocks.kinds import Branch
-from fieldspec.targets.controllers.routines.blocks.motion import Moving
+from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Moving, Stopping
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, holds, unit_of
 from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
-from fieldspec.targets.controllers.routines.blocks.stopping import Stopping
 from fieldspec.targets.controllers.routines.blocks.tasks import target
 from fieldspec.targets.controllers.routines.scaling import times
 from fieldspec.targets.controllers.routines.world import World
@@ -182,7 +180,7 @@ class Conditions:
         if is_standing is not None:
             moved = draft.flag("xMoved", "the device was seen to move")
             fresh.append(moved)
-            body.append(when(Negation(standing), [assigned(moved, True), kind.seen_to_move()]))
+            body.append(when(Negation(standing), [assigned(moved, True), *draft.action("SeeMotion")]))
             wrong = [when(moved, [draft.fail("short")], wrong)]
             evidence.append(moved)
         enough: Expression = reached_flag
@@ -219,12 +217,12 @@ class Conditions:
         moving = draft.flag("xMoving", "the device moves although it was told to stop")
         kind.forget_first(moving)
         long = draft.timer("fbMoving", moving, "tStart", "T#2s", _START)
-        unseen = kind.axis.unseen
+        unseen = draft.of_axis("unseen")
         may_begin: list[Expression] = [unseen, Negation(idle)]
         if isinstance(kind, Moving):
             # With an alarm, or without its servo, the device has given up what it had accepted.
             numbers = (Whole(ERRORS[reason][0], UINT) for reason in ("alarm", "servo"))
-            may_begin += [compared(kind.first_reason, "<>", reason) for reason in numbers]
+            may_begin += [compared(draft.variable("uiFirstReason"), "<>", reason) for reason in numbers]
         waits = when(every(may_begin), [repeat, assigned(moving, False)], [assigned(unseen, False), *success])
         onward = when(long, [resend, assigned(moving, False)], [repeat, assigned(moving, True)])
         return [*computed, Assignment(standing, is_standing), when(standing, [waits], [onward])]

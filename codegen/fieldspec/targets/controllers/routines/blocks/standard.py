@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeAlias
 
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.targets.controllers.routines.blocks.ports import port_members
 from fieldspec.targets.controllers.routines.exchanges import ERRORS as EXCHANGE_ERRORS
 from fieldspec.targets.controllers.routines.world import World
+from fieldspec.targets.controllers.sources.expansion import Expansion
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
-    INT,
     TIME,
     TIMER,
     UINT,
@@ -21,6 +23,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     Whole,
     compared,
     either,
+    every,
     number,
 )
 from fieldspec.targets.controllers.statements.routine import (
@@ -29,7 +32,6 @@ from fieldspec.targets.controllers.statements.routine import (
     Condition,
     Remark,
     Routine,
-    Selection,
     Statement,
     Timing,
     Variables,
@@ -64,11 +66,19 @@ class Section:
     remark: str = ""
 
 
+Branches: TypeAlias = tuple[tuple[tuple[tuple[int, int], ...], tuple[Statement, ...]], ...]
+
+
 class BlockDraft(Variables):
     """A block while it is being made. Its steps are numbered from 1 on; the step 0 is behind the last one.
 
+    `carrier` is the source of what carries its requests, `slots` is what the sources may name.
     `refusal` is the variable that says whether a value of an input is refused, by the number of an error.
     """
+
+    carrier = "telegram"
+    expansion: Expansion
+    refusal: Variable
 
     def __init__(self, world: World, name: str, group: str) -> None:
         super().__init__()
@@ -79,21 +89,20 @@ class BlockDraft(Variables):
         self.timed: list[tuple[Variable, Expression, Variable]] = []
         self.settling: list[int] = []
         self.status = world.status
+        self.slots: dict[str, Any] = {"is_asked_for": False}
 
-    def outputs(self, done: str, aborted: bool) -> None:
-        """Declares the outputs that say how a block ends."""
-        self.done = self.declare(done, BOOL, "output")
-        self.busy = self.declare("Busy", BOOL, "output")
-        self.aborted = self.declare("CommandAborted", BOOL, "output") if aborted else None
-        self.error = self.declare("Error", BOOL, "output")
-        self.error_id = self.declare("ErrorID", UINT, "output", "0, or why Error is TRUE")
-        self.result = self.declare("eStatus", self.status.type, "output", "what the last function has returned")
-        self.reason = self.refusal = self.declare("uiReason", UINT, "local")
+    def expand(self, expansion: Expansion) -> None:
+        """Takes the source of the block, which has declared its variables."""
+        self.expansion, self.action = expansion, expansion.action
+        self.result, self.step = self.variable("eStatus"), self.variable("iStep")
+        self.reason = self.refusal = self.variable("uiReason")
         self.good = compared(self.result, "=", self.status.of("ok"))
 
-    def steps_from(self, initial: int) -> None:
-        """Declares the variable for the number of the step, with its initial value."""
-        self.step = self.declare("iStep", INT, "local", "0 behind the last one", f"{initial}" if initial else "")
+    def variable(self, name: str) -> Variable:
+        """A variable of the source."""
+        variable = self.expansion.scope[name]
+        assert isinstance(variable, Variable)
+        return variable
 
     def flag(self, name: str, remark: str = "") -> Variable:
         """A BOOL that the block keeps between scans."""
@@ -103,6 +112,18 @@ class BlockDraft(Variables):
         """A struct that the block has as VAR_IN_OUT, by its key."""
         kind = StructType(self.world.names.structs[key])
         return self.declared_once(self.world.variable(name, kind), kind, "in_out", remark)
+
+    def lend_axis(self) -> Variable:
+        """The struct that says who moves the axis."""
+        axis = self.slots["stAxis"]
+        assert isinstance(axis, Variable)
+        return axis
+
+    def of_axis(self, name: str) -> Member:
+        """A member of the struct that says who moves the axis."""
+        axis = self.lend_axis()
+        assert isinstance(axis.type, StructType)
+        return Member(axis, *port_members(self.world)[axis.type.name][name])
 
     def fail(self, reason: str) -> Statement:
         """The statement that gives the block a reason to end with an error."""
@@ -151,68 +172,52 @@ class BlockDraft(Variables):
         self.add([when(Member(timer, "Q", BOOL), [self.go(step + 1)])], remark="the device sees what was sent")
 
     def timers(self) -> list[Statement]:
-        """The statements that call the timers."""
-        calls: list[Statement] = [Timing(timer, running, time) for timer, running, time in self.timed]
-        if self.settling:
-            running = either([compared(self.step, "=", number(step)) for step in self.settling])
-            calls.append(Timing(Variable("fbSettle", TIMER), running, Variable("tSettle", TIME)))
-        return calls
+        """The statements that call the timers of steps."""
+        return [Timing(timer, running, time) for timer, running, time in self.timed]
 
-    def selected(self, asks: bool) -> list[Statement]:
-        """A CASE over the step, without branches for steps that have no statements."""
+    def settling_timer(self) -> list[Statement]:
+        """The statement that calls the timer of what was sent, where a step waits for it."""
+        if not self.settling:
+            return []
+        running = either([compared(self.step, "=", number(step)) for step in self.settling])
+        return [Timing(Variable("fbSettle", TIMER), running, Variable("tSettle", TIME))]
+
+    def between(self, first: int, last: int) -> Expression:
+        """Whether the step lies between two steps, both included; FALSE where there is no last one."""
+        if not last:
+            return Truth(False)
+        if first == last:
+            return compared(self.step, "=", number(first))
+        return every([compared(self.step, ">=", number(first)), compared(self.step, "<=", number(last))])
+
+    def branches(self, asks: bool) -> Branches:
+        """The branches of a CASE over the step, without those for steps that have no statements."""
         bodies = [
             (position, step.ask if asks else step.take, step.remark) for position, step in enumerate(self.steps, 1)
         ]
-        branches = tuple(
+        return tuple(
             (((position, position),), (Remark(remark), *body) if remark else body)
             for position, body, remark in bodies
             if body
         )
-        return [Selection(self.step, branches)] if branches else []
-
-    def cleared(self) -> list[Statement]:
-        """The statements that reset the outputs for the end of the block."""
-        ends = [variable for variable in (self.done, self.aborted, self.error) if variable is not None]
-        return [*(assigned(variable, False) for variable in ends), Assignment(self.error_id, Whole(0, UINT))]
-
-    def ends(self) -> list[Expression]:
-        """The outputs that are TRUE when the block has ended."""
-        return [variable for variable in (self.done, self.aborted, self.error) if variable is not None]
-
-    def erroneous(self) -> list[Statement]:
-        """The statements that end the block with an error."""
-        return [Assignment(self.error_id, self.reason), assigned(self.error, True)]
 
     def unharmed(self) -> Expression:
         """Whether there is no reason to end with an error."""
         return compared(self.reason, "=", Whole(0, UINT))
 
-    def failed(self) -> Expression:
-        """Whether there is a reason to end with an error."""
-        return compared(self.reason, "<>", Whole(0, UINT))
-
-    def forgotten(self) -> Statement:
-        """The statement that clears the reason to end with an error."""
-        return Assignment(self.reason, Whole(0, UINT))
-
     def attempt(self, call: Expression, success: Body, reason: str) -> list[Statement]:
         """The statements that call a function and go on with `success` where it returns Ok, else fail."""
         return [Assignment(self.result, call), when(self.good, success, [self.fail(reason)])]
 
-    def finished(self, body: Sequence[Statement]) -> Routine:
+    def finished(self) -> Routine:
         """The routine of the block, without local variables that no statement uses."""
-        remarks = tuple(filter(None, self.remarks))
-        return Routine(self.name, self.group, None, self.needed(tuple(body)), tuple(body), remarks)
+        routine = self.expansion.routine(self.name, self.group)
+        return replace(routine, remarks=tuple(filter(None, self.remarks)))
 
 
 def assigned(variable: Expression, value: bool) -> Statement:
     """The statement that makes a BOOL TRUE or FALSE."""
     return Assignment(variable, Truth(value))
-
-
-def meanings(reasons: Mapping[str, tuple[int, str]]) -> str:
-    """A line of a comment that says what the numbers of ErrorID mean."""
-    return "ErrorID: " + "; ".join(f"{code} {text}" for code, text in reasons.values()) + "."
 
 
 def chain(branches: Sequence[tuple[Expression, Sequence[Statement]]], otherwise: Sequence[Statement] = ()) -> Statement:

@@ -10,7 +10,8 @@ from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, chain, meanings
+from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, chain
+from fieldspec.targets.controllers.routines.exchanges import meanings
 from fieldspec.targets.controllers.routines.registers import count_text, group_order, table_order
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (

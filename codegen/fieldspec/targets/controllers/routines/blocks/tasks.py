@@ -10,7 +10,8 @@ from fieldspec.language.model.operand import Operand, Operands
 from fieldspec.language.model.task import Step, Task, step_text
 from fieldspec.language.model.watches import MOVING
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, BlockDraft, meanings
+from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, BlockDraft
+from fieldspec.targets.controllers.routines.exchanges import meanings
 from fieldspec.targets.controllers.routines.remarks import source
 
 

@@ -9,7 +9,6 @@ from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.operand import Operand, Operands
 from fieldspec.language.model.watches import STARTING
-from fieldspec.targets.controllers.routines.blocks.motion import AxisPort
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock
 from fieldspec.targets.controllers.routines.blocks.ports import axis_key, member
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
@@ -40,11 +39,8 @@ class TelegramPlaces:
     def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: MessageLayout) -> None:
         self.world, self.operands, self.message = world, operands, message
         self.axis = draft.struct("axis", axis_key(message), "the same for all blocks of the telegram")
+        draft.slots["stAxis"] = self.axis
         self.valid = self._member("valid")
-
-    def axis_port(self) -> AxisPort:
-        """The members of the port that say which block has the axis."""
-        return AxisPort(*(self._member(name) for name in AxisPort.MEMBERS))
 
     def _member(self, name: str) -> Member:
         return member(self.world, axis_key(self.message), name, self.axis)

@@ -1,0 +1,1 @@
+"""Blocks whose source is Structured Text with slots. See docs/architecture.md."""
