@@ -99,7 +99,7 @@ def test_a_wrong_use_is_one_line(
 @pytest.mark.parametrize("values", ["1,2,3", "1, 2,3", "1 2 3", " 1 ,2 , 3 "])
 def test_the_items_of_a_list_are_separated_by_commas_or_blanks(values: str, capsys: pytest.CaptureFixture[str]) -> None:
     command = ["encode", "tc100", "read_registers", "--direction", "response", "station=1", f"values={values}"]
-    assert main([*command, "--format", "hex", "--specs", SPECS]) == 0
+    assert main([*command, "--link", "rtu", "--format", "hex", "--specs", SPECS]) == 0
     assert capsys.readouterr().out.startswith("01 03 06 00 01 00 02 00 03 ")
 
 

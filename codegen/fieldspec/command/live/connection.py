@@ -70,7 +70,7 @@ def access_of(client: Client) -> Access:
 @contextmanager
 def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
     """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
-    link = layout.links[_link(layout, arguments)]
+    link = layout.links[link_of_values(layout, arguments)]
     try:
         carrier: Carrier = _Nothing() if dry else opened(link, arguments)
         try:
@@ -100,7 +100,8 @@ class _Nothing:
         """Closes nothing."""
 
 
-def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
+def link_of_values(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
+    """The link over which values are read by name: the stated one, or that of the factory settings. Raises UsageError."""
     if arguments.link and arguments.link not in layout.links:
         raise unknown("link", arguments.link, layout.links)
     if has_registers(layout):
