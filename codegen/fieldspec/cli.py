@@ -338,7 +338,8 @@ def _parser() -> argparse.ArgumentParser:
     new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
     new.add_argument("--based-on", metavar="VERSION", help="the version that it changes (default: the newest)")
     new.add_argument("--line", help="the line of the version (default: the line of the version it is based on)")
-    new.add_argument("--protocol", help="the protocol of a new device, or packet or telegram for one without")
+    kinds = "packet, text, escapes, status, bytes, can or telegram"
+    new.add_argument("--protocol", help=f"the protocol of a new device, or, without one, its kind of frame: {kinds}")
 
     matrix = verb("matrix", "compare the facts of all versions")
     matrix.add_argument("device", metavar="DEVICE")

@@ -101,7 +101,7 @@ class _Nothing:
 
 
 def link_of_values(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
-    """The link over which values are read by name: the stated one, or that of the factory settings. Raises UsageError."""
+    """The link over which values are read by name: the stated one, or the factory setting. Raises UsageError."""
     if arguments.link and arguments.link not in layout.links:
         raise unknown("link", arguments.link, layout.links)
     if has_registers(layout):
