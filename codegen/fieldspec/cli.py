@@ -333,7 +333,8 @@ def _parser() -> argparse.ArgumentParser:
     blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
 
     new = verb("new", "create the first file of a device, the file of a version, or the schema for editors")
-    new.add_argument("kind", choices=("device", "version", "schema"))
+    kinds_of_files = ("device", "version", "schema")
+    new.add_argument("kind", choices=kinds_of_files, metavar=f"{{{','.join(kinds_of_files)}}}")
     new.add_argument("name", nargs="?", metavar="DEVICE")
     new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
     new.add_argument("--based-on", metavar="VERSION", help="the version that it changes (default: the newest)")

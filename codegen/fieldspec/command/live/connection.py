@@ -71,6 +71,7 @@ def access_of(client: Client) -> Access:
 def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
     """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
     link = layout.links[link_of_values(layout, arguments)]
+    client_at(layout, link, arguments, _Nothing())  # wrong options are told before anything is opened
     try:
         carrier: Carrier = _Nothing() if dry else opened(link, arguments)
         try:
