@@ -333,8 +333,7 @@ def _parser() -> argparse.ArgumentParser:
     blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
 
     new = verb("new", "create the first file of a device, the file of a version, or the schema for editors")
-    kinds_of_files = ("device", "version", "schema")
-    new.add_argument("kind", choices=kinds_of_files, metavar=f"{{{','.join(kinds_of_files)}}}")
+    new.add_argument("kind", choices=("device", "version", "schema"), metavar="{device,version,schema}")
     new.add_argument("name", nargs="?", metavar="DEVICE")
     new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
     new.add_argument("--based-on", metavar="VERSION", help="the version that it changes (default: the newest)")
