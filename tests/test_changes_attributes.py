@@ -97,7 +97,10 @@ IGNORED = {
         f"StatedChange.{name}": "it gives changes their reasons, and is none"
         for name in ("kind", "path", "to", "reason", "sources")
     },
-    **{f"StatedChange/Citation.{name}": "it gives changes their reasons, and is none" for name in ("section", "lines")},
+    **{
+        f"StatedChange/Citation.{name}": "it gives changes their reasons, and is none"
+        for name in ("section", "lines", "mark")
+    },
     **{f"Acceptance.{name}": "it judges changes, and is none" for name in ("rule", "path", "reason", "date", "since")},
     "RegisterGroup.space": "it is that of its registers",
     "RegisterGroup/Register.unit_size": "it is that of its space",

@@ -306,9 +306,11 @@ def test_a_count_of_a_register_has_no_leading_zeros(run: CommandLine) -> None:
 @pytest.mark.parametrize(
     ("device", "arguments", "frame"),
     [
-        ("tc100", ["motion_speed=50%"], "01 06 20 14 00 32 43 DB"),
+        ("tc100", ["motion_speed=50%", "--link", "rtu"], "01 06 20 14 00 32 43 DB"),
         ("tc100", ["station=3", "motion_speed=50%", "--link", "rtu"], "03 06 20 14 00 32 42 39"),
-        ("tc100", ["unit=3", "motion_speed=50%"], "03 06 20 14 00 32 42 39"),
+        ("tc100", ["unit=3", "motion_speed=50%", "--link", "rtu"], "03 06 20 14 00 32 42 39"),
+        ("tc100", ["motion_speed=50%"], b":01062014003293\r\n".hex(" ").upper()),
+        ("tc100", ["unit=3", "motion_speed=50%"], b":03062014003291\r\n".hex(" ").upper()),
     ],
 )
 def test_a_register_is_written_by_its_name_with_a_value_in_its_unit(
@@ -316,6 +318,18 @@ def test_a_register_is_written_by_its_name_with_a_value_in_its_unit(
 ) -> None:
     result = CommandLine(capsys, monkeypatch, SPECS)("encode", device, "write", *arguments, "--format", "hex")
     assert (result.code, result.out.strip()) == (0, frame)
+
+
+@pytest.mark.parametrize(
+    ("options", "frame"),
+    [([], b":010310000001EB\r\n"), (["--link", "rtu"], bytes.fromhex("010310000001 80CA"))],
+)
+def test_a_message_is_sent_on_the_link_of_the_factory_settings(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, options: list[str], frame: bytes
+) -> None:
+    words = ["read_registers", "station=1", "address=0x1000", "word_count=1", "--format", "hex"]
+    result = CommandLine(capsys, monkeypatch, SPECS)("encode", "tc100", *words, *options)
+    assert (result.code, result.out.strip()) == (0, frame.hex(" ").upper())
 
 
 @pytest.mark.parametrize(("quantity", "count"), [(20.004, 2000), (20.005, 2000), (20.015, 2002), (20.006, 2001)])

@@ -10,6 +10,7 @@ import pytest
 from command_line import SPECS
 from fieldspec.cli import main
 from fieldspec.command.sources.layout_cache import layout
+from fieldspec.command.verbs.new import SHAPES
 
 
 @pytest.fixture
@@ -25,7 +26,7 @@ def run(folder: Path, *words: str) -> int:
     return main([*words, "--specs", str(folder)])
 
 
-@pytest.mark.parametrize("protocol", ["modbus", "packet", "telegram"])
+@pytest.mark.parametrize("protocol", ["modbus", *SHAPES])
 def test_a_new_device_passes_the_check(protocol: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(folder, "new", "device", "my-drive", "--protocol", protocol) == 0
     assert capsys.readouterr().out == (
@@ -34,12 +35,6 @@ def test_a_new_device_passes_the_check(protocol: str, folder: Path, capsys: pyte
     )
     assert run(folder, "check", "my-drive") == 0
     assert capsys.readouterr().out == "no findings in my-drive\n"
-
-
-@pytest.mark.parametrize("protocol", ["modbus", "packet", "telegram"])
-def test_a_new_device_can_be_built(protocol: str, folder: Path) -> None:
-    assert run(folder, "new", "device", "my-drive", "--protocol", protocol) == 0
-    assert run(folder, "build", "my-drive", "--out", str(folder.parent / "out")) == 0
 
 
 def test_a_new_version_passes_the_check_and_changes_nothing(folder: Path) -> None:

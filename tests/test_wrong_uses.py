@@ -78,6 +78,65 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["live", "tc100", "read", "--port", "/dev/none"], "cannot open /dev/none: No such file or directory\n"),
         (["new", "version", "tc100", "9.9", "--protocol", "modbus"], "--protocol has no effect on a new version"),
         (["new", "device", "pump", "--protocol", "modbus", "--line", "x"], "--line has no effect on a new device"),
+        (["check", "tc10"], "there is no device tc10; did you mean tc100?"),
+        (["check", "tc100", "--format", "yaml"], "there is no value of --format yaml; there are "),
+        (["build", "--to", "pyhton"], "did you mean python?"),
+        (["build", "--to", ""], "--to names no output; the outputs are python, c, js,"),
+        (["diff", "tc100@2.0", "tc100@9.9"], "there is no version of tc100 9.9"),
+        (["decode", "tc100", "01 03 10 00 00 01 80 C"], "this is not a frame: at byte 7, `C` is one digit of two"),
+        (["decode", "tc100", "01 03", "--link", "usb"], "there is no link usb; "),
+        (["decode", "tc100", "01 03", "--direction", "up"], "there is no direction up; "),
+        (["decode", "tc100", "01 03", "--message", "read_register"], "did you mean read_registers?"),
+        (["encode", "tc100", "read_registres", "station=1"], "did you mean read_registers?"),
+        (["encode", "tc100", "read_registers", "station=1", "adress=5"], "did you mean address?"),
+        (["encode", "tc100", "read_registers", "station"], "station is not of the form NAME=VALUE"),
+        (["encode", "tc100", "read_registers", "station=1", "station=2"], "station has two values"),
+        (["encode", "esc11", "move_relative", "address=0", "distance=20kg", "speed=50%"], "20kg"),
+        (["encode", "esc11", "move_relative", "address=0", "distance=20mm", "speed=500"], "out_of_range"),
+        (["encode", "hiwin-e", "telegram_999"], "there is no message telegram_999; did you mean "),
+        (
+            ["encode", "tc100", "write", "motion_command=hom"],
+            "`hom` is no member of motion_command; did you mean homing?",
+        ),
+        (
+            ["encode", "tc100", "write", "motion_command=zzz"],
+            "`zzz` is no member of motion_command; it has relative_move, ",
+        ),
+        (["show", "tc100", "99999999"], "there is no item of tc100 "),
+        (["facts", "tc100", "--format", "xlsx"], "there is no value of --format xlsx; there are csv, json"),
+        (["matrix", "tc10"], "did you mean tc100?"),
+        (["versions", "tc10"], "did you mean tc100?"),
+        (["export", "tc100", "--to", "out.pdf"], "pdf"),
+        (["compare", "tc100", "missing.csv"], "missing.csv"),
+        (["audit", "tc100", "--table", "ledgr"], "did you mean ledger?"),
+        (["audit", "tc100", "--format", "csv"], "--table"),
+        (["audit", "tc100", "--sign", "8.2"], "add a name or a role, such as --by"),
+        (["audit", "tc100", "--manual", "missing.txt"], "missing.txt"),
+        (["audit", "tc100", "--record"], "--record needs the text of the manual: --manual FILE --record"),
+        (["audit", "tc100", "--baseline", "none.json"], "--baseline goes with --evidence FOLDER"),
+        (["simulate", "tc100", "--port", "usb=pty"], "there is no link usb"),
+        (["simulate", "tc100", "--unit", "500"], "unit address"),
+        (["simulate", "tc100", "--fault", "no_answr=0.1"], "there is no fault `no_answr`; there are no_answer, "),
+        (["simulate", "tc100", "--fault", "no_answer=2"], "0 to 1"),
+        (["simulate", "tc100", "--dump", "missing.csv"], "missing.csv"),
+        (["live", "tc100"], "the following arguments are required: VERB; see: fieldspec live --help"),
+        (["live", "tc100", "read", "alarm"], "say where the device is: --port /dev/ttyUSB0"),
+        (["live", "tc100", "read", "alarm", "--port", "tcp://127.0.0.1"], "write it as tcp://HOST:PORT"),
+        (
+            ["live", "tc100", "read", "alarm", "--port", "http://127.0.0.1:9"],
+            "http://127.0.0.1:9 is no port; write one of ",
+        ),
+        ([*LIVE, "--unit", "999"], "the unit address 999 is not in "),
+        ([*LIVE, "--link", "tpc"], "there is no link tpc"),
+        (["scan", "tc100"], "--port"),
+        (["new"], "required: {device,version,schema}"),
+        (["new", "devcie", "x"], "did you mean device?"),
+        (["new", "device", "x", "--protocol", "can_bus"], "there is no protocol can_bus; did you mean can?"),
+        (
+            ["new", "device", "x"],
+            "or a kind of frame where there is none: packet, text, escapes, status, bytes, can, telegram",
+        ),
+        (["devices", "x"], "unrecognized arguments: x; see: fieldspec devices --help"),
     ],
 )
 def test_a_wrong_use_is_one_line(
@@ -99,7 +158,7 @@ def test_a_wrong_use_is_one_line(
 @pytest.mark.parametrize("values", ["1,2,3", "1, 2,3", "1 2 3", " 1 ,2 , 3 "])
 def test_the_items_of_a_list_are_separated_by_commas_or_blanks(values: str, capsys: pytest.CaptureFixture[str]) -> None:
     command = ["encode", "tc100", "read_registers", "--direction", "response", "station=1", f"values={values}"]
-    assert main([*command, "--format", "hex", "--specs", SPECS]) == 0
+    assert main([*command, "--link", "rtu", "--format", "hex", "--specs", SPECS]) == 0
     assert capsys.readouterr().out.startswith("01 03 06 00 01 00 02 00 03 ")
 
 

@@ -333,12 +333,13 @@ def _parser() -> argparse.ArgumentParser:
     blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
 
     new = verb("new", "create the first file of a device, the file of a version, or the schema for editors")
-    new.add_argument("kind", choices=("device", "version", "schema"))
+    new.add_argument("kind", choices=("device", "version", "schema"), metavar="{device,version,schema}")
     new.add_argument("name", nargs="?", metavar="DEVICE")
     new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
     new.add_argument("--based-on", metavar="VERSION", help="the version that it changes (default: the newest)")
     new.add_argument("--line", help="the line of the version (default: the line of the version it is based on)")
-    new.add_argument("--protocol", help="the protocol of a new device, or packet or telegram for one without")
+    kinds = "packet, text, escapes, status, bytes, can or telegram"
+    new.add_argument("--protocol", help=f"the protocol of a new device, or, without one, its kind of frame: {kinds}")
 
     matrix = verb("matrix", "compare the facts of all versions")
     matrix.add_argument("device", metavar="DEVICE")

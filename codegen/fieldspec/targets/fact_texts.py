@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from fieldspec.language.model.device import Detection
+from fieldspec.language.model.device import Detection, Manual
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.units import standard_unit
 
@@ -13,6 +13,15 @@ from fieldspec.language.model.units import standard_unit
 def sentence(text: str) -> str:
     """A text with a full stop, if it lacks one."""
     return text if not text or text.rstrip()[-1:] in ".!?:。" else f"{text.rstrip()}."
+
+
+def manual_remark(manual: Manual) -> str:
+    """The title of a manual, and how a citation of it is read."""
+    title = f"{manual.title} {manual.edition}".strip()
+    if not manual.mark:
+        return f"Manual: {title}. A note such as [8.2] is a section of it."
+    number = "1622" if manual.lines else "17"
+    return f"Manual: {title}. A note such as [8.2 {manual.mark}{number}] is a section and a {manual.unit[:-1]} of it."
 
 
 def places(sources: Iterable[Citation]) -> str:

@@ -496,6 +496,7 @@ fieldspecLab.add({
   {"id": "save-position-subject", "fact": "registers/save_position", "printed": {}, "reason": "The title has the number of the point table, the sentence and the row of 2.6 the position and the point table. What is kept is not decided."},
   {"id": "pulse-width-ranges", "fact": "registers/compare_pulse_width", "printed": {}, "reason": "The width of a pulse goes from 1 to 1000 ms for the compare output, and from 0 to 65535 ms for the trigger outputs of a point. Whether both are the same pulse, with one range, is not printed; 2.7 calls the second one the compare output time."},
   {"id": "servo-reading", "fact": "registers/servo", "printed": {"allow": null}, "reason": "Every value but 0 switches the drive on. The rows around it say what reading gives, 0 or the last value; this one does not, and chapter 2 warns that it may be something else than was written."},
+  {"id": "point-table-command-reading", "fact": "registers/run_point_table", "printed": {}, "reason": "The rows of the other commands say that reading gives 0, or the last kind of move. This one does not, and its three values are all commands."},
   {"id": "user-output-reading", "fact": "registers/user_output_1", "printed": {"allow": null}, "reason": "Every value but 0 switches user output 0 on, and the rows of the outputs 1 to 8 have no text at all. What reading any of the nine gives after another value than 0 and 1 is not printed."},
  ],
 }, {

@@ -276,8 +276,12 @@ def _raw_of_text(device: Device, path: str, value: Value, entered: str) -> int:
             raise MeaningError(path, f"`{entered}` would be the count {raw}, {_sentinel_help(absent)}")
         return raw
     if value.enum:
-        names = ", ".join(member.name for member in device.enums[value.enum].members)
-        raise MeaningError(path, f"`{entered}` is no member of {value.enum}: {names}")
+        from difflib import get_close_matches
+
+        names = [member.name for member in device.enums[value.enum].members]
+        close = get_close_matches(entered, names, 1)
+        known = f"did you mean {close[0]}?" if close else f"it has {', '.join(names)}"
+        raise MeaningError(path, f"`{entered}` is no member of {value.enum}; {known}")
     if value.scale_by:
         raise MeaningError(path, f"`{entered}` is no count; its scale is in {value.scale_by}, so give a count")
     if _DIGITS.fullmatch(entered):

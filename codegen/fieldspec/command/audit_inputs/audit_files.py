@@ -79,6 +79,20 @@ def compared(specs_option: str | None, device: str, name: str | None) -> tuple[M
     return index, manual
 
 
+def refuse_without_lines(device: Device, arguments: argparse.Namespace) -> None:
+    """Refuses options for which the manual of a device would have to be a text, or a file. Raises UsageError."""
+    manual = device.manual
+    if not manual.lines and (arguments.manual or arguments.record):
+        option = "--record" if arguments.record else "--manual"
+        raise UsageError(
+            f"the manual of {device.id} is {manual.extent}: without lines, {option} has no effect; leave it out"
+        )
+    if not manual.sha256 and arguments.sign:
+        raise UsageError(
+            f"the manual of {device.id} is {manual.extent}: save it as a file, whose hash a signature can state"
+        )
+
+
 def record(specs_option: str | None, device: Device, name: str | None) -> int:
     """Writes the index of a manual beside the spec of a device, which must cite that very text. Raises UsageError."""
     if not name:

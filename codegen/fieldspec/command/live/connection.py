@@ -70,8 +70,9 @@ def access_of(client: Client) -> Access:
 @contextmanager
 def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
     """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
-    link = layout.links[_link(layout, arguments)]
+    link = layout.links[link_of_values(layout, arguments)]
     fixed = fixed_values(layout, link, arguments)
+    client_at(layout, link, arguments, _Nothing(), fixed)  # a wrong unit address is told before anything is opened
     try:
         carrier: Carrier = _Nothing() if dry else opened(link, arguments)
         try:
@@ -101,7 +102,8 @@ class _Nothing:
         """Closes nothing."""
 
 
-def _link(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
+def link_of_values(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
+    """The link over which values are read by name: the stated one, or the factory setting. Raises UsageError."""
     if arguments.link and arguments.link not in layout.links:
         raise unknown("link", arguments.link, layout.links)
     if has_registers(layout):

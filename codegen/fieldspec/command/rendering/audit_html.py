@@ -211,7 +211,7 @@ def _facts(report: Report, device: Device) -> tuple[tuple[str, str], ...]:
         ("Version", report.version),
         ("Identity of the spec", report.identity),
         ("Manual", f"{manual.title}{edition}"),
-        ("Text of the manual", f"{manual.file}, {manual.lines} lines, SHA-256 {manual.sha256}"),
+        ("Text of the manual", manual.extent + (f", SHA-256 {manual.sha256}" if manual.sha256 else "")),
     )
 
 

@@ -56,7 +56,28 @@ def uses(path: Path, spaces: Collection[str]) -> dict[str, list[str]]:
 
 def reads_words(path: Path) -> bool:
     """Whether a protocol has a message that reads words at addresses. Raises UsageError."""
-    return any(unit == WORD for _, unit in _accesses(mappings(_tree(path).values.get("messages"))))
+    return first_words(path) is not None
+
+
+def first_words(path: Path) -> tuple[str, str] | None:
+    """The first address space of words that is read, empty for that of messages that name none, and the access to it.
+
+    None without one. Raises UsageError.
+    """
+    messages = list(mappings(_tree(path).values.get("messages")))
+    read_spaces, writable_spaces = (_word_spaces(messages, operation) for operation in ("read", "write"))
+    return (read_spaces[0], "rw" if read_spaces[0] in writable_spaces else "ro") if read_spaces else None
+
+
+def _word_spaces(messages: Iterable[Mapping], operation: str) -> list[str]:
+    """The address spaces whose words messages read or write."""
+    return [
+        _key_text(access, "space")
+        for message in messages
+        if isinstance(access := message.values.get("accesses"), Mapping)
+        and _key_text(access, "operation") == operation
+        and _unit(message, access) == WORD
+    ]
 
 
 def _tree(path: Path) -> Mapping:

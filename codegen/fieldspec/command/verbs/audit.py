@@ -132,6 +132,7 @@ def run(arguments: argparse.Namespace) -> int:
         each_version: specs.layout_of(spec, each_version) for each_version in dict.fromkeys((*spec.versions(), version))
     }
     layout = layouts[version]
+    audit_files.refuse_without_lines(layout.device, arguments)
     if arguments.sign:
         return audit_files.sign(arguments, spec, [layouts[each_version] for each_version in spec.versions()])
     if arguments.dump:

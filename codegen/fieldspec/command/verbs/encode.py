@@ -77,12 +77,12 @@ def _writes_by_name(layout: DeviceLayout, arguments: argparse.Namespace) -> bool
 
 def _write_by_name(layout: DeviceLayout, arguments: argparse.Namespace) -> int:
     """Prints the frames that write registers or parameters by their names. Raises UsageError."""
-    from fieldspec.command.live.connection import access_of, connected, links_that_read, unit_address_option
+    from fieldspec.command.live.connection import access_of, connected, link_of_values, unit_address_option
     from fieldspec.command.live.writing import assignments, frames_of
 
     if arguments.direction == "response":
         raise UsageError(f"{_WRITE} makes requests; name the message to encode a response")
-    name = arguments.link or next(iter(links_that_read(layout)), None)
+    name = link_of_values(layout, arguments)
     pairs, unit = unit_address_option(layout, name, arguments.assignments[1:])
     line = dict.fromkeys(("baud", "parity", "data_bits", "timeout", "pause", "port"))
     settings = argparse.Namespace(link=name, unit=unit, fixed=[], format="json", trace=False, retries=0, **line)
@@ -129,9 +129,9 @@ def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, lis
     options = frame_options(layout, arguments)
     if not options.message:
         raise UsageError(f"name the message; {layout.device.id} has {_names_text(layout.messages)}")
-    if arguments.direction:
-        return _Way(*options.places[0], options.message), pairs
-    return _Way(options.places[0][0], "request", options.message), pairs
+    usual = layout.device.default_link
+    link, direction = next((place for place in options.places if place[0] == usual), options.places[0])
+    return _Way(link, direction if arguments.direction else "request", options.message), pairs
 
 
 def _way_text(layout: DeviceLayout, frame_kind: _Way) -> str:

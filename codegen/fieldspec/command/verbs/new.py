@@ -13,7 +13,7 @@ from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import regular_file
 from fieldspec.command.files.storage import write
-from fieldspec.command.sources import protocol_entries, spec_files, specs
+from fieldspec.command.sources import first_example, protocol_entries, spec_files, specs
 from fieldspec.command.sources.spec_files import INSTALLED
 from fieldspec.foundation.reserved import file_name_fault
 from fieldspec.language.model.choice import PROJECT_FILE
@@ -23,8 +23,8 @@ from fieldspec.language.reading.nodes import Mapping, Scalar, identity, mappings
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 from fieldspec.language.schema import PROJECT_ADDRESS, schema
 
-SHAPES = ("packet", "telegram")
-"""The skeletons of devices without a protocol."""
+SHAPES = ("packet", "text", "escapes", "status", "bytes", "can", "telegram")
+"""The skeletons of devices without a protocol, by their kind of frame."""
 
 _WITHOUT_EFFECT = {
     "device": ("based_on", "line"),
@@ -128,16 +128,29 @@ def _device(arguments: argparse.Namespace) -> tuple[Path, Path, str]:
     places |= {path.stem: path for path in (folder / PROTOCOLS).glob("*.yaml")}
     protocols = sorted(places)
     if not arguments.protocol:
-        shapes = " or ".join(SHAPES)
-        raise UsageError(f"name the protocol with --protocol: {', '.join(protocols)}; or {shapes} for none")
+        kinds = f"a kind of frame where there is none: {', '.join(SHAPES)}"
+        raise UsageError(f"name the protocol with --protocol: {', '.join(protocols)}; or {kinds}")
     if arguments.protocol not in (*SHAPES, *protocols):
         raise unknown("protocol", arguments.protocol, [*protocols, *SHAPES])
     path = folder / name / MAIN
     text = specs.editor_line() + _fill_skeleton("device", name=name)
     if arguments.protocol in SHAPES:
         return folder, path, text + _fill_skeleton(arguments.protocol)
-    overlays = "\n".join(protocol_entries.entries(places[arguments.protocol]))
-    return folder, path, text + _fill_skeleton("protocol", protocol=arguments.protocol, overlays=overlays + "\n")
+    return folder, path, text + _with_protocol(folder, name, text, places[arguments.protocol])
+
+
+def _with_protocol(folder: Path, name: str, head: str, protocol: Path) -> str:
+    """The rest of the spec of a device with a protocol: what it cites, a first register, and frames that read it."""
+    overlays = "\n".join(protocol_entries.entries(protocol))
+    words = protocol_entries.first_words(protocol)
+    rest = _fill_skeleton("protocol", protocol=protocol.stem, overlays=overlays)
+    if words is not None:
+        space, access = words
+        rest += _fill_skeleton("registers", access=access, space=f"    space: {space}\n" if space else "")
+    paths = (folder / PROTOCOLS).glob("*.yaml")
+    own = {f"{PROTOCOLS}/{path.name}": regular_file.content(path, LARGEST_FILE) for path in paths}
+    files = spec_files.with_protocols({**own, f"{name}/{MAIN}": (head + rest).encode("utf-8")})
+    return rest + "".join(f"{line}\n" for line in first_example.examples(name, files))
 
 
 def _folder(specs_option: str | None) -> Path:

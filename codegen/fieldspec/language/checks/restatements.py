@@ -175,6 +175,7 @@ def _value(device: Device, value: Value) -> dict[str, object]:
     return {
         "type": value.type.name,
         "length": value.size,
+        "hex_digits": 2 * value.size,
         "scale": value.scale_number,
         "unit": value.quantity_unit or None,
         "range": _merged(value.ranges),

@@ -17,7 +17,9 @@ from fieldspec.language.checks.facts import lists
 from fieldspec.language.checks.finding import finding, label, longest_ascent
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.fact import LINES, PAGES, Fact
+
+_UNITS = {LINES: "line", PAGES: "page", "": "section"}
 
 
 def sources_ascending(device: Device) -> Iterator[Diagnostic]:
@@ -35,19 +37,24 @@ def _columns(rows: Sequence[Fact]) -> list[list[Fact]]:
     """Rows that stand one below the other: a new column begins where the first line comes again."""
     columns: list[list[Fact]] = []
     for row in rows:
-        line = row.sources[0].line()
-        if not columns or line == columns[0][0].sources[0].line() != columns[-1][-1].sources[0].line():
+        first = row.sources[0].first()
+        if not columns or first == columns[0][0].sources[0].first() != columns[-1][-1].sources[0].first():
             columns.append([])
         columns[-1].append(row)
     return columns
 
 
 def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
-    ascent = longest_ascent([row.sources[0].line() for row in rows])
+    ascent = longest_ascent([row.sources[0].first() for row in rows])
     for number, row in enumerate(rows):
         if number not in ascent:
             other = rows[number - 1] if number else rows[1]
-            text = f"{row.name} cites line {row.sources[0].line()}, out of order with the rows around it"
-            related_label = label(other.place, "source", f"{other.name} cites line {other.sources[0].line()}")
-            help = "correct the line or the order of the rows"
+            text = f"{row.name} cites {_place(row)}, out of order with the rows around it"
+            related_label = label(other.place, "source", f"{other.name} cites {_place(other)}")
+            help = f"correct the {_UNITS[row.sources[0].mark]} or the order of the rows"
             yield finding("sources_ascending", row.place, "source", text, help, related_label)
+
+
+def _place(row: Fact) -> str:
+    """`line 5` or `page 5`"""
+    return f"{_UNITS[row.sources[0].mark]} {row.sources[0].first()}"

@@ -73,6 +73,7 @@ _NAMES = (
     "links_complete",
     "lookups_agree",
     "lookups_regular",
+    "manual_identified",
     "measures_match_repeats",
     "member_numbers_ascending",
     "messages_complete",

@@ -8,7 +8,7 @@ from decimal import Decimal
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.address_space import BIT, WORD, WORDS, AddressSpace
 from fieldspec.language.model.enums import Enum, Flags
-from fieldspec.language.model.fact import Citation, Place
+from fieldspec.language.model.fact import LINES, PAGES, Citation, Place
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.machines import StateMachine
 from fieldspec.language.model.quantity import decimal_of, point_text, quantity_of
@@ -25,14 +25,34 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Manual:
-    """The authority for a device's facts."""
+    """The authority for a device's facts: a text of `lines`, a document of `pages`, or a page on the web at `url`."""
 
-    title: str
-    edition: str
-    language: str
-    file: str
-    sha256: str
-    lines: int
+    title: str = ""
+    edition: str = ""
+    language: str = ""
+    file: str = ""
+    sha256: str = ""
+    lines: int = 0
+    pages: int = 0
+    url: str = ""
+    read: str = ""
+
+    @property
+    def mark(self) -> str:
+        """The mark of the numbers in citations; empty for sections alone."""
+        return LINES if self.lines else PAGES if self.pages else ""
+
+    @property
+    def unit(self) -> str:
+        """What citations count: `lines` or `pages`; empty for sections alone."""
+        return {LINES: "lines", PAGES: "pages", "": ""}[self.mark]
+
+    @property
+    def extent(self) -> str:
+        """`manual.txt, 3193 lines`, `manual.pdf, 120 pages`, or the address and the day on which it was read."""
+        return (
+            f"{self.file}, {self.lines or self.pages} {self.unit}" if self.unit else f"{self.url}, read on {self.read}"
+        )
 
 
 @dataclass(frozen=True, slots=True)

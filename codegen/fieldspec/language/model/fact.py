@@ -47,21 +47,33 @@ class Place:
 ScalarValue: TypeAlias = bool | int | Decimal | str | None
 
 
+LINES, PAGES = "L", "P"
+"""The marks of the numbers in a citation: lines of a text, or pages."""
+
+
 @dataclass(frozen=True, slots=True)
 class Citation:
-    """A place in the manual: a section, empty where none is stated, and intervals of lines, both ends included."""
+    """A place in the manual: a section, empty where none is stated, and intervals of lines, both ends included.
+
+    With the `mark` of pages, the intervals are of pages; a page on the web has sections alone, without a mark.
+    """
 
     section: str
     lines: tuple[tuple[int, int], ...]
+    mark: str = LINES
 
-    def line(self) -> int:
-        """The first line."""
-        return self.lines[0][0]
+    def first(self) -> int:
+        """The first line or page; 0 where there are sections alone."""
+        return self.lines[0][0] if self.lines else 0
+
+    def line(self) -> int | None:
+        """The first line, None in a manual without lines."""
+        return self.first() if self.mark == LINES else None
 
     def text(self) -> str:
-        """`8.2 L1622` or `5.1 L1160-1163, 1170`"""
+        """`8.2 L1622`, `5.1 L1160-1163, 1170`, `8.2 P17` or `8.2`"""
         numbers = ", ".join([f"{a}" if a == b else f"{a}-{b}" for a, b in self.lines])
-        return f"{self.section} L{numbers}".strip()
+        return f"{self.section} {self.mark}{numbers}".strip()
 
 
 @dataclass(frozen=True, slots=True)

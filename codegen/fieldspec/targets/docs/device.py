@@ -52,8 +52,11 @@ def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "Edition", ((label(manual.edition),),)
     if manual.language:
         yield "Language", ((code(manual.language),),)
-    yield "Text", ((code(manual.file), text_piece(f", {manual.lines} lines; a source is a section and its lines")),)
-    yield "SHA-256", ((code(manual.sha256),),)
+    name, _, extent = manual.extent.partition(", ")
+    own = f" and its {manual.unit}" if manual.unit else ""
+    yield "Text", ((code(name), text_piece(f", {extent}; a source is a section{own}")),)
+    if manual.sha256:
+        yield "SHA-256", ((code(manual.sha256),),)
 
 
 def version_title(device: Device) -> str:

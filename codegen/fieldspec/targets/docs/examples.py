@@ -76,7 +76,7 @@ def examples(context: Context) -> Section:
 
 
 def _line(example: Example) -> tuple[bool, int]:
-    return not example.sources, example.sources[0].line() if example.sources else 0
+    return not example.sources, example.sources[0].first() if example.sources else 0
 
 
 def _example(context: Context, example: Example) -> Section:

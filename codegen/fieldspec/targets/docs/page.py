@@ -37,17 +37,14 @@ from fieldspec.targets.docs.registers import registers, spaces
 from fieldspec.targets.docs.tasks import tasks
 from fieldspec.targets.docs.units import units
 
-COLUMNS = (
-    TableColumn("Section", unbroken=True),
-    TableColumn("Facts", "number", unbroken=True),
-    TableColumn("Lines", "wide", unbroken=True),
-)
+COLUMNS = (TableColumn("Section", unbroken=True), TableColumn("Facts", "number", unbroken=True))
 
 _PARTS = re.compile(r"[0-9]+|[^0-9.]+")
 
 
 def places(context: Context) -> Section:
     """The sections of the manual with the lines that are cited, and how many facts cite them."""
+    manual = context.device.manual
     facts: dict[str, int] = {}
     lines: dict[str, set[tuple[int, int]]] = {}
     for holder in context.holders.values():
@@ -55,13 +52,16 @@ def places(context: Context) -> Section:
             facts[citation.section] = facts.get(citation.section, 0) + 1
             lines.setdefault(citation.section, set()).update(citation.lines)
     rows = [
-        TableRow((cell(section or "none"), cell(str(facts[section])), cell(_merged(lines[section]))))
+        TableRow((cell(section or "none"), cell(str(facts[section])), cell(_merged(lines[section], manual.mark))))
         for section in sorted(facts, key=_order)
     ]
-    manual = context.device.manual
-    text = f"Sections of {manual.file}, with the lines that the facts on this page cite."
+    numbers = TableColumn(manual.unit.capitalize(), "wide", unbroken=True)
+    text = f"Sections of {manual.file or manual.url}" + (f", with the {manual.unit} that" if manual.unit else " that")
+    text += " the facts on this page cite."
     return Section(
-        "sources", (text_piece("Sources"),), (Paragraph((text_piece(text),)), table("Sources", COLUMNS, rows))
+        "sources",
+        (text_piece("Sources"),),
+        (Paragraph((text_piece(text),)), table("Sources", (*COLUMNS, numbers), rows)),
     )
 
 
@@ -70,9 +70,9 @@ def _order(section: str) -> list[tuple[int, str]]:
     return [(int(part), "") if part.isdigit() else (-1, part) for part in _PARTS.findall(section)]
 
 
-def _merged(lines: set[tuple[int, int]]) -> str:
-    """Intervals of lines, those that touch in one."""
-    return Citation("", tuple(merged(lines))).text()
+def _merged(lines: set[tuple[int, int]], mark: str) -> str:
+    """Intervals of lines or pages, those that touch in one."""
+    return Citation("", tuple(merged(lines)), mark).text()
 
 
 SECTIONS = (

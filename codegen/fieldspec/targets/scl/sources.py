@@ -10,6 +10,7 @@ from fieldspec.targets.controllers.layout.memory import Placed
 from fieldspec.targets.controllers.routines.printer import comment, comment_text, routine_text, type_text
 from fieldspec.targets.controllers.routines.remarks import left_out, without_block
 from fieldspec.targets.controllers.structs import Struct
+from fieldspec.targets.fact_texts import manual_remark
 from fieldspec.targets.scl.project import LONGEST_STRING, Project, TelegramBlock, TextBlock
 
 
@@ -25,7 +26,6 @@ def source(project: Project, objects: Iterable[list[str]]) -> str:
 def head(project: Project) -> list[str]:
     """The comment at the head of a file: its content, its spec, and how it is imported."""
     device = project.layout.device
-    manual = f"{device.manual.title} {device.manual.edition}".strip()
     sources = [
         f"{project.stem}_types.udt",
         *([f"{project.stem}_data.db"] if project.blocks else []),
@@ -33,7 +33,7 @@ def head(project: Project) -> list[str]:
     ]
     return [
         *comment(f"{device.name} ({device.vendor}), version {device.version}"),
-        *comment(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
+        *comment(manual_remark(device.manual)),
         *comment(f"Identity of the layout: {project.layout.identity}"),
         *comment("Written by fieldspec. Do not edit: change the spec and build again."),
         "//",

@@ -36,7 +36,7 @@ def vectors(layouts: Sequence[DeviceLayout]) -> list[Vector]:
 
 
 def _order(example: Example) -> tuple[bool, int]:
-    return not example.sources, example.sources[0].line() if example.sources else 0
+    return not example.sources, example.sources[0].first() if example.sources else 0
 
 
 def vector(layout: DeviceLayout, example: Example) -> Vector:

@@ -31,6 +31,9 @@ _STATUS_KINDS = {OPEN: "bad", CORRECTED: "warning", LEFT_OUT: ""}
 def coverage(subject: Subject) -> Section:
     """The section about coverage: what in the manual is in the spec, and whether cited lines print the facts."""
     cited_manual = subject.device.manual
+    if not cited_manual.lines:
+        text = f"{cited_manual.title}: {cited_manual.extent}. It has no lines that an audit could compare."
+        return Section(NAME, TITLE, (text,))
     findings: list[Diagnostic] = []
     recorded = subject.recorded
     manual = _manual(subject, findings)
@@ -91,7 +94,7 @@ def _introduction(subject: Subject, manual: AlignedManual) -> Iterator[str]:
     """Sentences about the text that is compared, and how much of it is the edition that the spec cites."""
     cited = subject.device.manual
     edition = f", {cited.edition}" if cited.edition else ""
-    yield f"{cited.title}{edition}: {cited.file}, {cited.lines} lines, sha256 {cited.sha256}"
+    yield f"{cited.title}{edition}: {cited.extent}, sha256 {cited.sha256}"
     if subject.manual is None:
         yield "Compared with the recorded index of the manual."
     elif subject.manual.sha256 == cited.sha256:

@@ -23,7 +23,7 @@ WIRE = ("bytes", "range")
 CLASSES = {
     "frame": ("frame", "values", "characters"),
     "address or number": ("at", "base", "decimal", "number", "wire_number", "code", "refusal_code", "index", "stride"),
-    "size": ("words", "size", "length", "request", "response", "repeat", "count", "elements"),
+    "size": ("words", "size", "length", "hex_digits", "request", "response", "repeat", "count", "elements"),
     "position": ("span", "word_span"),
     "bits": ("bit", "bits"),
     "framing": ("byte_order", "word_order", "initial", "greatest_sum"),

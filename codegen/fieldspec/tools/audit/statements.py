@@ -29,7 +29,7 @@ def statements(subject: Subject) -> Section:
     index = subject.recorded or subject.manual
     parts = _parts(subject)
     plan, _ = plan_of(subject.spec, len(index.lines) if index is not None else subject.device.manual.lines)
-    if plan is None or index is None or not parts:
+    if plan is None or index is None or not parts or not subject.device.manual.lines:
         return Section(NAME, TITLE, ("The device has no behaviour, or its manual is not at hand.",))
     citing: dict[int, list[Part]] = defaultdict(list)
     for part in parts:

@@ -107,6 +107,9 @@ class SerialPort:
         except self._errors as error:
             # The text of pyserial has the port and the number of the error twice.
             number = getattr(error, "errno", None)
+            if isinstance(error, ValueError) and "://" in url:
+                forms = "/dev/ttyUSB0, COM3, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
+                raise CarrierError(f"{url} is no port; write one of the forms {forms}") from None
             raise CarrierError(f"cannot open {url}: {os.strerror(number) if number else error}") from None
 
     def read(self, seconds: float) -> bytes:

@@ -295,19 +295,20 @@ def free(node: Node | None) -> dict[str, object]:
 
 
 _NUMBERS = re.compile(r"[0-9]+")
+_CITED = re.compile(r"(?:([0-9A-Za-z.]+)(?: |$))??(?:([LP])([0-9].*))?$")
 
 
 @lru_cache(maxsize=65536)
 def citations(text: str, section: str) -> tuple[Citation, ...]:
-    """`8.2 L1622-1623, 1630; 9.1 L5` as citations; a part without a section takes the one given."""
+    """`8.2 L1622-1623, 1630; 9.1 L5` as citations; a part without a section takes the one given. `P` marks pages."""
     citations = []
     for part in text.split("; ") if text else ():
-        head, _, numbers = part.rpartition("L")
+        head, mark, numbers = _CITED.match(part).groups()  # type: ignore[union-attr]  # every text matches
         lines = []
-        for piece in numbers.split(","):
+        for piece in numbers.split(",") if mark else ():
             bounds = [int(number) for number in _NUMBERS.findall(piece)]
             lines.append((bounds[0], bounds[-1]))
-        citations.append(Citation(head.strip() or section, tuple(lines)))
+        citations.append(Citation(head or section, tuple(lines), mark or ""))
     return tuple(citations)
 
 

@@ -121,7 +121,7 @@ def _groups(root: Entry, spaces: dict[str, AddressSpace], reused: Reused) -> tup
 def _manual(head: Entry) -> Manual:
     entry = head.entry("manual")
     if entry is None:
-        return Manual("", "", "", "", "", 0)
+        return Manual()
     return Manual(
         title=entry.text("title"),
         edition=entry.text("edition"),
@@ -129,6 +129,9 @@ def _manual(head: Entry) -> Manual:
         file=entry.text("file"),
         sha256=entry.text("sha256"),
         lines=entry.integer("lines") or 0,
+        pages=entry.integer("pages") or 0,
+        url=entry.text("url"),
+        read=entry.text("read"),
     )
 
 

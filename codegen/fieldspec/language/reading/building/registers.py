@@ -108,7 +108,7 @@ def _elements(entry: Entry, count: int) -> tuple[Citation, ...]:
         entry.refuse("sources_present", "element_sources", text, "cite one line for each")
         return ()
     return tuple(
-        Citation(citation.section, ((line, line),))
+        Citation(citation.section, ((line, line),), citation.mark)
         for citation in cited
         for first, last in citation.lines
         for line in range(first, last + 1)

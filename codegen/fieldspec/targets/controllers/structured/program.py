@@ -32,6 +32,7 @@ from fieldspec.targets.controllers.structured.objects import (
     texts_item,
 )
 from fieldspec.targets.controllers.structured.padding import PACKED, padded
+from fieldspec.targets.fact_texts import manual_remark
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,10 +79,9 @@ def about(declared: Declarations) -> list[str]:
     """The lines at the head of every file of a device."""
     layout = declared.layout
     device = layout.device
-    manual = f"{device.manual.title} {device.manual.edition}".strip()
     return [
         comment_text(f"{device.name} ({device.vendor}), version {device.version}"),
-        comment_text(f"Manual: {manual}. A note such as [8.2 L1622] is a section and a line of it."),
+        comment_text(manual_remark(device.manual)),
         f"Identity of the layout: {layout.identity}",
         "Written by fieldspec. Do not edit: change the spec and build again.",
         *left_out(declared.omissions),

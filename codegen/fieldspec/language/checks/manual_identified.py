@@ -1,0 +1,36 @@
+"""A manual is one thing that others can find: a text, a document with pages, or a page on the web.
+
+Why: a source is a line, a page or a section of that very text. A hash, or the day on which a page was read, tells it
+from other editions, in which nobody can verify the source.
+
+Example: a manual with a `file` and neither `lines` nor `pages`, or with `lines` and a `url`.
+
+Cure: Give `file`, `sha256` and `lines` of a text; `file`, `sha256` and `pages` of a document without a text, such as a
+scanned PDF; or `url` and `read` of a page on the web.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.language.checks.finding import enumeration, finding
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+
+_CODE = "manual_identified"
+_FORMS = (("file", "sha256", "lines"), ("file", "sha256", "pages"), ("url", "read"))
+_HELP = (
+    "a text has `file`, `sha256` and `lines`, a document `file`, `sha256` and `pages`, "
+    "a page on the web `url` and `read`"
+)
+
+
+def manual_identified(device: Device) -> Iterator[Diagnostic]:
+    keys = {key for form in _FORMS for key in form if getattr(device.manual, key)}
+    if keys in map(set, _FORMS):
+        return
+    form = max(_FORMS, key=lambda form: len(keys.intersection(form)))
+    missing = [f"`{key}`" for key in form if key not in keys]
+    surplus = [f"`{key}`" for key in sorted(keys.difference(form))]
+    text = f"has no {enumeration(missing)}" if missing else f"has {enumeration(surplus)} beside `{form[-1]}`"
+    yield finding(_CODE, device.place, "manual", f"the manual of {device.id} {text}", _HELP)
