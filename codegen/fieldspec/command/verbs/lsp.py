@@ -13,7 +13,8 @@ from fieldspec.command.console.usage import UsageError
 def run(arguments: argparse.Namespace) -> int:
     """Serves an editor on standard input and output until it ends. Raises UsageError."""
     try:
-        from fieldspec.command.editor.server import is_refusal, server
+        from fieldspec.command.editor.answers import server
+        from fieldspec.command.editor.server import is_refusal
     except ImportError:
         raise UsageError("the server needs pygls: pip install 'fieldspec[lsp]'") from None
     editor = server(arguments.specs)
