@@ -5,6 +5,7 @@ from __future__ import annotations
 from lsprotocol import types
 
 from fieldspec.command.console.usage import UsageError
+from fieldspec.command.editor.action_answers import add_actions
 from fieldspec.command.editor.completion import suggestions
 from fieldspec.command.editor.cursor import Cursor
 from fieldspec.command.editor.hover import hover
@@ -25,6 +26,7 @@ def server(specs_option: str | None) -> Server:
     _add_findings(result)
     _add_hover(result)
     _add_completion(result)
+    add_actions(result)
     _add_references(result)
     _add_rename(result)
     _add_outline(result)
@@ -33,6 +35,11 @@ def server(specs_option: str | None) -> Server:
 
 def _add_findings(server: Server) -> None:
     """Adds what an editor tells about its documents."""
+
+    @server.feature(types.INITIALIZE)
+    def begun(parameters: types.InitializeParams) -> None:
+        options = parameters.initialization_options
+        server.shows_answers = isinstance(options, dict) and options.get("showsAnswers") is True
 
     @server.feature(types.INITIALIZED)
     def initialized(_: types.InitializedParams) -> None:

@@ -45,6 +45,8 @@ class Server(LanguageServer):
         if specs_option is not None:
             project = named_project(specs_option)
             self.projects[project.folder] = project
+        self.shows_answers = False
+        """Whether the editor shows what a command answers, as its extension for fieldspec says when it begins."""
         self._stale: set[Path] = set()
         """The folders of projects that have changed since they were read."""
         self._unjudged: set[Path] = set()
@@ -139,7 +141,7 @@ class Server(LanguageServer):
         before = self._marked.get(project.folder, set())
         for finding in project.findings():
             uri = self.uri(project, finding.span)
-            by_document.setdefault(uri, []).append(self._diagnostic(project, finding))
+            by_document.setdefault(uri, []).append(self.diagnostic(project, finding))
         self._marked[project.folder] = {uri for uri, diagnostics in by_document.items() if diagnostics}
         for uri in sorted(before | by_document.keys()):
             document = self.workspace.text_documents.get(uri)
@@ -147,7 +149,8 @@ class Server(LanguageServer):
             parameters = types.PublishDiagnosticsParams(uri, by_document.get(uri, []), version)
             self.text_document_publish_diagnostics(parameters)
 
-    def _diagnostic(self, project: EditedProject, finding: Diagnostic) -> types.Diagnostic:
+    def diagnostic(self, project: EditedProject, finding: Diagnostic) -> types.Diagnostic:
+        """A finding as an editor shows it."""
         lines = [finding.message, *([f"help: {finding.help}"] if finding.help else [])]
         return types.Diagnostic(
             range=self.range(marked(finding.span)),

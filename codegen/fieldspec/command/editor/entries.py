@@ -1,0 +1,66 @@
+"""New entries of lists of a device: errata with the print of a value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.command.editor.cursor import Cursor
+from fieldspec.language.checks.facts import facts
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.reading.nodes import Mapping, Scalar, mappings
+
+
+def stated_fact(place: Cursor, mapping: Mapping) -> Fact | None:
+    """The fact that a mapping of a document states; None for any other mapping."""
+    for spec in place.specs:
+        for version in reversed(spec.versions()):
+            for known in facts(spec.at(version)[0]):
+                whole = known.place.whole
+                if (whole.file.path, whole.start, whole.end) == (mapping.file.path, mapping.start, mapping.end):
+                    return known
+    return None
+
+
+def erratum_lines(place: Cursor, fact: Mapping, key: str, proof: str = "judgement") -> list[str] | None:
+    """The lines of an erratum: the manual prints for a key of a fact what stands there now. None without a path."""
+    known, value = stated_fact(place, fact), fact.values.get(key)
+    if known is None or not isinstance(value, Scalar):
+        return None
+    path = known.place.path
+    return [
+        f"id: {_new_identifier(place, path, key)}",
+        f"fact: {path}",
+        f"printed: {{{key}: {_written(value)}}}",
+        'reason: ""',
+        "confidence: certain",
+        "effect: bytes",
+        f"proof: {proof}",
+        f"source: {'; '.join(citation.text() for citation in known.sources)}",
+    ]
+
+
+def _written(value: Scalar) -> str:
+    return value.file.text[value.start : value.end]
+
+
+def _new_identifier(place: Cursor, path: str, key: str) -> str:
+    words = f"{path.rpartition('/')[2]}-{key}".replace("_", "-")
+    return new_name(words, {*identifiers(place, "errata")})
+
+
+def new_name(words: str, known: set[str]) -> str:
+    """Words, with a number where they are known already."""
+    number = 1
+    name = words
+    while name in known:
+        number += 1
+        name = f"{words}-{number}"
+    return name
+
+
+def identifiers(place: Cursor, section: str) -> Iterator[str]:
+    """The identifiers of the items of a section."""
+    for spec in place.specs:
+        for item in mappings(spec.tree.values.get(section)):
+            if isinstance(name := item.values.get("id"), Scalar):
+                yield name.text
