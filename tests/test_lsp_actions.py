@@ -172,3 +172,23 @@ async def test_a_frame_becomes_an_example_that_is_proven(tmp_path: Path) -> None
     assert fresh(specs, {METER: new}) == []
     wrong = new.replace(f"frame: {frame}", "frame: 01 03 00 00 00 01 84 0A")
     assert {found.code for found in fresh(specs, {METER: wrong})} == {"meaning_matches_bytes"}
+
+
+async def test_a_new_name_that_is_typed_becomes_the_name_in_a_version_and_the_others_keep_the_old_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    specs = copied(tmp_path, "wattmeter")
+    saved = (specs / METER).read_text("utf-8")
+    changed = saved.replace("name: ratio", "name: transformer_ratio")
+    async with editor(specs) as session:
+        await session.opened(METER, changed)
+        start = changed.index("transformer_ratio")
+        offered = await actions(session, METER, changed, start, start)
+        texts = after(session, offered["Rename in version 2, which the others do not have"], {METER: changed})
+    assert texts[METER] == saved
+    for document, text in texts.items():
+        (specs / document).write_text(text.replace('reason: ""', "reason: The notes say so."), "utf-8")
+    assert fresh(specs, {}) == []
+    run = CommandLine(capsys, monkeypatch, specs)
+    assert run("show", "wattmeter@1", "registers/ratio").out.startswith("ratio\n")
+    assert run("show", "wattmeter@2", "registers/transformer_ratio").out.startswith("transformer_ratio\n")

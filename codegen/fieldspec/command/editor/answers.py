@@ -10,6 +10,7 @@ from fieldspec.command.editor.completion import suggestions
 from fieldspec.command.editor.cursor import Cursor
 from fieldspec.command.editor.hover import hover
 from fieldspec.command.editor.index import meant
+from fieldspec.command.editor.manual_links import citations, manual_of, sources
 from fieldspec.command.editor.outline import Ranged, folds, symbols
 from fieldspec.command.editor.projects import project_in
 from fieldspec.command.editor.renaming import name_at, renaming
@@ -20,13 +21,14 @@ from fieldspec.foundation.source import Span
 from fieldspec.language.reading.nodes import Mapping
 
 
-def server(specs_option: str | None) -> Server:
-    """A server with all that it answers. Raises UsageError for a folder without specs."""
-    result = Server(specs_option)
+def server(specs_option: str | None, manuals: str | None) -> Server:
+    """A server with all that it answers. Raises UsageError for a folder without specs, or that is not there."""
+    result = Server(specs_option, manuals)
     _add_findings(result)
     _add_hover(result)
     _add_completion(result)
     add_actions(result)
+    _add_links(result)
     _add_references(result)
     _add_rename(result)
     _add_outline(result)
@@ -160,6 +162,27 @@ def _add_outline(server: Server) -> None:
     def folded(parameters: types.FoldingRangeParams) -> list[types.FoldingRange]:
         document = tree_of(parameters.text_document.uri)
         return [*folds(*document)] if document is not None else []
+
+
+def _add_links(server: Server) -> None:
+    """Adds the lines of manuals that sources cite."""
+
+    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_LINK)
+    def linked(parameters: types.DocumentLinkParams) -> list[types.DocumentLink]:
+        document = server.document(parameters.text_document.uri)
+        if document is None or document[1].tree is None:
+            return []
+        project, read = document
+        manuals = (manual_of(project, spec) for spec in project.specs_with(read.file))
+        path = next((path for path in manuals if path is not None), None)
+        if path is None or read.tree is None:
+            return []
+        return [
+            types.DocumentLink(server.range(current), f"{path.as_uri()}#L{first}", f"{path.name}, line {first}")
+            for scalar in sources(read.tree)
+            for span, first, _ in citations(scalar)
+            if (current := project.current(span)) is not None
+        ]
 
 
 _KINDS = {

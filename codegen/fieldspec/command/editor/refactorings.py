@@ -20,7 +20,7 @@ from fieldspec.command.rendering.blocks import Line, bare_text
 from fieldspec.foundation.source import SourceFile
 from fieldspec.language.reading.findings import LARGEST_FILE, VERSIONS
 from fieldspec.language.reading.memory import FileRead
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, find, identity
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, find, identity, node_at
 from fieldspec.language.reading.yaml_reader import parsed
 from fieldspec.tools.proofs.examples import stated_values
 
@@ -40,7 +40,7 @@ def refactorings(place: Cursor) -> Iterator[Action]:
         if (lines := erratum_lines(place, fact, key)) is not None:
             erratum = with_item(holding_section(place, "errata"), "errata", lines)
             yield Action(f"Add an erratum: the manual prints this `{key}`", (erratum,))
-        yield from _of_versions(place, fact, key, value)
+        yield from _renames(place, fact, value) if key == "name" else _of_versions(place, fact, key, value)
     yield from _since(place, fact)
 
 
@@ -51,7 +51,8 @@ def _of_versions(place: Cursor, fact: Mapping, key: str, value: Scalar) -> Itera
         return
     path = known_fact.place.path
     written = _written(value)
-    saved = _written_value(_saved(place, path), key) or written
+    saved_tree = _saved_tree(place)
+    saved = (_written_value(find(saved_tree, path), key) if saved_tree is not None else None) or written
     for read_file in _overlays(place):
         tree = read_file.tree
         name = find(tree, "overlay/id") if tree is not None else None
@@ -72,6 +73,27 @@ def _of_versions(place: Cursor, fact: Mapping, key: str, value: Scalar) -> Itera
         yield Action(f"Move this `{key}` to version {name.text}", edits)
 
 
+def _renames(place: Cursor, fact: Mapping, value: Scalar) -> Iterator[Action]:
+    """The name as that of a version that has a file; what is saved stays the name for the others."""
+    known_fact = stated_fact(place, fact)
+    saved_tree = _saved_tree(place)
+    if known_fact is None:
+        return
+    try:
+        saved = _written_value(node_at(saved_tree, [*place.keys[:-1]]), "name") if saved_tree is not None else None
+    except (KeyError, IndexError, AttributeError):
+        saved = None  # the list has become another one
+    new_name, old_name = _written(value), saved or _written(value)
+    path = f"{known_fact.place.path.rpartition('/')[0]}/{old_name}"
+    for read_file in _overlays(place):
+        name = find(read_file.tree, "overlay/id") if read_file.tree is not None else None
+        if isinstance(name, Scalar):
+            lines = [f"fact: {path}", f"to: {new_name}", 'reason: ""']
+            added = with_item(read_file, "renames", lines)
+            edits = (added,) if old_name == new_name else (Edit(value.span, old_name), added)
+            yield Action(f"Rename in version {name.text}, which the others do not have", edits)
+
+
 def _overlays(place: Cursor) -> Iterator[FileRead]:
     for spec in place.specs:
         for path in sorted(spec.files):
@@ -79,14 +101,13 @@ def _overlays(place: Cursor) -> Iterator[FileRead]:
                 yield place.project.memory.files[path]
 
 
-def _saved(place: Cursor, path: str) -> Node | None:
-    """The fact as the file on the disk has it."""
+def _saved_tree(place: Cursor) -> Node | None:
+    """The document as the file on the disk has it."""
     try:
         data = regular_file.content(place.project.path(place.read.file.path), LARGEST_FILE)
     except (OSError, regular_file.SizeError):
         return None
-    tree, _ = parsed(SourceFile(place.read.file.path, data.decode("utf-8", "replace")))
-    return find(tree, path) if tree is not None else None
+    return parsed(SourceFile(place.read.file.path, data.decode("utf-8", "replace")))[0]
 
 
 def _written(value: Scalar) -> str:

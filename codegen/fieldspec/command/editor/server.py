@@ -39,12 +39,10 @@ class Server(LanguageServer):
     Editors send the whole text of a document: where lines end is not the same for YAML, for editors and for Python.
     """
 
-    def __init__(self, specs_option: str | None = None) -> None:
+    def __init__(self, specs_option: str | None = None, manuals: str | None = None) -> None:
         super().__init__("fieldspec", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full)
         self.projects: dict[Path, EditedProject] = {}
-        if specs_option is not None:
-            project = named_project(specs_option)
-            self.projects[project.folder] = project
+        self.manuals = folder_of_manuals(manuals) if manuals is not None else None
         self.shows_answers = False
         """Whether the editor shows what a command answers, as its extension for fieldspec says when it begins."""
         self._stale: set[Path] = set()
@@ -56,6 +54,8 @@ class Server(LanguageServer):
         self._waiting: asyncio.TimerHandle | None = None
         self._tidying: asyncio.TimerHandle | None = None
         self._positions: ByIdentity[SourceFile, Positions] = ByIdentity(200)
+        if specs_option is not None:
+            self.add(named_project(specs_option))
 
     def open_paths(self) -> dict[Path, str]:
         """The open documents that are files: their addresses, as the editor writes them, by path."""
@@ -94,6 +94,7 @@ class Server(LanguageServer):
 
     def add(self, project: EditedProject) -> None:
         """Adds a project, which is then read."""
+        project.manuals = self.manuals
         self.projects[project.folder] = project
         self._note({project.folder})
 
@@ -192,6 +193,14 @@ class Server(LanguageServer):
         for folder in (*self.workspace.folders, *([self.workspace.root_uri] if self.workspace.root_uri else ())):
             if (path := path_of(folder)) is not None:
                 yield path
+
+
+def folder_of_manuals(name: str) -> Path:
+    """The folder that an option names. Raises UsageError where there is none."""
+    path = Path(name)
+    if not path.is_dir():
+        raise UsageError(f"there is no folder {name}; --manuals needs the one with the texts of the manuals")
+    return path.resolve()
 
 
 def path_of(uri: str) -> Path | None:
