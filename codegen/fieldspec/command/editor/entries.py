@@ -5,20 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.command.editor.cursor import Cursor
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.language.checks.facts import facts
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.reading.nodes import Mapping, Scalar, mappings
+from fieldspec.language.reading.references import PlaceInFile, place_in_file
+
+_BY_PLACE: ByIdentity[Device, dict[PlaceInFile, Fact]] = ByIdentity(limit=50)
+"""The facts of a device by the places that state them."""
 
 
 def stated_fact(place: Cursor, mapping: Mapping) -> Fact | None:
     """The fact that a mapping of a document states; None for any other mapping."""
     for spec in place.specs:
         for version in reversed(spec.versions()):
-            for known in facts(spec.at(version)[0]):
-                whole = known.place.whole
-                if (whole.file.path, whole.start, whole.end) == (mapping.file.path, mapping.start, mapping.end):
-                    return known
+            known = _BY_PLACE.get_or_compute(spec.at(version)[0], _by_place).get(place_in_file(mapping))
+            if known is not None:
+                return known
     return None
+
+
+def _by_place(device: Device) -> dict[PlaceInFile, Fact]:
+    wholes = ((fact.place.whole, fact) for fact in facts(device))
+    return {(whole.file.path, whole.start, whole.end): fact for whole, fact in wholes}
 
 
 def erratum_lines(place: Cursor, fact: Mapping, key: str, proof: str = "judgement") -> list[str] | None:

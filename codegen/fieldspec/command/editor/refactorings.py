@@ -46,14 +46,14 @@ def refactorings(place: Cursor) -> Iterator[Action]:
 
 def _of_versions(place: Cursor, fact: Mapping, key: str, value: Scalar) -> Iterator[Action]:
     """The value as a change of a version that has a file; what is saved stays as it is for the others."""
-    known_fact = stated_fact(place, fact)
-    if known_fact is None:
+    known_fact, overlays = stated_fact(place, fact), [*_overlays(place)]
+    if known_fact is None or not overlays:
         return
     path = known_fact.place.path
     written = _written(value)
     saved_tree = _saved_tree(place)
     saved = (_written_value(find(saved_tree, path), key) if saved_tree is not None else None) or written
-    for read_file in _overlays(place):
+    for read_file in overlays:
         tree = read_file.tree
         name = find(tree, "overlay/id") if tree is not None else None
         if tree is None or not isinstance(name, Scalar):
@@ -75,17 +75,17 @@ def _of_versions(place: Cursor, fact: Mapping, key: str, value: Scalar) -> Itera
 
 def _renames(place: Cursor, fact: Mapping, value: Scalar) -> Iterator[Action]:
     """The name as that of a version that has a file; what is saved stays the name for the others."""
-    known_fact = stated_fact(place, fact)
-    saved_tree = _saved_tree(place)
-    if known_fact is None:
+    known_fact, overlays = stated_fact(place, fact), [*_overlays(place)]
+    if known_fact is None or not overlays:
         return
+    saved_tree = _saved_tree(place)
     try:
         saved = _written_value(node_at(saved_tree, [*place.keys[:-1]]), "name") if saved_tree is not None else None
     except (KeyError, IndexError, AttributeError):
         saved = None  # the list has become another one
     new_name, old_name = _written(value), saved or _written(value)
     path = f"{known_fact.place.path.rpartition('/')[0]}/{old_name}"
-    for read_file in _overlays(place):
+    for read_file in overlays:
         name = find(read_file.tree, "overlay/id") if read_file.tree is not None else None
         if isinstance(name, Scalar):
             lines = [f"fact: {path}", f"to: {new_name}", 'reason: ""']
