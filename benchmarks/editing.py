@@ -71,7 +71,8 @@ class Server:
         """Milliseconds that an answer takes about the place behind a word of a line."""
         start = time.perf_counter()
         position = {"line": line, "character": self.text.split("\n")[line].index(word) + len(word)}
-        place = {"range": {"start": position, "end": position}, "position": position, "context": {"diagnostics": []}}
+        selected = {"range": {"start": position, "end": position}, "context": {"diagnostics": []}}
+        place = selected if request == "codeAction" else {"position": position}
         self.send(f"textDocument/{request}", {"textDocument": {"uri": self.uri}, **place}, 2)
         self.wait("id")
         return (time.perf_counter() - start) * 1e3
