@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from bounded import HANGING
 from fieldspec.cli import parser
 
 FOLDER = Path(__file__).parent.parent / "extension"
@@ -58,7 +59,7 @@ def run_with(settings: dict[str, Any]) -> dict[str, Any]:
         pytest.skip("node is not there")
     path = json.dumps(str(FOLDER / PACKAGE["main"]))
     script = STUBS.replace("SETTINGS", json.dumps(settings)).replace("PATH", path)
-    run = subprocess.run([node, "-e", script], capture_output=True, text=True, check=True, timeout=300)
+    run = subprocess.run([node, "-e", script], capture_output=True, text=True, check=True, timeout=HANGING)
     result: dict[str, Any] = json.loads(run.stdout)
     return result
 

@@ -8,7 +8,7 @@ from fieldspec.command.editor.cursor import Cursor
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.reading.memory import FileRead
-from fieldspec.language.reading.nodes import Mapping, Node, Sequence
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.language.reading.yaml_reader import key_spans
 
 
@@ -25,18 +25,23 @@ def line_end(file: SourceFile) -> str:
     return "\r\n" if "\r\n" in file.text else "\n"
 
 
+def source_text(value: Scalar) -> str:
+    """The text of a scalar as its file has it, with quotation marks."""
+    return value.file.text[value.start : value.end]
+
+
 def with_key(mapping: Mapping, key: str, value: str) -> Edit:
     """A mapping with one more key: within its braces, or on a line of its own."""
     text, last = mapping.file.text, _last(mapping)
     if text[last - 1] == "}":
         inner = text[mapping.start : last - 1].rstrip()
         comma = "" if inner.endswith(("{", ",")) else ", "
-        here = mapping.start + len(inner)
-        return Edit(Span(mapping.file, here, here), f"{comma}{key}: {value}")
+        offset = mapping.start + len(inner)
+        return Edit(Span(mapping.file, offset, offset), f"{comma}{key}: {value}")
     first = next(span.start for _, span in key_spans(mapping))
     column = first - text.rfind("\n", 0, first) - 1
-    here = _end_of_line(text, last)
-    return Edit(Span(mapping.file, here, here), f"{line_end(mapping.file)}{' ' * column}{key}: {value}")
+    offset = _end_of_line(text, last)
+    return Edit(Span(mapping.file, offset, offset), f"{line_end(mapping.file)}{' ' * column}{key}: {value}")
 
 
 def with_item(read: FileRead, section: str, lines: Lines[str]) -> Edit:
@@ -46,17 +51,17 @@ def with_item(read: FileRead, section: str, lines: Lines[str]) -> Edit:
     end = line_end(file)
     node = read.tree.values.get(section)
     if not isinstance(node, Sequence) or not node.items:
-        here = len(text.rstrip())
+        offset = len(text.rstrip())
         items = end.join(f"  {'  ' if number else '- '}{line}" for number, line in enumerate(lines))
-        return Edit(Span(file, here, here), f"{end}{end}{section}:{end}{items}")
+        return Edit(Span(file, offset, offset), f"{end}{end}{section}:{end}{items}")
     last = _last(node)
     if text[last - 1] == "]":
         inner = len(text[: last - 1].rstrip())
         return Edit(Span(file, inner, inner), f", {{{', '.join(lines)}}}")
     column = " " * (node.start - text.rfind("\n", 0, node.start) - 1)
-    here = _end_of_line(text, last)
+    offset = _end_of_line(text, last)
     items = end.join(f"{column}{'  ' if number else '- '}{line}" for number, line in enumerate(lines))
-    return Edit(Span(file, here, here), f"{end}{items}")
+    return Edit(Span(file, offset, offset), f"{end}{items}")
 
 
 def _last(node: Node) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.command.editor.cursor import Cursor
+from fieldspec.command.editor.edits import source_text
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.language.checks.facts import facts
 from fieldspec.language.model.device import Device
@@ -40,17 +41,13 @@ def erratum_lines(place: Cursor, fact: Mapping, key: str, proof: str = "judgemen
     return [
         f"id: {_new_identifier(place, path, key)}",
         f"fact: {path}",
-        f"printed: {{{key}: {_written(value)}}}",
+        f"printed: {{{key}: {source_text(value)}}}",
         'reason: ""',
         "confidence: certain",
         "effect: bytes",
         f"proof: {proof}",
         f"source: {'; '.join(citation.text() for citation in known.sources)}",
     ]
-
-
-def _written(value: Scalar) -> str:
-    return value.file.text[value.start : value.end]
 
 
 def _new_identifier(place: Cursor, path: str, key: str) -> str:

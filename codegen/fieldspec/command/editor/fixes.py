@@ -7,8 +7,7 @@ from collections.abc import Iterator
 
 from fieldspec.command import rules
 from fieldspec.command.editor.cursor import Cursor, cursor
-from fieldspec.command.editor.edits import Edit, with_item, with_key
-from fieldspec.command.editor.edits import holding_section as holding
+from fieldspec.command.editor.edits import Edit, holding_section, with_item, with_key
 from fieldspec.command.editor.entries import erratum_lines
 from fieldspec.command.editor.free_addresses import free_addresses
 from fieldspec.command.editor.projects import EditedProject
@@ -21,7 +20,7 @@ from fieldspec.language.reading.nodes import Mapping, Scalar, Sequence, identity
 from fieldspec.language.reading.references import unquoted
 
 _INSTEAD = re.compile(r"did you mean (?P<names>`[^`]+`(?: or `[^`]+`)*)\?|the key for it is (?P<key>`[^`]+`)")
-_WRITTEN = re.compile(r"write it as `([^`]+)`|the number `([^`]+)`: write that")
+_SPELLING = re.compile(r"write it as `([^`]+)`|the number `([^`]+)`: write that")
 _CHOICES = re.compile(r"it can be ((?:`[^`]+`(?:, )?)+)$")
 _QUOTED = re.compile(r"quote it, as in `((?P<key>\w+): )?(?P<text>\"[^`]*\")`")
 _SET = re.compile(r"(?:set|add) `(?P<key>\w+): (?P<value>[\w.]+)`(?=,|$| if the manual)")
@@ -49,8 +48,8 @@ def fixes(project: EditedProject, read: FileRead, finding: Diagnostic) -> Iterat
     for number, name in enumerate(instead[:_MOST_CHOICES]):
         edit = Edit(marked, name)
         yield Action(f"Write `{name}`", (edit,), finding, preferred=number == 0 and len(instead) == 1)
-    if written := _WRITTEN.search(finding.help):
-        name = written[1] or written[2]
+    if spelling := _SPELLING.search(finding.help):
+        name = spelling[1] or spelling[2]
         yield Action(f"Write `{name}`", (Edit(_whole(text, finding.span), name),), finding, preferred=True)
     if quotes := _QUOTED.search(finding.help):
         start = text.rfind(f"{quotes['key']}:", 0, finding.span.start) if quotes["key"] else finding.span.start
@@ -66,8 +65,8 @@ def fixes(project: EditedProject, read: FileRead, finding: Diagnostic) -> Iterat
 def _texts_instead(finding: Diagnostic) -> Iterator[str]:
     """The texts that the help names for what is marked."""
     for pattern in (_INSTEAD, _CHOICES):
-        if found := pattern.search(finding.help):
-            yield from _NAME.findall(found[0])
+        if names := pattern.search(finding.help):
+            yield from _NAME.findall(names[0])
             return
 
 
@@ -125,7 +124,7 @@ def _corrected(place: Cursor, finding: Diagnostic, fact: Mapping | None) -> Iter
         yield Action(f"Correct `{key}` to {number}", (edit,), finding)
         lines = erratum_lines(place, fact, key, proof=finding.code)
         if lines is not None:
-            erratum = with_item(holding(place, "errata"), "errata", lines)
+            erratum = with_item(holding_section(place, "errata"), "errata", lines)
             yield Action(f"Correct `{key}` to {number}, with an erratum", (edit, erratum), finding)
 
 
@@ -141,7 +140,7 @@ def _allowing(place: Cursor) -> Mapping | None:
     """The innermost mapping around a place that may have `allow`."""
     for depth in range(len(place.nodes) - 1, -1, -1):
         node = place.nodes[depth]
-        around = Cursor(place.project, place.read, place.offset, place.nodes[: depth + 1], place.keys[:depth], None)
-        if isinstance(node, Mapping) and "allow" in (around.part() or {}).get("properties", {}):
+        outer = Cursor(place.project, place.read, place.offset, place.nodes[: depth + 1], place.keys[:depth], None)
+        if isinstance(node, Mapping) and "allow" in (outer.part() or {}).get("properties", {}):
             return node
     return None

@@ -11,7 +11,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.command.editor.cursor import Cursor
-from fieldspec.command.editor.edits import Edit, holding_section, with_item, with_key
+from fieldspec.command.editor.edits import Edit, holding_section, source_text, with_item, with_key
 from fieldspec.command.editor.entries import erratum_lines, identifiers, new_name, stated_fact
 from fieldspec.command.editor.fixes import Action
 from fieldspec.command.files import regular_file
@@ -50,26 +50,26 @@ def _of_versions(place: Cursor, fact: Mapping, key: str, value: Scalar) -> Itera
     if known_fact is None or not overlays:
         return
     path = known_fact.place.path
-    written = _written(value)
+    current_text = source_text(value)
     saved_tree = _saved_tree(place)
-    saved = (_written_value(find(saved_tree, path), key) if saved_tree is not None else None) or written
+    saved = (_text_of(find(saved_tree, path), key) if saved_tree is not None else None) or current_text
     for read_file in overlays:
         tree = read_file.tree
         name = find(tree, "overlay/id") if tree is not None else None
         if tree is None or not isinstance(name, Scalar):
             continue
-        change = f"{key}: {{was: {saved}, is: {written}}}"
+        change = f"{key}: {{was: {saved}, is: {current_text}}}"
         entries = tree.values.get("changes")
         known = (item for item in entries.items if isinstance(item, Mapping)) if isinstance(entries, Sequence) else ()
-        entry = next((item for item in known if _written_value(item, "fact") == path), None)
+        entry = next((item for item in known if _text_of(item, "fact") == path), None)
         changed = entry.values.get("set") if entry is not None else None
         if isinstance(changed, Mapping):
             if key in changed.values:
                 continue
-            added = with_key(changed, key, f"{{was: {saved}, is: {written}}}")
+            added = with_key(changed, key, f"{{was: {saved}, is: {current_text}}}")
         else:
             added = with_item(read_file, "changes", [f"fact: {path}", f"set: {{{change}}}", 'reason: ""'])
-        edits = (added,) if saved == written else (Edit(value.span, saved), added)
+        edits = (added,) if saved == current_text else (Edit(value.span, saved), added)
         yield Action(f"Move this `{key}` to version {name.text}", edits)
 
 
@@ -80,10 +80,10 @@ def _renames(place: Cursor, fact: Mapping, value: Scalar) -> Iterator[Action]:
         return
     saved_tree = _saved_tree(place)
     try:
-        saved = _written_value(node_at(saved_tree, [*place.keys[:-1]]), "name") if saved_tree is not None else None
+        saved = _text_of(node_at(saved_tree, [*place.keys[:-1]]), "name") if saved_tree is not None else None
     except (KeyError, IndexError, AttributeError):
         saved = None  # the list has become another one
-    new_name, old_name = _written(value), saved or _written(value)
+    new_name, old_name = source_text(value), saved or source_text(value)
     path = f"{known_fact.place.path.rpartition('/')[0]}/{old_name}"
     for read_file in overlays:
         name = find(read_file.tree, "overlay/id") if read_file.tree is not None else None
@@ -110,13 +110,9 @@ def _saved_tree(place: Cursor) -> Node | None:
     return parsed(SourceFile(place.read.file.path, data.decode("utf-8", "replace")))[0]
 
 
-def _written(value: Scalar) -> str:
-    return value.file.text[value.start : value.end]
-
-
-def _written_value(node: Node | None, key: str) -> str | None:
+def _text_of(node: Node | None, key: str) -> str | None:
     value = node.values.get(key) if isinstance(node, Mapping) else None
-    return _written(value) if isinstance(value, Scalar) else None
+    return source_text(value) if isinstance(value, Scalar) else None
 
 
 def _since(place: Cursor, fact: Mapping) -> Iterator[Action]:
@@ -142,10 +138,10 @@ def frame_at(place: Cursor | None, file: SourceFile, start: int, end: int) -> by
             runs = (run for run in _HEX.finditer(line) if run.start() <= start - first <= run.end())
             text = next((run[0] for run in runs), "")
     try:
-        found = log_line(" ".join(text.split()), ())
+        frame_line = log_line(" ".join(text.split()), ())
     except Unreadable:
         return None
-    return found.frame if found is not None and len(found.frame) >= _LEAST_BYTES else None
+    return frame_line.frame if frame_line is not None and len(frame_line.frame) >= _LEAST_BYTES else None
 
 
 def explained(layout: DeviceLayout, frame: bytes) -> str:
