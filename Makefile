@@ -19,6 +19,7 @@
 # make dist    build the wheel and the sdist into dist/
 # make sbom    write dist/sbom.json, the bill of materials of what an installation holds, as CycloneDX
 # make docs-site  write the site of docs/ to build/site
+# make extension  pack the extension for Visual Studio Code, build/fieldspec.vsix
 # make bench   measure, and write docs/benchmarks.md
 # make pins    choose new versions of the dependencies
 # make clean   remove what make has set up
@@ -43,7 +44,7 @@ NOISE := 2000000
 WRITER := build/docs/environment
 INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs frozen fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site bench pins clean
+.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs frozen fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site extension bench pins clean
 
 build: $(INSTALLED) bytecode
 	$(BIN)/fieldspec build
@@ -135,6 +136,10 @@ bench: $(INSTALLED_PEERS) $(if $(NPM),$(PEERS)/node_modules/.package-lock.json)
 docs-site: build $(INSTALLED_WRITER)
 	$(WRITER)/bin/python -m sphinx --fail-on-warning --keep-going --quiet -b html docs build/site
 
+extension: extension/node_modules/.package-lock.json
+	mkdir -p build
+	cd extension && npm run --silent package
+
 pins: $(INSTALLED)
 	$(PIP) install --quiet $(UV)
 	$(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.10 --generate-hashes \
@@ -157,7 +162,7 @@ pins: $(INSTALLED)
 	  requirements/docs.in --output-file requirements/docs.txt
 
 clean:
-	rm -rf $(VENV) $(BENCH) $(PEERS)/node_modules tests/tools/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(BENCH) $(PEERS)/node_modules tests/tools/node_modules extension/node_modules build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 10))' || \
@@ -189,6 +194,10 @@ $(INSTALLED_FUZZER): requirements/fuzz.txt
 $(INSTALLED_WRITER): requirements/docs.txt
 	$(PYTHON) -m venv $(WRITER)
 	$(WRITER)/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes --requirement $<
+	@touch $@
+
+extension/node_modules/.package-lock.json: extension/package.json extension/package-lock.json
+	cd extension && npm ci --no-audit --no-fund
 	@touch $@
 
 $(PEERS)/node_modules/.package-lock.json: $(PEERS)/package.json $(PEERS)/package-lock.json

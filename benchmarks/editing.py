@@ -1,4 +1,4 @@
-"""`fieldspec lsp`: how long after a key the findings of the whole project are there, and a hover."""
+"""`fieldspec lsp`: how long after a key the findings of the whole project are there, and answers."""
 
 from __future__ import annotations
 
@@ -14,6 +14,14 @@ from typing import Any
 from peers import registers
 from processes import FIELDSPEC, limited
 from rows import Row, printed
+
+ANSWERS = (
+    ("hover", "hover", "name: "),
+    ("completion", "completion of a word", "access: "),
+    ("completion", "completion of an address", "at: "),
+    ("codeAction", "code actions", "access: "),
+)
+"""The requests, their names in the table, and the words behind which they ask."""
 
 ROUNDS = {1000: 5, 10_000: 3}
 """By number of registers."""
@@ -59,11 +67,13 @@ class Server:
         self.wait("textDocument/publishDiagnostics")
         return (time.perf_counter() - start) * 1e3
 
-    def hovered(self, line: int) -> float:
-        """Milliseconds that a hover over a name takes."""
+    def asked(self, request: str, line: int, word: str) -> float:
+        """Milliseconds that an answer takes about the place behind a word of a line."""
         start = time.perf_counter()
-        position = {"line": line, "character": self.text.split("\n")[line].index("name: ") + 7}
-        self.send("textDocument/hover", {"textDocument": {"uri": self.uri}, "position": position}, 2)
+        position = {"line": line, "character": self.text.split("\n")[line].index(word) + len(word)}
+        selected = {"range": {"start": position, "end": position}, "context": {"diagnostics": []}}
+        place = selected if request == "codeAction" else {"position": position}
+        self.send(f"textDocument/{request}", {"textDocument": {"uri": self.uri}, **place}, 2)
         self.wait("id")
         return (time.perf_counter() - start) * 1e3
 
@@ -90,10 +100,11 @@ def _of(group: str, server: Server, rounds: int, limit: float) -> Iterator[Row]:
     sound = [server.typed(f"{server.text}# {turn}\n") for turn in range(rounds)]
     wrong = [server.typed(server.text.replace("access: rw", f"acces{turn}: rw", 1)) for turn in range(rounds)]
     server.typed(server.text)
-    hovers = [server.hovered(row + turn) for turn in range(rounds)]
     yield limited(group, "findings after a key", median(sound), "ms", limit)
     yield limited(group, "findings after a slip", median(wrong), "ms", limit)
-    yield limited(group, "hover", median(hovers), "ms", limit)
+    for request, name, word in ANSWERS:
+        answers = [server.asked(request, row + turn, word) for turn in range(rounds)]
+        yield limited(group, name, median(answers), "ms", limit)
 
 
 if __name__ == "__main__":

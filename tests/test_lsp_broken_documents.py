@@ -41,11 +41,16 @@ async def asked(session: Editor, name: str, text: str, chance: random.Random) ->
     places = [place_of(text, chance.randrange(len(text) + 1)) for _ in range(3)]
     await client.text_document_document_symbol_async(types.DocumentSymbolParams(document))
     await client.text_document_folding_range_async(types.FoldingRangeParams(document))
+    await client.text_document_document_link_async(types.DocumentLinkParams(document))
     for position in (*places, types.Position(10**6, 10**6)):
         await client.text_document_hover_async(types.HoverParams(document, position))
         await client.text_document_definition_async(types.DefinitionParams(document, position))
         context = types.ReferenceContext(include_declaration=True)
         await client.text_document_references_async(types.ReferenceParams(context, document, position))
+        await client.text_document_completion_async(types.CompletionParams(document, position))
+        selection = types.Range(*sorted((places[0], position), key=lambda place: (place.line, place.character)))
+        offered = types.CodeActionParams(document, selection, types.CodeActionContext([]))
+        await client.text_document_code_action_async(offered)
         rename = client.text_document_rename_async(types.RenameParams(document, position, "other"))
         (answer,) = await asyncio.gather(rename, return_exceptions=True)
         assert getattr(answer, "code", types.LSPErrorCodes.RequestFailed) == types.LSPErrorCodes.RequestFailed

@@ -346,7 +346,8 @@ def _parser() -> argparse.ArgumentParser:
     matrix.add_argument("--all", action="store_true", help="include facts that are the same in all versions")
     matrix.add_argument("--format", choices=("text", "csv", "html"), default="text")
 
-    verb("lsp", "serve an editor: findings while typing, and what names mean, by the Language Server Protocol")
+    lsp = verb("lsp", "serve an editor: findings while typing, and what names mean, by the Language Server Protocol")
+    lsp.add_argument("--manuals", metavar="DIR", help="the texts of the manuals; default: manuals beside the specs")
 
     rule = verbs.add_parser("rule", help="explain a rule")
     rule.add_argument("code", nargs="?", metavar="CODE", help="default: list all rules")

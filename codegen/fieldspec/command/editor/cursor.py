@@ -11,7 +11,7 @@ from fieldspec.language.reading.memory import FileRead
 from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, children, keys, node_at, schema_path
 from fieldspec.language.reading.scalars import part_at
 from fieldspec.language.reading.yaml_reader import key_at
-from fieldspec.language.schema import Schema
+from fieldspec.language.schema import Schema, resolved
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class Cursor:
 
     def part(self) -> Schema | None:
         """The part of the language that describes the last node; None where the language leaves it open."""
-        parts = (_part([*self.keys]), *(_part(_within_fact(spec, self)) for spec in self.specs))
+        parts = (*(_part(_within_fact(spec, self)) for spec in self.specs), _part([*self.keys]))
         return next((part for part in parts if part is not None), None)
 
 
@@ -75,29 +75,34 @@ def _below(node: Node, offset: int) -> tuple[str | int, Node] | None:
 
 
 def _part(steps: list[str | int] | None) -> Schema | None:
-    try:
-        return part_at(schema_path(steps)) if steps is not None else None
-    except KeyError:
+    if steps is None:
         return None
+    try:
+        return part_at(schema_path(steps))
+    except KeyError:
+        part = (_part(steps[:-1]) or {}).get("additionalProperties")  # of a mapping whose keys are names
+        return resolved(part) if isinstance(part, dict) else None
 
 
 def _within_fact(spec: DeviceSpec, place: Cursor) -> list[str | int] | None:
-    """The keys of a tree that those of an entry of an overlay mean: of a fact that it changes, or of one that it adds.
+    """The keys of a tree that those of an entry mean: of a fact that it changes or adds, or has the print of.
 
     None for any other place.
     """
     entry = place.nodes[2] if len(place.nodes) > 2 else None
     if not isinstance(entry, Mapping) or len(place.keys) < 3:
         return None
-    holder = entry.values.get({"set": "fact", "item": "in"}.get(str(place.keys[2]), ""))
+    holder = entry.values.get({"set": "fact", "printed": "fact", "item": "in"}.get(str(place.keys[2]), ""))
     if not isinstance(holder, Scalar):
         return None
     inner = [*place.keys[3:]]
+    if place.keys[2] == "set" and len(inner) == 1:
+        return None  # what the value was and is
     for version in reversed(spec.versions()):
         steps = keys(spec.tree_at(version), holder.text)
         if steps is None:
             continue
-        if place.keys[2] == "set":
+        if place.keys[2] != "item":
             return [*steps, *inner[:1]]
         list_node = node_at(spec.tree_at(version), steps)
         lists = [key for key in LISTS if isinstance(list_node, Mapping) and key in list_node.values]

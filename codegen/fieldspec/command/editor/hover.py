@@ -9,6 +9,7 @@ from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, re
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.editor.cursor import Cursor
 from fieldspec.command.editor.index import meant
+from fieldspec.command.editor.manual_links import SOURCE, cited_lines, manual_of
 from fieldspec.command.editor.projects import EditedProject
 from fieldspec.command.rendering import explanation_text, item_blocks
 from fieldspec.command.rendering.blocks import Block, Line, bare_text
@@ -35,6 +36,23 @@ def hover(place: Cursor) -> str | None:
     if place.key is not None:
         part = place.part()
         return key_text(part, place.key) if part is not None and place.key in part.get("properties", {}) else None
+    return "\n".join(filter(None, (_cited(place), _stated(place)))) or None
+
+
+def _cited(place: Cursor) -> str:
+    """The lines of the manual that a source cites."""
+    if place.scalar is None or place.keys[-1:] != (SOURCE,):
+        return ""
+    for spec in place.specs:
+        path = manual_of(place.project, spec)
+        lines = [*cited_lines(path, place.scalar)] if path is not None else []
+        if path is not None and lines:
+            return f"{code(path.name)}\n\n{fenced(map(Line, map(visible_text, lines)))}"
+    return ""
+
+
+def _stated(place: Cursor) -> str | None:
+    """The facts that a place states, or names."""
     for node in (*(fact.stated for fact in meant(place)), *reversed(place.nodes)):
         if not isinstance(node, Mapping):
             continue

@@ -37,11 +37,17 @@ class EditedProject:
     """The specs of a folder, read and judged again after each change, in one process that remembers the rest."""
 
     folder: Path
+    manuals: Path | None = None
     project: Project = field(default_factory=lambda: Project({}, []))
     memory: Memory = field(default_factory=Memory)
     origins: Mapping[str, str] = field(default_factory=dict)
     outcomes: dict[str, tuple[DeviceSpec, Outcome]] = field(default_factory=dict)
     layouts: ByIdentity[DeviceSpec, dict[str, DeviceLayout | None]] = field(default_factory=lambda: ByIdentity(50))
+
+    @property
+    def manual_folder(self) -> Path:
+        """The folder of the texts of manuals: the one that is named, or `manuals` beside the specs."""
+        return self.manuals or self.folder.parent / "manuals"
 
     def read(self, unsaved: Mapping[Path, str]) -> None:
         """Reads the files, and the texts of documents in the editor in place of theirs. Raises UsageError."""

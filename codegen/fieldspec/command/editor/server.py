@@ -16,18 +16,14 @@ from pygls.uris import from_fs_path, to_fs_path
 from fieldspec import __version__
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.editor.cursor import Cursor, cursor
-from fieldspec.command.editor.hover import hover
-from fieldspec.command.editor.index import meant
-from fieldspec.command.editor.outline import Ranged, folds, symbols
 from fieldspec.command.editor.positions import Positions
-from fieldspec.command.editor.projects import EditedProject, folder_of, named_project, project_in
-from fieldspec.command.editor.renaming import name_at, renaming
+from fieldspec.command.editor.projects import EditedProject, folder_of, named_project
 from fieldspec.command.rendering.finding_text import marked_characters
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.line_text import visible_text
 from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.diagnostics import Diagnostic, Severity
-from fieldspec.language.reading.nodes import Mapping
+from fieldspec.language.reading.memory import FileRead
 
 PAUSE = 0.05
 """Seconds without a key after which the specs are judged."""
@@ -43,12 +39,12 @@ class Server(LanguageServer):
     Editors send the whole text of a document: where lines end is not the same for YAML, for editors and for Python.
     """
 
-    def __init__(self, specs_option: str | None = None) -> None:
+    def __init__(self, specs_option: str | None = None, manuals: str | None = None) -> None:
         super().__init__("fieldspec", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full)
         self.projects: dict[Path, EditedProject] = {}
-        if specs_option is not None:
-            project = named_project(specs_option)
-            self.projects[project.folder] = project
+        self.manuals = folder_of_manuals(manuals) if manuals is not None else None
+        self.shows_answers = False
+        """Whether the editor shows what a command answers, as its extension for fieldspec says when it begins."""
         self._stale: set[Path] = set()
         """The folders of projects that have changed since they were read."""
         self._unjudged: set[Path] = set()
@@ -58,6 +54,8 @@ class Server(LanguageServer):
         self._waiting: asyncio.TimerHandle | None = None
         self._tidying: asyncio.TimerHandle | None = None
         self._positions: ByIdentity[SourceFile, Positions] = ByIdentity(200)
+        if specs_option is not None:
+            self.add(named_project(specs_option))
 
     def open_paths(self) -> dict[Path, str]:
         """The open documents that are files: their addresses, as the editor writes them, by path."""
@@ -83,16 +81,20 @@ class Server(LanguageServer):
             self.add(EditedProject(folder))
         return folder
 
-    def cursor(self, uri: str, position: types.Position) -> Cursor | None:
-        """What is at a position of a document; None where that is no spec, or cannot be read there."""
+    def document(self, uri: str) -> tuple[EditedProject, FileRead] | None:
+        """The project of a document, and the document as it was read; None for one that is no spec."""
         project, path = self.project_of(uri), path_of(uri)
         read = project.read_file(path) if project is not None and path is not None else None
-        if project is None or read is None:
-            return None
-        return cursor(project, read, self.positions(read.file).offset(position))
+        return (project, read) if project is not None and read is not None else None
+
+    def cursor(self, uri: str, position: types.Position) -> Cursor | None:
+        """What is at a position of a document; None where that is no spec, or cannot be read there."""
+        document = self.document(uri)
+        return cursor(*document, self.positions(document[1].file).offset(position)) if document is not None else None
 
     def add(self, project: EditedProject) -> None:
         """Adds a project, which is then read."""
+        project.manuals = self.manuals
         self.projects[project.folder] = project
         self._note({project.folder})
 
@@ -140,7 +142,7 @@ class Server(LanguageServer):
         before = self._marked.get(project.folder, set())
         for finding in project.findings():
             uri = self.uri(project, finding.span)
-            by_document.setdefault(uri, []).append(self._diagnostic(project, finding))
+            by_document.setdefault(uri, []).append(self.diagnostic(project, finding))
         self._marked[project.folder] = {uri for uri, diagnostics in by_document.items() if diagnostics}
         for uri in sorted(before | by_document.keys()):
             document = self.workspace.text_documents.get(uri)
@@ -148,7 +150,8 @@ class Server(LanguageServer):
             parameters = types.PublishDiagnosticsParams(uri, by_document.get(uri, []), version)
             self.text_document_publish_diagnostics(parameters)
 
-    def _diagnostic(self, project: EditedProject, finding: Diagnostic) -> types.Diagnostic:
+    def diagnostic(self, project: EditedProject, finding: Diagnostic) -> types.Diagnostic:
+        """A finding as an editor shows it."""
         lines = [finding.message, *([f"help: {finding.help}"] if finding.help else [])]
         return types.Diagnostic(
             range=self.range(marked(finding.span)),
@@ -192,6 +195,14 @@ class Server(LanguageServer):
                 yield path
 
 
+def folder_of_manuals(name: str) -> Path:
+    """The folder that an option names. Raises UsageError where there is none."""
+    path = Path(name)
+    if not path.is_dir():
+        raise UsageError(f"there is no folder {name}; --manuals needs the one with the texts of the manuals")
+    return path.resolve()
+
+
 def path_of(uri: str) -> Path | None:
     """The path of a document; None for one that is no file, such as a text without a name."""
     path = to_fs_path(uri) if uri.startswith("file:") else None
@@ -201,139 +212,6 @@ def path_of(uri: str) -> Path | None:
 def marked(span: Span) -> Span:
     """What carets in a terminal mark of a span."""
     return Span(span.file, span.start, span.start + marked_characters(span))
-
-
-def server(specs_option: str | None) -> Server:
-    """A server with all that it answers. Raises UsageError for a folder without specs."""
-    result = Server(specs_option)
-    _add_findings(result)
-    _add_hover(result)
-    _add_references(result)
-    _add_rename(result)
-    _add_outline(result)
-    return result
-
-
-def _add_findings(server: Server) -> None:
-    """Adds what an editor tells about its documents."""
-
-    @server.feature(types.INITIALIZED)
-    def initialized(_: types.InitializedParams) -> None:
-        if not server.projects:
-            for folder in server.folders():
-                if (project := project_in(folder)) is not None:
-                    server.add(project)
-        server.changed()
-
-    @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
-    def opened(parameters: types.DidOpenTextDocumentParams) -> None:
-        server.changed(parameters.text_document.uri)
-
-    @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
-    def changed(parameters: types.DidChangeTextDocumentParams) -> None:
-        server.changed(parameters.text_document.uri)
-
-    @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
-    def closed(parameters: types.DidCloseTextDocumentParams) -> None:
-        server.changed(parameters.text_document.uri)
-
-    @server.feature(types.TEXT_DOCUMENT_DID_SAVE)
-    def saved(_: types.DidSaveTextDocumentParams) -> None:
-        server.changed()
-
-    @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
-    def files_changed(_: types.DidChangeWatchedFilesParams) -> None:
-        server.changed()
-
-
-def _add_hover(server: Server) -> None:
-    """Adds what an editor shows under the pointer."""
-
-    @server.feature(types.TEXT_DOCUMENT_HOVER)
-    def hovered(parameters: types.HoverParams) -> types.Hover | None:
-        place = server.cursor(parameters.text_document.uri, parameters.position)
-        text = hover(place) if place is not None else None
-        return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text)) if text else None
-
-
-def _add_references(server: Server) -> None:
-    """Adds where facts are defined and used."""
-
-    @server.feature(types.TEXT_DOCUMENT_DEFINITION)
-    def defined(parameters: types.DefinitionParams) -> list[types.Location]:
-        place = server.cursor(parameters.text_document.uri, parameters.position)
-        facts = meant(place) if place is not None else []
-        names = [span for fact in facts for span in fact.definition]
-        return server.named(place.project, names) if place is not None else []
-
-    @server.feature(types.TEXT_DOCUMENT_REFERENCES)
-    def used(parameters: types.ReferenceParams) -> list[types.Location]:
-        place = server.cursor(parameters.text_document.uri, parameters.position)
-        if place is None:
-            return []
-        facts = meant(place)
-        names = [span for fact in facts for span in fact.uses]
-        if parameters.context.include_declaration:
-            names += (span for fact in facts for span in fact.spans)
-        return server.named(place.project, names)
-
-
-def _add_rename(server: Server) -> None:
-    """Adds new names for facts."""
-
-    def place_of(uri: str, position: types.Position) -> Cursor:
-        place = server.cursor(uri, position)
-        if place is None:
-            raise UsageError("this document cannot be read here")
-        return place
-
-    @server.feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
-    def name(parameters: types.PrepareRenameParams) -> types.Range:
-        try:
-            place = place_of(parameters.text_document.uri, parameters.position)
-            span = place.project.current(name_at(place))
-            assert span is not None  # the place itself is there
-            return server.range(span)
-        except UsageError as error:
-            raise refusal(error) from None
-
-    @server.feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
-    def renamed(parameters: types.RenameParams) -> types.WorkspaceEdit:
-        try:
-            place = place_of(parameters.text_document.uri, parameters.position)
-            edits: dict[str, list[types.TextEdit]] = {}
-            for span in renaming(place, parameters.new_name):
-                edit = types.TextEdit(server.range(span), parameters.new_name)
-                edits.setdefault(server.uri(place.project, span), []).append(edit)
-            return types.WorkspaceEdit(edits)
-        except UsageError as error:
-            raise refusal(error) from None
-
-
-def _add_outline(server: Server) -> None:
-    """Adds the outline of a document, and what can be folded."""
-
-    def tree_of(uri: str) -> tuple[Mapping, Ranged] | None:
-        project, path = server.project_of(uri), path_of(uri)
-        read = project.read_file(path) if project is not None and path is not None else None
-        if project is None or read is None or read.tree is None:
-            return None
-
-        def ranged(span: Span) -> types.Range | None:
-            current = project.current(span)
-            return server.range(current) if current is not None else None
-
-        return read.tree, ranged
-
-    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    def outlined(parameters: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
-        document = tree_of(parameters.text_document.uri)
-        return symbols(*document) if document is not None else []
-
-    @server.feature(types.TEXT_DOCUMENT_FOLDING_RANGE)
-    def folded(parameters: types.FoldingRangeParams) -> list[types.FoldingRange]:
-        document = tree_of(parameters.text_document.uri)
-        return [*folds(*document)] if document is not None else []
 
 
 def refusal(error: UsageError) -> JsonRpcException:

@@ -13,10 +13,11 @@ from fieldspec.command.console.usage import UsageError
 def run(arguments: argparse.Namespace) -> int:
     """Serves an editor on standard input and output until it ends. Raises UsageError."""
     try:
-        from fieldspec.command.editor.server import is_refusal, server
+        from fieldspec.command.editor.answers import server
+        from fieldspec.command.editor.server import is_refusal
     except ImportError:
         raise UsageError("the server needs pygls: pip install 'fieldspec[lsp]'") from None
-    editor = server(arguments.specs)
+    editor = server(arguments.specs, arguments.manuals)
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what anything prints is no answer
     # What cannot be answered is said in the answer, and is no fault of the server.

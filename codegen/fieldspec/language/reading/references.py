@@ -24,16 +24,16 @@ REFERENCES = {
 }
 """The keys under which facts of each section are named, besides paths."""
 
-_INNER = frozenset(
+INNER = frozenset(
     (
         *("same_as", "scale_by", "by", "number", "start", "count", "values", "and_mask", "or_mask", "counter", "data"),
         *("field", "bytes", "items", "from", "to", "part", "set", "clear", "aliases", "last", "size", "unsized"),
     )
 )
 """The keys under which parts of the same fact are named: fields of a message, parts of a link, bits, members."""
-_HOLDERS = frozenset(("enums", "flags", "links", "messages", "records", "tables"))
+HOLDERS = frozenset(("enums", "flags", "links", "messages", "records", "tables"))
 """The sections of facts that have such parts."""
-_ASKED = ("request", "fields", "bits", "members", "response")
+ASKED = ("request", "fields", "bits", "members", "response")
 """Their lists, in the order in which a name is looked for: a response repeats what a request asked."""
 
 PlaceInFile: TypeAlias = tuple[str, int, int]
@@ -74,7 +74,7 @@ def unquoted(scalar: Scalar) -> Span:
 
 def references(tree: Mapping, overlay: Mapping | None = None) -> Iterator[Reference]:
     """All references in the tree of a version, in its order; or those in the `overlay` of the next version."""
-    names = {section: _names(node) for section, node in tree.values.items()}
+    names = {section: named_facts(node) for section, node in tree.values.items()}
     for section, node in (overlay or tree).values.items():
         yield from _Search(names, section).below(node, section, section, "", None)
 
@@ -111,7 +111,7 @@ def _facts(node: Node, section: str) -> Iterator[tuple[str, Mapping]]:
                 yield from ((f"{section}/{identity(row)}", row) for row in _rows(item, key))
 
 
-def _names(node: Node) -> dict[str, Mapping]:
+def named_facts(node: Node) -> dict[str, Mapping]:
     """The facts of a section by name; a group gives way to a row."""
     groups = {name: item for item in mappings(node) if (name := identity(item)) is not None}
     rows = (row for item in mappings(node) for key in _ROWS if key in item.values for row in _rows(item, key))
@@ -166,7 +166,7 @@ class _Search:
             yield 0, len(text), target
 
     def _named(self, text: str, key: str, holder: str, fact: Mapping | None) -> Mapping | None:
-        if key in _INNER and fact is not None and self.section in _HOLDERS and holder.count("/"):
+        if key in INNER and fact is not None and self.section in HOLDERS and holder.count("/"):
             whole = key == "same_as" and self.section == "records" and holder.count("/") == 1
             inner = None if whole else _part(fact, text)
             if inner is not None or key == "same_as":
@@ -192,7 +192,7 @@ class _Search:
 
 def _part(fact: Mapping, name: str) -> Mapping | None:
     """The part of a fact with a name: a field, a part of a frame, a bit, a member."""
-    for key in _ASKED:
+    for key in ASKED:
         for item in mappings(fact.values.get(key)):
             if identity(item) == name:
                 return item

@@ -301,6 +301,22 @@ class _Builder:
         return self._span(key) if isinstance(key, Event) else key.span
 
 
+def closing(text: str) -> str:
+    """The brackets that close what a text has open at its end."""
+    parser = _Parser(text)
+    closers: list[str] = []
+    try:
+        while not isinstance(event := parser.get_event(), StreamEndEvent):
+            if isinstance(event, CollectionStartEvent):
+                closer = "}" if isinstance(event, MappingStartEvent) else "]"
+                closers.append(closer if event.flow_style else "")
+            elif isinstance(event, CollectionEndEvent):
+                closers.pop()
+    except (yaml.YAMLError, ValueError, OverflowError):  # where the text ends, or is no YAML
+        pass
+    return "".join(reversed(closers))
+
+
 def key_span(mapping: Mapping, key: str) -> Span:
     """The span of a key of a mapping. It parses the text again, as hardly any key is ever asked for."""
     holder = mapping.holder(key)

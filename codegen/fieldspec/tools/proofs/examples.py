@@ -177,10 +177,7 @@ def _compare_meaning(
     layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
     """The values in the spec against those of the bytes. Values that follow from others may be left out."""
-    head = layout.links[example.link].frame(example.direction).header
-    implied = {part.name for part in head if part.role == "code" or (part.value and part.value.const is not None)}
-    actual = {**decoded.head, **decoded.values}
-    for name, value in actual.items():
+    for name, value in {**decoded.head, **decoded.values}.items():
         if name in expected:
             if not _is_same_value(expected[name], value):
                 path, want, decoded_value = _difference(name, expected[name], value)
@@ -188,14 +185,25 @@ def _compare_meaning(
                 span = example.place["values"]
                 label = Label(example.place["frame"], "these bytes")
                 yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
-        elif name not in implied and not _implied(decoded, name):
+        elif not _implied(layout, decoded, name):
             text = f"the values do not contain {name}"
             help = f"add `{name}: {spec_text(value)}` if the manual means that"
             yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)
 
 
-def _implied(decoded: Decoded, name: str) -> bool:
-    """Whether a value may be left out: it measures another one, is constant, or is reserved."""
+def stated_values(layout: DeviceLayout, decoded: Decoded) -> str:
+    """The values of a frame as an example states them, without those that follow from others."""
+    values = {**decoded.head, **decoded.values}
+    return spec_text({name: value for name, value in values.items() if not _implied(layout, decoded, name)})
+
+
+def _implied(layout: DeviceLayout, decoded: Decoded, name: str) -> bool:
+    """Whether a value may be left out: it is a code, measures another one, is constant, or is reserved."""
+    head = layout.links[decoded.link].frame(decoded.direction).header
+    if any(
+        part.name == name and (part.role == "code" or (part.value and part.value.const is not None)) for part in head
+    ):
+        return True
     field = decoded.body.named(name) if decoded.body else None
     if field is None:
         return False

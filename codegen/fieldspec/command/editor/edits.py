@@ -1,0 +1,86 @@
+"""Edits of documents: keys and items that are added to the text, in the form that it has."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence as Lines
+
+from fieldspec.command.editor.cursor import Cursor
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.reading.memory import FileRead
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.language.reading.yaml_reader import key_spans
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """A text in place of a span."""
+
+    span: Span
+    text: str
+
+
+def line_end(file: SourceFile) -> str:
+    """The end of the lines of a file."""
+    return "\r\n" if "\r\n" in file.text else "\n"
+
+
+def source_text(value: Scalar) -> str:
+    """The text of a scalar as its file has it, with quotation marks."""
+    return value.file.text[value.start : value.end]
+
+
+def with_key(mapping: Mapping, key: str, value: str) -> Edit:
+    """A mapping with one more key: within its braces, or on a line of its own."""
+    text, last = mapping.file.text, _last(mapping)
+    if text[last - 1] == "}":
+        inner = text[mapping.start : last - 1].rstrip()
+        comma = "" if inner.endswith(("{", ",")) else ", "
+        offset = mapping.start + len(inner)
+        return Edit(Span(mapping.file, offset, offset), f"{comma}{key}: {value}")
+    first = next(span.start for _, span in key_spans(mapping))
+    column = first - text.rfind("\n", 0, first) - 1
+    offset = _end_of_line(text, last)
+    return Edit(Span(mapping.file, offset, offset), f"{line_end(mapping.file)}{' ' * column}{key}: {value}")
+
+
+def with_item(read: FileRead, section: str, lines: Lines[str]) -> Edit:
+    """A document with one more item in the list of a section, which is begun where there is none."""
+    assert read.tree is not None
+    file, text = read.tree.file, read.tree.file.text
+    end = line_end(file)
+    node = read.tree.values.get(section)
+    if not isinstance(node, Sequence) or not node.items:
+        offset = len(text.rstrip())
+        items = end.join(f"  {'  ' if number else '- '}{line}" for number, line in enumerate(lines))
+        return Edit(Span(file, offset, offset), f"{end}{end}{section}:{end}{items}")
+    last = _last(node)
+    if text[last - 1] == "]":
+        inner = len(text[: last - 1].rstrip())
+        return Edit(Span(file, inner, inner), f", {{{', '.join(lines)}}}")
+    column = " " * (node.start - text.rfind("\n", 0, node.start) - 1)
+    offset = _end_of_line(text, last)
+    items = end.join(f"{column}{'  ' if number else '- '}{line}" for number, line in enumerate(lines))
+    return Edit(Span(file, offset, offset), f"{end}{items}")
+
+
+def _last(node: Node) -> int:
+    """Where the text of a node ends, without the blank lines and comments behind it."""
+    lines = node.file.text[node.start : node.end].rstrip().split("\n")
+    while len(lines) > 1 and (lines[-1].lstrip().startswith("#") or not lines[-1].strip()):
+        lines.pop()
+    return node.start + len("\n".join(lines).rstrip())
+
+
+def _end_of_line(text: str, offset: int) -> int:
+    end = text.find("\n", offset)
+    return len(text[: end if end >= 0 else len(text)].rstrip())
+
+
+def holding_section(place: Cursor, section: str) -> FileRead:
+    """The document that has a section of a device: the one of the place, or else the first other one, or itself."""
+    own = place.read
+    reads = [own]
+    for spec in place.specs:
+        reads += (place.project.memory.files[path] for path in sorted(spec.files) if path.startswith(f"{spec.id}/"))
+    return next((read for read in reads if read.tree is not None and section in read.tree.values), own)
