@@ -8,143 +8,20 @@ from __future__ import annotations
 import argparse
 import gc
 import os
-import re
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 
 from fieldspec import __version__
 from fieldspec.command.console import streams
-from fieldspec.command.console.usage import WRONG_USE, UsageError, unknown
+from fieldspec.command.console.usage import WRONG_USE, UsageError
+from fieldspec.command.console.verb_parsers import ImportedNames, LineParser, Suggested, VerbParser
 
 TYPE_CHECKING = False  # as of `typing`, which takes longer to import than the help to print
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Any, NoReturn
+    from typing import NoReturn
 
 INTERRUPTED = 130
-
-
-def _help(prog: str) -> argparse.HelpFormatter:
-    """The formatter of help texts. argparse by itself would import all of shutil to ask for the width."""
-    try:
-        width = int(os.environ.get("COLUMNS") or os.get_terminal_size().columns)
-    except (ValueError, OSError):
-        width = 80
-    return argparse.HelpFormatter(prog, width=max(width - 2, 40))
-
-
-class _Parser(argparse.ArgumentParser):
-    """Reports wrong use in one line that says where to read more."""
-
-    def __init__(self, **options: Any) -> None:
-        super().__init__(formatter_class=_help, **options)
-
-    def _check_value(self, action: argparse.Action, value: Any) -> None:
-        """Reports a value that is not among the choices of an argument, with the nearest ones. Raises UsageError."""
-        if action.choices is not None and value not in action.choices:
-            name = "/".join(action.option_strings) or str(action.metavar or action.dest)
-            subject = "command" if name == "VERB" else f"value of {name}"
-            text = unknown(subject, str(value), map(str, action.choices))
-            raise UsageError(f"{text}; see: {self.prog} --help")
-
-    def error(self, message: str) -> None:  # type: ignore[override]
-        raise UsageError(f"{message}; see: {self.prog} --help")
-
-
-class _Word(argparse.Action):
-    """An option named after a word of the device. The verb, which knows the device, judges it."""
-
-    def __call__(self, parser: object, namespace: Any, values: Any, option: str | None = None) -> None:
-        namespace.words = [*namespace.words, (option, values)]
-
-
-class _Suggested(tuple[str, ...]):
-    """What a shell offers for an option that also takes other texts."""
-
-    __slots__ = ()
-
-    def __contains__(self, text: object) -> bool:
-        return True
-
-
-class _Names:
-    """Names that are imported when they are listed. The verb itself refuses others."""
-
-    def __init__(self, module: str, attribute: str) -> None:
-        self._module, self._attribute = module, attribute
-
-    def __contains__(self, text: object) -> bool:
-        return True
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(getattr(import_module(self._module), self._attribute))
-
-
-class _Verb(_Parser):
-    """The arguments of one verb, in any order. They are added only when the verb is called.
-
-    Where the verb has a default for `words`, unknown options are collected there.
-    """
-
-    late_help: tuple[str, str] | None = None
-    """The module and function that write the end of the help, given the arguments; imported for help alone."""
-
-    late_arguments: tuple[str, str] | None = None
-    """The module and function that add the arguments; imported when the verb is called."""
-
-    _mixing = False
-    _tail: Sequence[str] | None = None
-    """What stands from `--` on. argparse would look for options in it where positional arguments come in between."""
-
-    def __init__(self, **options: Any) -> None:
-        self._waiting: list[tuple[tuple[str, ...], dict[str, Any]]] | None = []
-        super().__init__(**options)
-
-    def add_argument(self, *names: str, **options: Any) -> None:  # type: ignore[override]
-        """Adds an argument, or notes it until the verb is called."""
-        if self._waiting is None:
-            super().add_argument(*names, **options)
-        else:
-            self._waiting.append((names, options))
-
-    def settle(self) -> None:
-        """Adds the arguments that were noted."""
-        waiting, self._waiting = self._waiting or [], None
-        if self.late_arguments:
-            module, function = self.late_arguments
-            getattr(import_module(module), function)(self)
-        for names, options in waiting:
-            self.add_argument(*names, **options)
-
-    def _learn(self, arguments: Sequence[str]) -> None:
-        for argument in arguments:
-            if argument == "--":
-                return
-            option = argument.partition("=")[0]
-            known = any(text.startswith(option) for text in self._option_string_actions)
-            if re.fullmatch("--[A-Za-z][A-Za-z0-9_-]*", option) and not known:
-                self.add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
-
-    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
-        if self._mixing:
-            if self._tail is None:  # the options alone come first
-                end = [*args, "--"].index("--")
-                args, self._tail = args[:end], args[end:]
-            else:
-                args = [*args, *self._tail]
-            return super().parse_known_args(args, namespace)
-        self.settle()
-        self._mixing = True
-        if self.get_default("words") is not None:
-            self._learn(args)
-        if self.late_help and {"-h", "--help"} & {*args}:
-            module, function = self.late_help
-            self.epilog = getattr(import_module(module), function)(args) or self.epilog
-        known, unrecognized = self.parse_known_intermixed_args(args, namespace)
-        if unrecognized:
-            self.error(f"unrecognized arguments: {' '.join(unrecognized)}")
-        return known, unrecognized
 
 
 def parser() -> argparse.ArgumentParser:
@@ -159,15 +36,15 @@ def parser() -> argparse.ArgumentParser:
 def _parser() -> argparse.ArgumentParser:
     """All verbs, without their arguments."""
     argparse._ = str  # type: ignore[attr-defined]  # help is English; gettext would look for other words of each text
-    top = _Parser(
+    top = LineParser(
         prog="fieldspec",
         description="Checks protocol specs, builds code and documentation from them, and explains frames.",
     )
     top.add_argument("--version", action="version", version=f"fieldspec {__version__}")
-    verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Verb)
+    verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=VerbParser)
 
-    def verb(name: str, help: str, compiled: bool = False) -> _Verb:
-        inner: _Verb = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
+    def verb(name: str, help: str, compiled: bool = False) -> VerbParser:
+        inner: VerbParser = verbs.add_parser(name, help=help, description=help[:1].upper() + help[1:] + ".")
         inner.add_argument(
             "--specs", metavar="DIR", help="the folder with the specs (default: specs, here or in a parent folder)"
         )
@@ -205,19 +82,19 @@ def _parser() -> argparse.ArgumentParser:
     placed = verb("layout", "show where a controller places the members of a record in memory", compiled=True)
     placed.add_argument("device", metavar="DEVICE[@VERSION]")
     placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message (by name or number)")
-    memories = _Names("fieldspec.targets.controllers.layout.memory", "MEMORIES")
+    memories = ImportedNames("fieldspec.targets.controllers.layout.memory", "MEMORIES")
     placed.add_argument("--target", required=True, choices=memories, metavar="NAME", help="one of %(choices)s")
 
     facts = verb("facts", "list all facts of a device", compiled=True)
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
     facts.add_argument("--format", choices=("csv", "json"), default="csv")
 
-    def add_frame_options(inner: _Verb, direction: str, message: str) -> None:
+    def add_frame_options(inner: VerbParser, direction: str, message: str) -> None:
         """The options that say how a frame is sent."""
         inner.set_defaults(words=[])
         inner.late_help = ("fieldspec.command.frames.frame_options", "device_help")
         inner.add_argument("--link", help="the link on which the frame is sent")
-        inner.add_argument("--direction", choices=_Suggested(("request", "response")), metavar="NAME", help=direction)
+        inner.add_argument("--direction", choices=Suggested(("request", "response")), metavar="NAME", help=direction)
         inner.add_argument("--message", metavar="NAME", help=message)
         inner.epilog = (
             "A message has a name or a number. Where a link has its own word for messages, --WORD NAME is the same "
