@@ -120,6 +120,7 @@ def _build_stale(
                     build_request.required,
                     manual,
                     build_request.project.choice(spec.id),
+                    earlier.key(spec.id, spec.files),
                 )
             )
     lacking = [name for name in build_request.outputs if name not in shared]

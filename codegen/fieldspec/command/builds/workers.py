@@ -12,6 +12,7 @@ from pathlib import Path
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command import pipeline
+from fieldspec.command.builds import spelling_cache
 from fieldspec.command.builds.freshness import Hashes, digest, file_digest
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.placement import Staging
@@ -22,6 +23,7 @@ from fieldspec.language.model.choice import Choice, VersionChoice
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import Project
 from fieldspec.targets import OUTPUTS
+from fieldspec.targets.usages import Spellings, using
 from fieldspec.tools.proofs.running import Outcome, outcome
 
 if TYPE_CHECKING:
@@ -41,7 +43,8 @@ class Task:
     `judged` are the outputs that are asked what they cannot express, those too that are not built anew. Where they are
     `required`, one that cannot express the device keeps the others from being built; else it is left out. `manual` is
     the index of its manual, for the audit in its documentation. `choice` is that of the project file, which does not
-    matter where versions are named.
+    matter where versions are named. `key` is that under which its spellings are in the cache, empty where they are
+    not; `spellings` are those that another process has, and `lends` says that another one needs those of this task.
     """
 
     device: str
@@ -52,6 +55,9 @@ class Task:
     required: bool = False
     manual: ManualIndex | None = None
     choice: Choice = Choice()
+    key: str = ""
+    spellings: Spellings = field(default_factory=dict)
+    lends: bool = False
 
     def chosen(self, output: str, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:
         """The layouts of the versions of a device that an output has; at least that of the newest."""
@@ -63,7 +69,7 @@ class TaskResult:
     """The findings of a device, the identities of its versions, and its files; only findings after errors.
 
     `hashes` has all files by output; `stale` has the paths of those that differ from the files in place. `refusals` has
-    what each output cannot express.
+    what each output cannot express, and `spellings` what another task needs.
     """
 
     device: str
@@ -72,6 +78,7 @@ class TaskResult:
     hashes: dict[str, Hashes]
     stale: list[str]
     refusals: Mapping[str, Sequence[Diagnostic]] = field(default_factory=dict)
+    spellings: Spellings = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +98,8 @@ def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResul
     """The results of tasks in any order. `size` is that of the specs, in bytes.
 
     Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
-    first, and then each processor takes outputs of a device. Raises UsageError if an installed package fails.
+    first, and then each processor takes outputs of a device, the documentation last, which needs the spellings of the
+    others. Raises UsageError if an installed package fails.
     """
     required = {task.device: task.required for task in tasks}
     return [
@@ -124,11 +132,22 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
         if task.device not in broken
         for names in _families(task.judged)
     ]
-    parts = _in_processes(replace(work, known=known), single, processes) if single else []
+    work = replace(work, known=known)
+    spelling = {task.device for task in single if any(OUTPUTS[name].has_usages for name in task.outputs)}
+    last = [task for task in single if DOCUMENTATION in task.outputs and task.device in spelling]
+    lending = {task.device for task in last}
+    first = [replace(task, lends=task.device in lending) for task in single if task not in last]
+    parts = _in_processes(work, first, processes)
+    lent: dict[str, Spellings] = {}
+    for part in parts:
+        lent.setdefault(part.device, {}).update(part.spellings)
+    parts += _in_processes(work, [replace(task, spellings=lent[task.device]) for task in last], processes)
     return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
 
 
 def _in_processes(work: Work, tasks: Sequence[Task], processes: int) -> list[TaskResult]:
+    if not tasks:
+        return []
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
     from multiprocessing import get_context
@@ -208,21 +227,26 @@ def task_result(work: Work, task: Task) -> TaskResult:
     }
     hashes: dict[str, Hashes] = {}
     stale: list[str] = []
-    for name in task.outputs:
-        if name in refusing:
-            hashes[name] = {}
-            continue
-        if name == DOCUMENTATION and not task.versions:
-            from fieldspec.command.rendering.audit_pages import LINK, pages
-            from fieldspec.targets.docs.backend import fact_links
+    is_documented = DOCUMENTATION in task.outputs
+    spellings = {**(spelling_cache.stored(task.key) if is_documented else {}), **task.spellings}
+    known = {name: {*versions} for name, versions in spellings.items()}
+    with using(spellings if task.key or is_documented or task.lends else None):
+        for name in sorted(task.outputs, key=lambda name: name == DOCUMENTATION):  # the last, as it asks the others
+            if name in refusing:
+                hashes[name] = {}
+                continue
+            if name == DOCUMENTATION and not task.versions:
+                from fieldspec.command.rendering.audit_pages import LINK, pages
+                from fieldspec.targets.docs.backend import fact_links
 
-            files = pipeline.output(name, chosen[name], (LINK,))
-            files |= pages(spec, layouts, task.manual, fact_links(chosen[name][-1], files), ran)
-        else:
-            files = pipeline.output(name, chosen[name])
-            files = _without_tests(name, files, task.choice.of(name).tests, chosen[name])
-        hashes[name] = stage_changes(work, files, stale)
-    return TaskResult(task.device, findings, identities, hashes, stale, refusals)
+                files = pipeline.output(name, chosen[name], (LINK,))
+                files |= pages(spec, layouts, task.manual, fact_links(chosen[name][-1], files), ran)
+            else:
+                files = pipeline.output(name, chosen[name])
+                files = _without_tests(name, files, task.choice.of(name).tests, chosen[name])
+            hashes[name] = stage_changes(work, files, stale)
+    spelling_cache.store(task.key, {name: rows for name, rows in spellings.items() if {*rows} - known.get(name, set())})
+    return TaskResult(task.device, findings, identities, hashes, stale, refusals, spellings if task.lends else {})
 
 
 def _chosen(choice: VersionChoice, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:

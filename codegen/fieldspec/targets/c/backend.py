@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import Name, stem, version_word
@@ -26,9 +27,9 @@ from fieldspec.targets.c.registers import declare_register, declare_signal, decl
 from fieldspec.targets.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.targets.c.selftest import write_selftest
 from fieldspec.targets.c.subcodes import has_subcode, subcodes_of
-from fieldspec.targets.c.usages import version_usages
+from fieldspec.targets.c.usages import usage_rows, version_usages
 from fieldspec.targets.templates import fill
-from fieldspec.targets.usages import VersionUsages
+from fieldspec.targets.usages import Usage, VersionUsages, cache_spelling, spelling
 
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
@@ -47,12 +48,20 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         texts[f"{name}.h"] = header(layout, naming)
         texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
         texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
+        cache_spelling("c", layout, partial(usage_rows, layout, naming))
     return texts
 
 
 def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for each version of a device, by the version."""
-    return {layout.device.version: version_usages(layout, _claimed_names(layout)) for layout in versions}
+    return {
+        layout.device.version: version_usages(layout, spelling("c", layout, partial(_spell, layout)))
+        for layout in versions
+    }
+
+
+def _spell(layout: DeviceLayout) -> Iterator[Usage]:
+    return usage_rows(layout, _claimed_names(layout))
 
 
 def shared() -> dict[str, str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from fieldspec.codec.layout.detection import version_lines
@@ -14,8 +15,10 @@ from fieldspec.targets.python.device import device_view
 from fieldspec.targets.python.imports import client_imports, imports_view
 from fieldspec.targets.python.naming import Scope, module_name, package_name
 from fieldspec.targets.python.text import docstring, literal
+from fieldspec.targets.python.usages import usage_rows
 from fieldspec.targets.python.usages import usages as usages
 from fieldspec.targets.templates import fill
+from fieldspec.targets.usages import cache_spelling
 
 PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("client", "for_firmware", "latest")
@@ -85,6 +88,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         view = device_view(layout)
         texts[f"{folder}/{module}.py"] = _module(view)
         texts |= _client(layout, f"{folder}/{module}_client.py", module, view)
+        cache_spelling("python", layout, partial(usage_rows, layout, view))
     module_lines = [
         f" {modules[layout.device.version]}: version {', '.join((layout.device.version, *layout.equal_versions))},"
         f" identity {layout.identity}"
