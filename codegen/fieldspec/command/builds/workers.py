@@ -85,13 +85,14 @@ class TaskResult:
 class Work:
     """What all tasks share: the project, the folder of outputs, and the staging folder, None to write nothing.
 
-    `known` has the outcomes of checks that have run already.
+    `known` has the outcomes of checks that have run already. What `stays` is built in this process, which remembers it.
     """
 
     project: Project
     out: Path
     beside: Staging | None
     known: Mapping[str, Outcome] = field(default_factory=dict)
+    stays: bool = False
 
 
 def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
@@ -119,7 +120,7 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
     devices = work.project.devices
     tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
     processes = _processors()
-    if processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
+    if work.stays or processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
         return [task_result(work, task) for task in tasks]
     if len(tasks) >= processes:
         return _in_processes(work, tasks, processes)
