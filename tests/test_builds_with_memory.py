@@ -11,9 +11,9 @@ import pytest
 
 from example_counts import FACTOR
 from fieldspec.command.builds import workers
+from fieldspec.command.builds.build_memory import BuildMemory
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.verbs.build import build
-from fieldspec.language.reading.memory import Memory
 from spec_edits import Files, edited
 
 SPECS = Path(__file__).resolve().parent / "specs"
@@ -28,7 +28,7 @@ class Place:
 
     def __init__(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self.specs, self.capsys = folder / "specs", capsys
-        self.memory = Memory(strict=True)
+        self.memory = BuildMemory()
         self.folders = {True: folder / "remembered", False: folder / "anew"}
 
     def write(self, files: Files) -> None:

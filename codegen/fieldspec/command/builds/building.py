@@ -16,9 +16,9 @@ from fieldspec.foundation.source import Refused
 from fieldspec.language.model.choice import PROJECT_FILE
 
 if TYPE_CHECKING:
+    from fieldspec.command.builds.build_memory import BuildMemory
     from fieldspec.command.files.placement import Staging
     from fieldspec.language.diagnostics import Diagnostic
-    from fieldspec.language.reading.memory import Memory
     from fieldspec.tools.audit.manual_lines import ManualIndex
 
 
@@ -41,7 +41,7 @@ def build_result(
     files: Mapping[str, bytes],
     earlier: EarlierBuild,
     staging: Staging | None = None,
-    memory: Memory | None = None,
+    memory: BuildMemory | None = None,
 ) -> BuildResult:
     """Builds what is out of date, and nothing of devices with errors.
 
@@ -81,7 +81,7 @@ def _build_stale(
     files: Mapping[str, bytes],
     earlier: EarlierBuild,
     staging: Staging | None,
-    memory: Memory | None,
+    memory: BuildMemory | None,
 ) -> BuildResult:
     """Reads the specs, of all devices or of `only` some, and carries out the plans."""
     from fieldspec.command import pipeline
@@ -96,7 +96,9 @@ def _build_stale(
     load_checks()
     if earlier.trusted and cache_folder.is_usable(TEMPLATES):
         templates.use_cache(partial(cache_folder.cached, TEMPLATES), partial(cache_folder.store, TEMPLATES))
-    project = read(files, only, memory=memory)  # without the folder, which outputs must not depend on
+    project = read(
+        files, only, memory=memory.reading if memory is not None else None
+    )  # without the folder, which outputs must not depend on
     refused = set(project.broken)
     misnamed = []
 
@@ -137,7 +139,7 @@ def _build_stale(
             )
     lacking = [name for name in build_request.outputs if name not in shared]
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
-    work = Work(project, earlier.out, staging, stays=memory is not None)
+    work = Work(project, earlier.out, staging, pieces=memory.pieces if memory is not None else None)
     done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
     located = [*misnamed, *_from_here(findings, spec_files.relative_path(path), spec_files.origins(files))]

@@ -23,6 +23,7 @@ from fieldspec.language.model.choice import Choice, VersionChoice
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import Project
 from fieldspec.targets import OUTPUTS
+from fieldspec.targets.pieces import Pieces, using_pieces
 from fieldspec.targets.usages import Spellings, using
 from fieldspec.tools.proofs.running import Outcome, outcome
 
@@ -85,14 +86,15 @@ class TaskResult:
 class Work:
     """What all tasks share: the project, the folder of outputs, and the staging folder, None to write nothing.
 
-    `known` has the outcomes of checks that have run already. What `stays` is built in this process, which remembers it.
+    `known` has the outcomes of checks that have run already. With `pieces`, all is built in this process, which
+    remembers them.
     """
 
     project: Project
     out: Path
     beside: Staging | None
     known: Mapping[str, Outcome] = field(default_factory=dict)
-    stays: bool = False
+    pieces: Pieces | None = None
 
 
 def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
@@ -120,7 +122,7 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
     devices = work.project.devices
     tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
     processes = _processors()
-    if work.stays or processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
+    if work.pieces is not None or processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
         return [task_result(work, task) for task in tasks]
     if len(tasks) >= processes:
         return _in_processes(work, tasks, processes)
@@ -231,7 +233,8 @@ def task_result(work: Work, task: Task) -> TaskResult:
     is_documented = DOCUMENTATION in task.outputs
     spellings = {**(spelling_cache.stored(task.key) if is_documented else {}), **task.spellings}
     known = {name: {*versions} for name, versions in spellings.items()}
-    with using(spellings if task.key or is_documented or task.lends else None):
+    pieces = work.pieces or (Pieces() if len(layouts) > 1 else None)  # versions share facts, too
+    with using(spellings if task.key or is_documented or task.lends else None), using_pieces(pieces):
         for name in sorted(task.outputs, key=lambda name: name == DOCUMENTATION):  # the last, as it asks the others
             if name in refusing:
                 hashes[name] = {}

@@ -34,8 +34,8 @@ from fieldspec.language.model.choice import PROJECT_FILE
 from fieldspec.language.reading.findings import PROTOCOLS
 
 if TYPE_CHECKING:
+    from fieldspec.command.builds.build_memory import BuildMemory
     from fieldspec.language.diagnostics import Diagnostic
-    from fieldspec.language.reading.memory import Memory
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     return build(arguments)
 
 
-def build(arguments: argparse.Namespace, memory: Memory | None = None) -> int:
+def build(arguments: argparse.Namespace, memory: BuildMemory | None = None) -> int:
     """Builds once, into each folder that the project file names, with the `memory` of the last time.
 
     Raises UsageError.
@@ -60,7 +60,7 @@ def build(arguments: argparse.Namespace, memory: Memory | None = None) -> int:
     requested = _devices(arguments.devices)
     path, files = spec_files.of_devices(arguments.specs, frozenset(requested))
     if memory is not None:
-        memory.forget_others(files)
+        memory.reading.forget_others(files)
     project = project_choices(path)
     if findings := project.unknown_names(spec_files.devices(path)):
         _print_findings(findings)
@@ -87,7 +87,7 @@ def _build_into(
     specs: tuple[str, Mapping[str, bytes]],
     arguments: argparse.Namespace,
     replaced_outputs: Sequence[str],
-    memory: Memory | None,
+    memory: BuildMemory | None,
 ) -> int:
     """Builds once into one folder, from the folder of the specs and their files. Raises UsageError.
 
@@ -219,9 +219,9 @@ def watch(arguments: argparse.Namespace) -> int:
 
     Without `--no-cache`, the process remembers what it has read.
     """
-    from fieldspec.language.reading.memory import Memory
+    from fieldspec.command.builds.build_memory import BuildMemory
 
-    memory = None if arguments.no_cache else Memory(strict=True)
+    memory = None if arguments.no_cache else BuildMemory()
     path = spec_files.folder(arguments.specs)
     built: State | None = None
     while True:
@@ -235,7 +235,7 @@ def watch(arguments: argparse.Namespace) -> int:
             time.sleep(PAUSE)
 
 
-def _build(arguments: argparse.Namespace, memory: Memory | None, first: bool) -> None:
+def _build(arguments: argparse.Namespace, memory: BuildMemory | None, first: bool) -> None:
     """Builds once. Wrong use may be corrected while we wait, except in the first build."""
     start = time.perf_counter()
     try:
