@@ -11,6 +11,7 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import SourceFile
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, children
@@ -23,6 +24,8 @@ _NO_ITEM = re.compile(r"^(?:---|\.\.\.|%)|\t|\ufeff", re.MULTILINE)
 """What may end a document, or mean something else at the beginning of one."""
 _ALIAS = re.compile(r"(?:^|[\s\[{,:])\*\S")
 _DASH = re.compile(r" *- +")
+_SIZES: ByIdentity[Mapping, int] = ByIdentity(limit=10)
+"""At most so many values are in these trees, whose texts are so long that there is a limit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +57,10 @@ def revised(file: SourceFile, tree: Mapping) -> Mapping | None:
     for change in _changes(tree, before, len(old) - after):
         items = _items(file, change, shift, tree)
         if items is not None:
-            return _replaced(tree, file, change, items, shift)
+            result = _replaced(tree, file, change, items, shift)
+            if tree in _SIZES:
+                _SIZES[result] = _SIZES[tree] + len(file.text[change.start : change.end + shift])
+            return result
     return None
 
 
@@ -139,7 +145,7 @@ def _items(file: SourceFile, change: _Change, shift: int, tree: Mapping) -> tupl
     lines = file.text[change.start : change.end + shift]
     if _NO_ITEM.search(lines) or _ALIAS.search(lines) or (change.end + shift < len(file.text) and lines[-1:] != "\n"):
         return None
-    if len(file.text) > LARGEST_TREE and size(tree) + len(lines) > LARGEST_TREE:
+    if len(file.text) > LARGEST_TREE and _SIZES.get_or_compute(tree, size) + len(lines) > LARGEST_TREE:
         return None
     items = parsed_items(file, lines, len(change.keys))
     if items is None or items.start != change.column or not all(isinstance(item, Mapping) for item in items.items):
