@@ -57,7 +57,7 @@ def _append(lines: list[str], number: int, choose: random.Random) -> None:
     lines.append(lines[number])
 
 
-def _one_of(pattern: re.Pattern[str], new: Callable[[str, list[str], random.Random], str]) -> Edit:
+def _pattern_edit(pattern: re.Pattern[str], new: Callable[[str, list[str], random.Random], str]) -> Edit:
     """Replaces one match of a pattern; `new` also gets all others."""
 
     def edit(text: str, choose: random.Random) -> str:
@@ -90,12 +90,12 @@ EDITS: tuple[Edit, ...] = (
     cut,
     row_at_an_end,
     *map(_lines, (_double, _remove, _move, _comment, _append)),
-    _one_of(_NUMBER, lambda old, others, choose: str(int(old) + 1)),
-    _one_of(_NUMBER, lambda old, others, choose: choose.choice(others)),
-    _one_of(_NAME, lambda old, others, choose: f"{old}_other"),
-    _one_of(_NAME, lambda old, others, choose: choose.choice(others)),
-    _one_of(_NAME, lambda old, others, choose: old.replace("_", "", 1)),
-    _one_of(_DOC, lambda old, others, choose: f"{old} once more"),
+    _pattern_edit(_NUMBER, lambda old, others, choose: str(int(old) + 1)),
+    _pattern_edit(_NUMBER, lambda old, others, choose: choose.choice(others)),
+    _pattern_edit(_NAME, lambda old, others, choose: f"{old}_other"),
+    _pattern_edit(_NAME, lambda old, others, choose: choose.choice(others)),
+    _pattern_edit(_NAME, lambda old, others, choose: old.replace("_", "", 1)),
+    _pattern_edit(_DOC, lambda old, others, choose: f"{old} once more"),
 )
 """The edits of one file."""
 

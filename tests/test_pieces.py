@@ -50,7 +50,7 @@ class Builds:
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.memory, self.pieces = Memory(strict=True), Pieces()
-        self.made: Counter[str] = Counter()
+        self.calls: Counter[str] = Counter()
         for output, (module, function) in MAKERS.items():
             self._count(monkeypatch, output, import_module(module), function)
 
@@ -58,7 +58,7 @@ class Builds:
         original: Callable[..., object] = getattr(module, function)
 
         def noted(*arguments: object) -> object:
-            self.made[output] += 1
+            self.calls[output] += 1
             return original(*arguments)
 
         monkeypatch.setattr(module, function, noted)
@@ -66,12 +66,12 @@ class Builds:
     def build(self, text: str, output: str) -> int:
         """Builds an output, which must be that of a build without memory, and says how many registers it made."""
         layouts = self._layouts(text, self.memory)
-        self.made.clear()
+        self.calls.clear()
         with using_pieces(self.pieces):
             files = pipeline.output(output, layouts)
-        made = self.made[output]
+        calls = self.calls[output]
         assert files == pipeline.output(output, self._layouts(text, None))
-        return made
+        return calls
 
     def _layouts(self, text: str, memory: Memory | None) -> list[DeviceLayout]:
         project = read({"d/device.yaml": text.encode()}, memory=memory)
@@ -120,11 +120,11 @@ def test_names_that_are_given_to_others_are_not_those_that_were_asked_for() -> N
 
 
 def test_a_piece_is_made_again_for_another_object_that_is_equal() -> None:
-    made: list[int] = []
+    calls: list[int] = []
 
     def make() -> int:
-        made.append(0)
-        return len(made)
+        calls.append(0)
+        return len(calls)
 
     fact, equal_fact = (1, [2]), (1, [2])
     with using_pieces(Pieces()):

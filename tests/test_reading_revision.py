@@ -37,14 +37,14 @@ ROWS = [
 ]
 
 
-def plain(node: Node) -> Any:
+def as_data(node: Node) -> Any:
     """A tree as plain data, with all places."""
     place = (node.file.text, node.start, node.end)
     if isinstance(node, Scalar):
         return place, node.text, node.quoted, node.value, type(node.value)
     if isinstance(node, Sequence):
-        return place, [plain(item) for item in node.items]
-    return place, node.keys, [(key, plain(value)) for key, value in node.values.items()]
+        return place, [as_data(item) for item in node.items]
+    return place, node.keys, [(key, as_data(value)) for key, value in node.values.items()]
 
 
 def messages(result: FileRead) -> list[tuple[str, str]]:
@@ -64,7 +64,7 @@ def test_a_revised_tree_is_that_of_the_whole_text(seed: int) -> None:
             if anew.tree is None:
                 break
             assert result.tree is not None
-            assert plain(result.tree) == plain(anew.tree)
+            assert as_data(result.tree) == as_data(anew.tree)
 
 
 def test_of_a_long_list_only_what_has_changed_is_parsed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,7 +15,7 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import Value
 
 Result = TypeVar("Result")
-NamesAsked = tuple[tuple[Hashable, str], ...]
+RequestedNames = tuple[tuple[Hashable, str], ...]
 
 MOST = 100_000
 """The most pieces that are remembered; the oldest ones go first."""
@@ -30,7 +30,7 @@ class Names(Protocol):
     def noting(self) -> Iterator[dict[Hashable, str]]:
         """Meanwhile, notes what is asked for, in order, and the names that are given."""
 
-    def gives(self, asked: NamesAsked) -> bool:
+    def gives(self, requested_names: RequestedNames) -> bool:
         """Asks for names in order, up to one that is not given as it was."""
 
 
@@ -38,7 +38,7 @@ class Pieces:
     """The pieces of outputs, by what they were made of."""
 
     def __init__(self) -> None:
-        self._pieces: dict[Hashable, tuple[tuple[object, ...], NamesAsked, object]] = {}
+        self._pieces: dict[Hashable, tuple[tuple[object, ...], RequestedNames, object]] = {}
 
     def taken(
         self,
@@ -59,13 +59,13 @@ class Pieces:
         if known is not None and (names is None or names.gives(known[1])):
             return cast("Result", known[2])
         if names is None:
-            result, asked = make(), {}
+            result, requested_names = make(), {}
         else:
-            with names.noting() as asked:
+            with names.noting() as requested_names:
                 result = make()
         if known is None and len(self._pieces) >= MOST:
             del self._pieces[next(iter(self._pieces))]
-        self._pieces[key] = facts, tuple(asked.items()), result
+        self._pieces[key] = facts, tuple(requested_names.items()), result
         return result
 
 

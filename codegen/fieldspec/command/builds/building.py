@@ -102,7 +102,7 @@ def _build_stale(
     refused = set(project.broken)
     misnamed = []
 
-    def is_spelled(plan: _Plan) -> bool:
+    def needs_spellings(plan: _Plan) -> bool:
         """Whether spellings are cached. Who waits at every save does not wait for what somebody may ask some day."""
         return memory is None or DOCUMENTATION in plan.outputs
 

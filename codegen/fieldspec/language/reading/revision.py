@@ -86,8 +86,8 @@ def _changes(tree: Mapping, start: int, end: int) -> list[_Change]:
         holders = (*holders, node)
         number: str | int | None = None
         if isinstance(node, Mapping):
-            inside = (key for key, value in node.values.items() if value.start <= start and end <= value.end)
-            number = next(inside, None)
+            inner_keys = (key for key, value in node.values.items() if value.start <= start and end <= value.end)
+            number = next(inner_keys, None)
         else:
             change = _in_list(node, holders, keys, start, end)
             if change is None:

@@ -10,7 +10,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.names import Name
 from fieldspec.foundation.reserved import C
 from fieldspec.targets.c.expressions import Identifier, Local, Type
-from fieldspec.targets.pieces import NamesAsked
+from fieldspec.targets.pieces import RequestedNames
 
 Noun: TypeAlias = Literal[
     "own",
@@ -77,14 +77,14 @@ class Naming:
         finally:
             self._noted = None
 
-    def gives(self, asked: NamesAsked) -> bool:
+    def gives(self, requested_names: RequestedNames) -> bool:
         """Asks for names in order, up to one that is not given as it was."""
-        given, taken = self._given, self._taken
-        for key, name in asked:
-            known = given.get(key)  # type: ignore[call-overload]
-            if known is None and name not in taken and name not in _NUMBERED:
-                given[key] = name  # type: ignore[index]
-                taken.add(name)
+        known_names, taken_names = self._given, self._taken
+        for key, name in requested_names:
+            known = known_names.get(key)  # type: ignore[call-overload]
+            if known is None and name not in taken_names and name not in _NUMBERED:
+                known_names[key] = name  # type: ignore[index]
+                taken_names.add(name)
             elif (known or self._name(*key)) != name:  # type: ignore[misc]
                 return False
         return True
