@@ -11,6 +11,7 @@
 # make mutants-compiler  change single places of the compiler, and count which mutants recorded outputs and tests notice
 # make queries  compare the queries of a telegram with the reference on a million random telegrams
 # make plants  run the blocks for controllers for a million random scans each, against simulated devices and models of manuals
+# make edits   build after 2,000 random edits in a process that remembers, and compare with builds that do not
 # make plc-sizes  write docs/plc-sizes.md: code and data of the function blocks on a Cortex-M3
 # make capabilities  verify every line of docs/capabilities.md about keys, of which the tests verify a share
 # make accept  rewrite the tests' expectations, with RULE=code those of one rule; read the difference before you commit it
@@ -44,7 +45,7 @@ NOISE := 2000000
 WRITER := build/docs/environment
 INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs frozen fuzz-texts queries plants plc-sizes capabilities accept soak soak-device dist sbom docs-site extension bench pins clean
+.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs frozen fuzz-texts queries plants edits plc-sizes capabilities accept soak soak-device dist sbom docs-site extension bench pins clean
 
 build: $(INSTALLED) bytecode
 	$(BIN)/fieldspec build
@@ -117,6 +118,9 @@ capabilities: $(INSTALLED)
 
 queries: $(INSTALLED)
 	FIELDSPEC_TELEGRAMS=1000000 $(BIN)/pytest -n 2 tests/queries_output/test_queries_of_records.py -k telegrams
+
+edits: $(INSTALLED)
+	FIELDSPEC_EXAMPLES=100 $(BIN)/pytest -n 2 tests/test_builds_with_memory.py
 
 plants: $(INSTALLED)
 	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py tests/plc_output/test_blocks_at_random.py -k whatever_happens

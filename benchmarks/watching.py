@@ -1,4 +1,7 @@
-"""`fieldspec build --watch`: how long after a save the findings are printed, and the outputs written."""
+"""`fieldspec build --watch`: how long after a save the findings are printed, and the outputs written.
+
+Of made-up devices, it is the time of the processor that a save to Python and C takes.
+"""
 
 from __future__ import annotations
 
@@ -7,20 +10,79 @@ import shutil
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from statistics import median
 
+from peers import registers
 from processes import FIELDSPEC, limited
 from rows import ROOT, Row, printed
 
 GROUP = "build --watch"
 DEVICES = ("tc100", "ck10", "esc11", "hiwin-e")
 ROUNDS = 5
+LIMITS = {1000: 300, 10_000: 1500}
+"""By number of registers, the milliseconds that a save may take."""
+VERSIONS, REGISTERS = 51, 200
+OVERLAY = """\
+overlay: {{id: "1.{number}", line: firmware, based_on: "1.{base}"}}
+changes:
+  - {{fact: registers/value_{number}, set: {{access: {{was: rw, is: ro}}}}, reason: It is read only.}}
+"""
 
 
 def rows() -> Iterator[Row]:
-    """The rows: for each device, a comment is added to its spec; once, something wrong."""
+    """The rows of real devices, and those of made-up ones."""
+    yield from _device_rows()
+    for count, limit in LIMITS.items():
+        took = _work(registers.spec(count), "devicea/device.yaml", f"label: Value number {count // 2} ")
+        yield limited(GROUP, f"{count:,} registers: Python and C after a changed label", took, "ms", limit)
+    took = _work(versions(), "devicea/device.yaml", f"label: Value number {REGISTERS // 2} ")
+    yield limited(GROUP, f"{VERSIONS} versions of {REGISTERS} registers: after one line in the base", took, "ms", 1000)
+
+
+def versions() -> dict[str, str]:
+    """A made-up device whose versions are files, each of which changes the range of a register."""
+    files = registers.spec(REGISTERS)
+    base = files["devicea/device.yaml"]
+    files["devicea/device.yaml"] = f'{base}versions: [{{line: firmware, builds: true, members: [{{id: "1.0"}}]}}]\n'
+    for number in range(1, VERSIONS):
+        files[f"devicea/versions/1.{number}.yaml"] = OVERLAY.format(number=number, base=number - 1)
+    return files
+
+
+def _work(files: Mapping[str, str], path: str, text: str) -> float:
+    """Milliseconds of the processor that a save takes after a change of a text, to Python and C."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in files.items():
+            Path(folder, "specs", name).parent.mkdir(parents=True, exist_ok=True)
+            Path(folder, "specs", name).write_text(content, encoding="utf-8")
+        build = (*FIELDSPEC, "build", "--watch", "--to", "python,c")
+        command = (*build, "--specs", f"{folder}/specs", "--out", f"{folder}/out")
+        environment = {**os.environ, "FIELDSPEC_CACHE": f"{folder}/cache"}
+        process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
+        try:
+            _wait(process)
+            took = []
+            for turn in range(ROUNDS):
+                time.sleep(2)  # for what it does while nobody waits
+                before = _time(process.pid)
+                _saved(process, Path(folder, "specs", path), files[path].replace(text, f"{text}{turn} ", 1))
+                took.append(_time(process.pid) - before)
+        finally:
+            process.kill()
+            process.wait()
+    return median(took)
+
+
+def _time(process: int) -> float:
+    """Milliseconds of the processor that a process has taken."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) * 1e3 / os.sysconf("SC_CLK_TCK")
+
+
+def _device_rows() -> Iterator[Row]:
+    """For each device, a comment is added to its spec; once, something wrong."""
     with tempfile.TemporaryDirectory() as folder:
         specs = Path(folder, "specs")
         shutil.copytree(ROOT / "specs", specs)

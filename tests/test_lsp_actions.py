@@ -73,9 +73,9 @@ async def test_the_help_of_a_finding_is_done_where_it_is_mechanical(tmp_path: Pa
         offered = await actions(session, GIZMO, text, finding.span.start, finding.span.start)
         assert title in offered, (finding, [*offered])
         texts = after(session, offered[title], {GIZMO: text})
-    left = {found.code for found in fresh(specs, texts)}
+    left = {diagnostic.code for diagnostic in fresh(specs, texts)}
     assert finding.code not in left, (texts[GIZMO], left)
-    assert len(left) < len({found.code for found in before}) + 1
+    assert len(left) < len({diagnostic.code for diagnostic in before}) + 1
 
 
 @pytest.mark.parametrize(
@@ -87,16 +87,19 @@ async def test_what_is_allowed_asks_for_the_reason_and_is_no_finding_with_it(tmp
     async with editor(specs) as session:
         await session.opened(GIZMO)
         text = session.text(GIZMO).replace(ROW, row + other)
-        (finding,) = (found for found in fresh(specs, {GIZMO: text}) if found.code == "addresses_disjoint")
+        (finding,) = (
+            diagnostic for diagnostic in fresh(specs, {GIZMO: text}) if diagnostic.code == "addresses_disjoint"
+        )
         await session.typed(GIZMO, text)
         offered = await actions(session, GIZMO, text, finding.span.start, finding.span.end)
         (new,) = after(session, offered["Allow `addresses_disjoint` here with a reason"], {GIZMO: text}).values()
     asked = fresh(specs, {GIZMO: new})
-    assert [(found.code, found.span.file.text[found.span.start : found.span.end]) for found in asked] == [
-        ("wrong_form", '""')
-    ]
+    assert [
+        (diagnostic.code, diagnostic.span.file.text[diagnostic.span.start : diagnostic.span.end])
+        for diagnostic in asked
+    ] == [("wrong_form", '""')]
     reasoned = new.replace('addresses_disjoint: ""', "addresses_disjoint: The manual prints both.")
-    assert "addresses_disjoint" not in {found.code for found in fresh(specs, {GIZMO: reasoned})}
+    assert "addresses_disjoint" not in {diagnostic.code for diagnostic in fresh(specs, {GIZMO: reasoned})}
 
 
 async def test_a_corrected_address_can_leave_an_erratum_with_the_print_that_proves_it(tmp_path: Path) -> None:
@@ -112,7 +115,7 @@ async def test_a_corrected_address_can_leave_an_erratum_with_the_print_that_prov
     assert "printed: {at: 0}" in new
     assert "proof: addresses_disjoint" in new
     with_reason = new.replace('reason: ""', "reason: Both rows have one address.")
-    assert {found.code for found in fresh(specs, {GIZMO: with_reason})} == {"addresses_ascending"}
+    assert {diagnostic.code for diagnostic in fresh(specs, {GIZMO: with_reason})} == {"addresses_ascending"}
 
 
 METER, OVERLAY = "wattmeter/device.yaml", "wattmeter/versions/2.yaml"
@@ -171,7 +174,7 @@ async def test_a_frame_becomes_an_example_that_is_proven(tmp_path: Path) -> None
     assert f"frame: {frame}" in new
     assert fresh(specs, {METER: new}) == []
     wrong = new.replace(f"frame: {frame}", "frame: 01 03 00 00 00 01 84 0A")
-    assert {found.code for found in fresh(specs, {METER: wrong})} == {"meaning_matches_bytes"}
+    assert {diagnostic.code for diagnostic in fresh(specs, {METER: wrong})} == {"meaning_matches_bytes"}
 
 
 async def test_a_new_name_that_is_typed_becomes_the_name_in_a_version_and_the_others_keep_the_old_one(

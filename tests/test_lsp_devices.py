@@ -50,7 +50,7 @@ async def answers(session: Editor, name: str, position: types.Position) -> set[s
     completion = await client.text_document_completion_async(types.CompletionParams(document, position))
     actions = types.CodeActionParams(document, place, types.CodeActionContext([]))
     context = types.ReferenceContext(include_declaration=True)
-    found = {
+    answers = {
         "hover": await client.text_document_hover_async(types.HoverParams(document, position)),
         "completion": completion.items if isinstance(completion, types.CompletionList) else completion,
         "codeAction": await client.text_document_code_action_async(actions),
@@ -60,4 +60,4 @@ async def answers(session: Editor, name: str, position: types.Position) -> set[s
         "folding": await client.text_document_folding_range_async(types.FoldingRangeParams(document)),
         "links": await client.text_document_document_link_async(types.DocumentLinkParams(document)),
     }
-    return {request for request, answer in found.items() if answer}
+    return {request for request, answer in answers.items() if answer}

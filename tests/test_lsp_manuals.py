@@ -37,15 +37,15 @@ async def test_every_source_has_a_link_to_each_interval_of_lines_that_it_cites(t
     async with editor(specs) as session:
         text = session.text(GIZMO).replace(ROW, ROW.replace("source: L10", 'label: 速度𝄞, source: "1 L10-12, 20; L30"'))
         await session.opened(GIZMO, text)
-        found = await links(session, GIZMO)
+        document_links = await links(session, GIZMO)
     # By the text alone: each source, and how many intervals it has.
     cited = re.findall(r"source: \"?([^}\"\n]*)", text)
-    assert len(found) == sum(len(re.findall(r"L\d+|, \d+", source)) for source in cited)
+    assert len(document_links) == sum(len(re.findall(r"L\d+|, \d+", source)) for source in cited)
     start = text.index("L10-12")
-    shown = {(*numbers(link.range)[:2], link.target) for link in found}
+    places = {(*numbers(link.range)[:2], link.target) for link in document_links}
     for offset, line in ((0, 10), (len("L10-12, "), 20), (len("L10-12, 20; "), 30)):
         position = place_of(text, start + offset)
-        assert (position.line, position.character, f"{path.as_uri()}#L{line}") in shown
+        assert (position.line, position.character, f"{path.as_uri()}#L{line}") in places
 
 
 async def test_the_line_that_a_source_cites_is_in_its_hover_and_ends_no_block_of_code(tmp_path: Path) -> None:

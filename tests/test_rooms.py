@@ -33,7 +33,7 @@ TARGETS_IMPORT = (
     "fieldspec.codec.explain",
     "fieldspec.codec.layout",
 )
-SHARED = {"controllers", "explainer", "fact_texts", "runtime_values", "templates", "usages"}
+SHARED = {"controllers", "explainer", "fact_texts", "pieces", "runtime_values", "templates", "usages"}
 """What outputs share: an output imports these and itself."""
 
 

@@ -73,6 +73,11 @@ class Output:
         )
         return usages(versions) if usages is not None else {}
 
+    @property
+    def has_usages(self) -> bool:
+        """Whether programs use the output, so that the documentation has code for it."""
+        return hasattr(self._module(), "usages")
+
     def refusals(self, versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
         """The facts that the output cannot express of these versions of a device; called before its files are built.
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple
+import json
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any, NamedTuple
 
+from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_exact, is_real, is_truth
@@ -30,6 +33,70 @@ class VersionUsages:
     language: str
     variables: dict[str, str]
     rows: tuple[Usage, ...]
+
+
+Rows = tuple[Usage, ...]
+Spellings = dict[str, dict[str, Rows]]
+"""The code for a device, by output and version, as far as it is spelled."""
+
+_at_hand: list[Spellings] = []
+
+
+@contextmanager
+def using(spellings: Spellings | None) -> Iterator[None]:
+    """Meanwhile, code is taken from these, and what is not there is kept in them; for None, nothing is kept."""
+    _at_hand[:] = [spellings] if spellings is not None else []
+    try:
+        yield
+    finally:
+        _at_hand.clear()
+
+
+def spelling(output: str, layout: DeviceLayout, spell: Callable[[], Iterable[Usage]]) -> Rows:
+    """The code of an output for a version: what is kept of it, or else what `spell` gives.
+
+    Both are equal: a project that chooses blocks changes no code for facts.
+    """
+    if not _at_hand:
+        return tuple(spell())
+    rows = _at_hand[0].setdefault(output, {})
+    version = layout.device.version
+    if version not in rows:
+        rows[version] = tuple(spell())
+    return rows[version]
+
+
+def cache_spelling(output: str, layout: DeviceLayout, spell: Callable[[], Iterable[Usage]]) -> None:
+    """Spells the code for a version where its output is built and the names are known, if somebody keeps it."""
+    if _at_hand:
+        spelling(output, layout, spell)
+
+
+def stored_text(versions: Mapping[str, Rows]) -> bytes:
+    """The code of an output by version as JSON: a list of all templates, then rows of a fact, a template, arguments."""
+    templates: dict[str, int] = {}
+    data = {
+        version: [[row.fact, templates.setdefault(row.template, len(templates)), *row.arguments] for row in rows]
+        for version, rows in versions.items()
+    }
+    return json.dumps([[*templates], data], separators=(",", ":")).encode()
+
+
+def from_stored(content: bytes) -> dict[str, Rows]:
+    """The code of an output by version. Raises ValueError for a content that no `stored_text` has made."""
+    try:
+        templates, versions = json.loads(content)
+        return {version: tuple(_stored_row(row, templates) for row in rows) for version, rows in versions.items()}
+    except (TypeError, AttributeError, IndexError, RecursionError):
+        raise ValueError("the content has another shape") from None
+
+
+def _stored_row(row: Any, templates: list[str]) -> Usage:
+    fact, number, *arguments = row
+    usage = Usage(fact, templates[number], tuple(arguments))
+    if not all(isinstance(text, str) for text in (fact, usage.template, *arguments)):
+        raise TypeError("not a text")
+    return usage
 
 
 def sample_count(value: Value, device: Device) -> int | None:

@@ -382,6 +382,11 @@ class RegisterLayout:
     swapped: bool
 
     @property
+    def numbers(self) -> tuple[int | str, ...]:
+        """All of the layout but the register."""
+        return self.name, self.address, self.words, self.count, self.stride, self.order, self.swapped
+
+    @property
     def size(self) -> int:
         """The bytes at the addresses of one element; a value of odd size is filled up to whole words."""
         return self.register.unit_size * self.words

@@ -16,6 +16,7 @@ from fieldspec.foundation.source import Refused
 from fieldspec.language.model.choice import PROJECT_FILE
 
 if TYPE_CHECKING:
+    from fieldspec.command.builds.build_memory import BuildMemory
     from fieldspec.command.files.placement import Staging
     from fieldspec.language.diagnostics import Diagnostic
     from fieldspec.tools.audit.manual_lines import ManualIndex
@@ -40,10 +41,12 @@ def build_result(
     files: Mapping[str, bytes],
     earlier: EarlierBuild,
     staging: Staging | None = None,
+    memory: BuildMemory | None = None,
 ) -> BuildResult:
     """Builds what is out of date, and nothing of devices with errors.
 
-    Files that differ from the ones in place are written to `staging`. Raises UsageError.
+    Files that differ from the ones in place are written to `staging`. What is read again and again is read with the
+    `memory` of the last time. Raises UsageError.
     """
     plans = {
         device: _plan(device, build_request, earlier) for device in sorted(build_request.devices) or devices_in(files)
@@ -55,7 +58,7 @@ def build_result(
     if not stale and not everything and len(shared) == len(build_request.outputs):
         return BuildResult([], {device: earlier.devices[device] for device in plans}, shared, [], True)
     return _build_stale(
-        build_request, plans, shared, frozenset() if everything else stale, path, files, earlier, staging
+        build_request, plans, shared, frozenset() if everything else stale, path, files, earlier, staging, memory
     )
 
 
@@ -78,6 +81,7 @@ def _build_stale(
     files: Mapping[str, bytes],
     earlier: EarlierBuild,
     staging: Staging | None,
+    memory: BuildMemory | None,
 ) -> BuildResult:
     """Reads the specs, of all devices or of `only` some, and carries out the plans."""
     from fieldspec.command import pipeline
@@ -92,9 +96,16 @@ def _build_stale(
     load_checks()
     if earlier.trusted and cache_folder.is_usable(TEMPLATES):
         templates.use_cache(partial(cache_folder.cached, TEMPLATES), partial(cache_folder.store, TEMPLATES))
-    project = read(files, only)  # without the folder, which outputs must not depend on
+    project = read(
+        files, only, memory=memory.reading if memory is not None else None
+    )  # without the folder, which outputs must not depend on
     refused = set(project.broken)
     misnamed = []
+
+    def needs_spellings(plan: _Plan) -> bool:
+        """Whether spellings are cached. Who waits at every save does not wait for what somebody may ask some day."""
+        return memory is None or DOCUMENTATION in plan.outputs
+
     tasks = []
     for spec in project.devices.values():
         plan = plans.get(spec.id, _Plan(True, (), {}))
@@ -120,11 +131,15 @@ def _build_stale(
                     build_request.required,
                     manual,
                     build_request.project.choice(spec.id),
+                    # Who waits at every save does not wait for what the documentation may ask some day.
+                    ""
+                    if memory is not None and DOCUMENTATION not in plan.outputs
+                    else earlier.key(spec.id, spec.files),
                 )
             )
     lacking = [name for name in build_request.outputs if name not in shared]
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
-    work = Work(project, earlier.out, staging)
+    work = Work(project, earlier.out, staging, pieces=memory.pieces if memory is not None else None)
     done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
     located = [*misnamed, *_from_here(findings, spec_files.relative_path(path), spec_files.origins(files))]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -163,6 +164,13 @@ class EarlierBuild:
         paths = {path for path in self._specs.keys() | self.now.keys() if self._specs.get(path) != self.now.get(path)}
         folders = {path.partition("/")[0] for path in paths}
         return bool(self._specs) and PROTOCOLS not in folders and folders <= {*self.devices} & {*devices_in(self.now)}
+
+    def key(self, device: str, files: Iterable[str]) -> str:
+        """The key of what the compiler makes of these files for a device; empty where nothing is cached."""
+        if not self._compiler:
+            return ""
+        parts = [device, self._compiler, *(part for path in sorted(files) for part in (path, self.now[path]))]
+        return cache_folder.checksum(*(os.fsencode(part) for part in parts))
 
     def keep(self, result: BuildResult, whole: bool) -> None:
         """Records a build for the next one, and of devices with errors what was recorded before.

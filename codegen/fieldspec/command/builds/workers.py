@@ -12,6 +12,7 @@ from pathlib import Path
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command import pipeline
+from fieldspec.command.builds import spelling_cache
 from fieldspec.command.builds.freshness import Hashes, digest, file_digest
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.placement import Staging
@@ -22,6 +23,8 @@ from fieldspec.language.model.choice import Choice, VersionChoice
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import Project
 from fieldspec.targets import OUTPUTS
+from fieldspec.targets.pieces import Pieces, using_pieces
+from fieldspec.targets.usages import Spellings, using
 from fieldspec.tools.proofs.running import Outcome, outcome
 
 if TYPE_CHECKING:
@@ -41,7 +44,8 @@ class Task:
     `judged` are the outputs that are asked what they cannot express, those too that are not built anew. Where they are
     `required`, one that cannot express the device keeps the others from being built; else it is left out. `manual` is
     the index of its manual, for the audit in its documentation. `choice` is that of the project file, which does not
-    matter where versions are named.
+    matter where versions are named. `key` is that under which its spellings are in the cache, empty where they are
+    not; `spellings` are those that another process has, and `lends` says that another one needs those of this task.
     """
 
     device: str
@@ -52,6 +56,9 @@ class Task:
     required: bool = False
     manual: ManualIndex | None = None
     choice: Choice = Choice()
+    key: str = ""
+    spellings: Spellings = field(default_factory=dict)
+    lends: bool = False
 
     def chosen(self, output: str, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:
         """The layouts of the versions of a device that an output has; at least that of the newest."""
@@ -63,7 +70,7 @@ class TaskResult:
     """The findings of a device, the identities of its versions, and its files; only findings after errors.
 
     `hashes` has all files by output; `stale` has the paths of those that differ from the files in place. `refusals` has
-    what each output cannot express.
+    what each output cannot express, and `spellings` what another task needs.
     """
 
     device: str
@@ -72,26 +79,30 @@ class TaskResult:
     hashes: dict[str, Hashes]
     stale: list[str]
     refusals: Mapping[str, Sequence[Diagnostic]] = field(default_factory=dict)
+    spellings: Spellings = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class Work:
     """What all tasks share: the project, the folder of outputs, and the staging folder, None to write nothing.
 
-    `known` has the outcomes of checks that have run already.
+    `known` has the outcomes of checks that have run already. With `pieces`, all is built in this process, which
+    remembers them.
     """
 
     project: Project
     out: Path
     beside: Staging | None
     known: Mapping[str, Outcome] = field(default_factory=dict)
+    pieces: Pieces | None = None
 
 
 def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
     """The results of tasks in any order. `size` is that of the specs, in bytes.
 
     Each processor takes one device at a time. Where there are more processors than devices, all devices are checked
-    first, and then each processor takes outputs of a device. Raises UsageError if an installed package fails.
+    first, and then each processor takes outputs of a device, the documentation last, which needs the spellings of the
+    others. Raises UsageError if an installed package fails.
     """
     required = {task.device: task.required for task in tasks}
     return [
@@ -111,7 +122,7 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
     devices = work.project.devices
     tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
     processes = _processors()
-    if processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
+    if work.pieces is not None or processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
         return [task_result(work, task) for task in tasks]
     if len(tasks) >= processes:
         return _in_processes(work, tasks, processes)
@@ -124,11 +135,22 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
         if task.device not in broken
         for names in _families(task.judged)
     ]
-    parts = _in_processes(replace(work, known=known), single, processes) if single else []
+    work = replace(work, known=known)
+    spelling = {task.device for task in single if any(OUTPUTS[name].has_usages for name in task.outputs)}
+    last = [task for task in single if DOCUMENTATION in task.outputs and task.device in spelling]
+    lending = {task.device for task in last}
+    first = [replace(task, lends=task.device in lending) for task in single if task not in last]
+    parts = _in_processes(work, first, processes)
+    lent: dict[str, Spellings] = {}
+    for part in parts:
+        lent.setdefault(part.device, {}).update(part.spellings)
+    parts += _in_processes(work, [replace(task, spellings=lent[task.device]) for task in last], processes)
     return [_joined(done, [part for part in parts if part.device == done.device]) for done in checked]
 
 
 def _in_processes(work: Work, tasks: Sequence[Task], processes: int) -> list[TaskResult]:
+    if not tasks:
+        return []
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
     from multiprocessing import get_context
@@ -208,21 +230,27 @@ def task_result(work: Work, task: Task) -> TaskResult:
     }
     hashes: dict[str, Hashes] = {}
     stale: list[str] = []
-    for name in task.outputs:
-        if name in refusing:
-            hashes[name] = {}
-            continue
-        if name == DOCUMENTATION and not task.versions:
-            from fieldspec.command.rendering.audit_pages import LINK, pages
-            from fieldspec.targets.docs.backend import fact_links
+    is_documented = DOCUMENTATION in task.outputs
+    spellings = {**(spelling_cache.stored(task.key) if is_documented else {}), **task.spellings}
+    known = {name: {*versions} for name, versions in spellings.items()}
+    pieces = work.pieces or (Pieces() if len(layouts) > 1 else None)  # versions share facts, too
+    with using(spellings if task.key or is_documented or task.lends else None), using_pieces(pieces):
+        for name in sorted(task.outputs, key=lambda name: name == DOCUMENTATION):  # the last, as it asks the others
+            if name in refusing:
+                hashes[name] = {}
+                continue
+            if name == DOCUMENTATION and not task.versions:
+                from fieldspec.command.rendering.audit_pages import LINK, pages
+                from fieldspec.targets.docs.backend import fact_links
 
-            files = pipeline.output(name, chosen[name], (LINK,))
-            files |= pages(spec, layouts, task.manual, fact_links(chosen[name][-1], files), ran)
-        else:
-            files = pipeline.output(name, chosen[name])
-            files = _without_tests(name, files, task.choice.of(name).tests, chosen[name])
-        hashes[name] = stage_changes(work, files, stale)
-    return TaskResult(task.device, findings, identities, hashes, stale, refusals)
+                files = pipeline.output(name, chosen[name], (LINK,))
+                files |= pages(spec, layouts, task.manual, fact_links(chosen[name][-1], files), ran)
+            else:
+                files = pipeline.output(name, chosen[name])
+                files = _without_tests(name, files, task.choice.of(name).tests, chosen[name])
+            hashes[name] = stage_changes(work, files, stale)
+    spelling_cache.store(task.key, {name: rows for name, rows in spellings.items() if {*rows} - known.get(name, set())})
+    return TaskResult(task.device, findings, identities, hashes, stale, refusals, spellings if task.lends else {})
 
 
 def _chosen(choice: VersionChoice, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:

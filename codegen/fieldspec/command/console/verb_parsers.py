@@ -40,6 +40,7 @@ class LineParser(argparse.ArgumentParser):
             raise UsageError(f"{text}; see: {self.prog} --help")
 
     def error(self, message: str) -> None:  # type: ignore[override]
+        """Reports wrong use. Raises UsageError."""
         raise UsageError(f"{message}; see: {self.prog} --help")
 
 
@@ -118,6 +119,7 @@ class VerbParser(LineParser):
                 self.add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """The arguments and the words that are none; options and positional arguments may be mixed."""
         if self._mixing:
             if self._tail is None:  # the options alone come first
                 end = [*args, "--"].index("--")

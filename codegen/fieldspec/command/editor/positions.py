@@ -8,6 +8,7 @@ from bisect import bisect_right
 from lsprotocol.types import Position, PositionEncodingKind, Range
 
 from fieldspec.foundation.source import SourceFile, Span
+from fieldspec.language.reading.revision import equal_start
 
 _LINE_END = re.compile(r"\r\n|\n|\r")
 """The ends of lines in an editor. A text of YAML has others too, which an editor takes for characters."""
@@ -60,23 +61,11 @@ def moved(span: Span, file: SourceFile) -> Span | None:
     if span.file is file:
         return span
     old, new = span.file.text, file.text
-    before = _equal(old, new)
-    equal_end = min(_equal(old[::-1], new[::-1]), len(old) - before, len(new) - before)
+    before = equal_start(old, new)
+    equal_end = min(equal_start(old[::-1], new[::-1]), len(old) - before, len(new) - before)
     if span.end <= before:
         return Span(file, span.start, span.end)
     if span.start >= len(old) - equal_end:
         shift = len(new) - len(old)
         return Span(file, span.start + shift, span.end + shift)
     return None
-
-
-def _equal(left: str, other: str) -> int:
-    """How many characters two texts have in common at their beginning."""
-    low, high = 0, min(len(left), len(other))
-    while low < high:
-        middle = (low + high + 1) // 2
-        if left[:middle] == other[:middle]:
-            low = middle
-        else:
-            high = middle - 1
-    return low

@@ -59,8 +59,7 @@ class EditedProject:
             contents[path.relative_to(self.folder).as_posix()] = text.encode("utf-8", "surrogatepass")
         contents = spec_files.with_protocols(contents)
         self.origins = spec_files.origins(contents)
-        for path_in_folder in self.memory.files.keys() - contents.keys():
-            del self.memory.files[path_in_folder]
+        self.memory.forget_others(contents.keys())
         installed = spec_files.installed_protocols
         self.project = read(contents, origins=self.origins, installed=installed, memory=self.memory)
 

@@ -34,6 +34,7 @@ from fieldspec.language.model.choice import PROJECT_FILE
 from fieldspec.language.reading.findings import PROTOCOLS
 
 if TYPE_CHECKING:
+    from fieldspec.command.builds.build_memory import BuildMemory
     from fieldspec.language.diagnostics import Diagnostic
 
 
@@ -49,12 +50,17 @@ def run(arguments: argparse.Namespace) -> int:
     return build(arguments)
 
 
-def build(arguments: argparse.Namespace) -> int:
-    """Builds once, into each folder that the project file names. Raises UsageError."""
+def build(arguments: argparse.Namespace, memory: BuildMemory | None = None) -> int:
+    """Builds once, into each folder that the project file names, with the `memory` of the last time.
+
+    Raises UsageError.
+    """
     anew = arguments.check or arguments.no_cache
     all_outputs, requested_outputs = _outputs(arguments.to, anew)
     requested = _devices(arguments.devices)
     path, files = spec_files.of_devices(arguments.specs, frozenset(requested))
+    if memory is not None:
+        memory.reading.forget_others(files)
     project = project_choices(path)
     if findings := project.unknown_names(spec_files.devices(path)):
         _print_findings(findings)
@@ -71,7 +77,7 @@ def build(arguments: argparse.Namespace) -> int:
         chosen = {name for device in devices for name in request.outputs_of(device)}
         request = replace(request, outputs=tuple(name for name in request.outputs if name in chosen))
         among = {own: data for own, data in files.items() if own.partition("/")[0] in {*devices, PROTOCOLS}}
-        codes.append(_build_into(Path(folder), request, (path, among), arguments, outputs))
+        codes.append(_build_into(Path(folder), request, (path, among), arguments, outputs, memory))
     return max(codes)
 
 
@@ -81,6 +87,7 @@ def _build_into(
     specs: tuple[str, Mapping[str, bytes]],
     arguments: argparse.Namespace,
     replaced_outputs: Sequence[str],
+    memory: BuildMemory | None,
 ) -> int:
     """Builds once into one folder, from the folder of the specs and their files. Raises UsageError.
 
@@ -92,7 +99,7 @@ def _build_into(
     with Staging(output_folder, look=arguments.check) as staging:
         trusted = not (anew or build_request.picked)
         earlier = EarlierBuild(output_folder, files, packages, trusted, build_request.project.data)
-        result = build_result(build_request, path, files, earlier, None if arguments.check else staging)
+        result = build_result(build_request, path, files, earlier, None if arguments.check else staging, memory)
         if result.findings:
             _print_findings(result.findings)
         failed = bool(result.broken) or _has_errors(result)
@@ -208,7 +215,13 @@ State = dict[str, tuple[int, int]]
 
 
 def watch(arguments: argparse.Namespace) -> int:
-    """Builds, then waits for a spec to change, until interrupted. Raises UsageError if the first build does."""
+    """Builds, then waits for a spec to change, until interrupted. Raises UsageError if the first build does.
+
+    Without `--no-cache`, the process remembers what it has read.
+    """
+    from fieldspec.command.builds.build_memory import BuildMemory
+
+    memory = None if arguments.no_cache else BuildMemory()
     path = spec_files.folder(arguments.specs)
     built: State | None = None
     while True:
@@ -216,17 +229,17 @@ def watch(arguments: argparse.Namespace) -> int:
         if now != built:
             time.sleep(SETTLED)
             if _state(path) == now:
-                _build(arguments, first=built is None)
+                _build(arguments, memory, first=built is None)
                 built = now
         else:
             time.sleep(PAUSE)
 
 
-def _build(arguments: argparse.Namespace, first: bool) -> None:
+def _build(arguments: argparse.Namespace, memory: BuildMemory | None, first: bool) -> None:
     """Builds once. Wrong use may be corrected while we wait, except in the first build."""
     start = time.perf_counter()
     try:
-        code = build(arguments)
+        code = build(arguments, memory)
     except UsageError as error:
         if first:
             raise

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.reading.building.context import Reused
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping
+from fieldspec.language.reading.revision import revised
 from fieldspec.language.reading.scalars import typed
 from fieldspec.language.reading.yaml_reader import decoded, parsed
+
+MOST_TURNS = 100
+"""How often a device is read anew before all objects of its model are made from nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,12 +34,20 @@ class FileRead:
 
 @dataclass(frozen=True, slots=True)
 class DeviceRead:
-    """A device as it was read: its files and those of all protocols, what they give, and whether they have errors."""
+    """A device as it was read: its files and those of all protocols, what they give, and whether they have errors.
+
+    `turns` says how often it was read anew since its objects were made from nothing.
+    """
 
     files: dict[str, bytes]
     spec: DeviceSpec | None
     findings: list[Diagnostic]
     is_broken: bool
+    turns: int = 0
+
+    def reused(self) -> Reused:
+        """The objects of the model that the next reading takes again; none now and then, so that old ones go."""
+        return self.spec.reused if self.spec is not None and self.turns < MOST_TURNS else {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,18 +55,30 @@ class Memory:
     """What reading remembers for a project that is read again and again: what has not changed is not read again.
 
     Of a file that cannot be used, the tree of its last sound text stands in, so that the rest is judged all the same:
-    findings and places in another text than that of `files` are of that one.
+    findings and places in another text than that of `files` are of that one. Where memory is `strict`, none stands in:
+    the findings are those of reading without it.
     """
 
     files: dict[str, FileRead] = field(default_factory=dict)
     devices: dict[str, DeviceRead] = field(default_factory=dict)
+    strict: bool = False
+
+    def forget_others(self, paths: Container[str]) -> None:
+        """Forgets the files that are not there any more."""
+        for path in [path for path in self.files if path not in paths]:
+            del self.files[path]
 
 
-def file_read(path: str, data: bytes, before: Mapping | None) -> FileRead:
-    """A file as it is read; with the tree `before` where something is wrong."""
+def file_read(path: str, data: bytes, earlier: FileRead | None) -> FileRead:
+    """A file as it is read; with the tree of an earlier text where something is wrong."""
     file, unread = decoded(path, data)
+    before = earlier.tree if earlier is not None else None
     if unread:
         return FileRead(data, file, unread, [], before)
+    if before is not None and file.path == before.file.path:
+        tree = revised(file, before)
+        if tree is not None:
+            return FileRead(data, file, [], [], tree)
     node, findings = parsed(file)
     if node is None and not findings:
         help = "write a section, or remove the file"

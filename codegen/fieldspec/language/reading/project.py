@@ -10,6 +10,7 @@ from fieldspec.foundation.names import Name, folded
 from fieldspec.foundation.reserved import file_name_fault
 from fieldspec.foundation.source import Refused, Span
 from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.reading.building.context import Reused
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.expansion import expanded
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS, bounded, near, quoted
@@ -121,10 +122,13 @@ class _Reader:
                 self._loaded(name.removesuffix(".yaml"), ())
         return Project(devices, self.findings, frozenset(broken))
 
-    def _judged(self, folder: str, paths: list[str]) -> tuple[DeviceSpec | None, bool]:
-        """A device as its files have it, and whether these or the protocols that it uses have errors."""
+    def _judged(self, folder: str, paths: list[str], reused: Reused | None = None) -> tuple[DeviceSpec | None, bool]:
+        """A device as its files have it, and whether these or the protocols that it uses have errors.
+
+        `reused` has objects of its model by the nodes that they were built of.
+        """
         known = len(self.findings)
-        spec = self._device(folder, paths)
+        spec = self._device(folder, paths, reused if reused is not None else {})
         return spec, spec is None or len(self.findings) > known or not self.faulty.isdisjoint(self._used(""))
 
     def _remembered(self, folder: str, paths: list[str]) -> tuple[DeviceSpec | None, bool]:
@@ -137,8 +141,10 @@ class _Reader:
             self.findings += before.findings
             return before.spec, before.is_broken
         known = len(self.findings)
-        spec, is_broken = self._judged(folder, paths)
-        self.memory.devices[folder] = DeviceRead(contents, spec, self.findings[known:], is_broken)
+        reused = before.reused() if before is not None else {}
+        spec, is_broken = self._judged(folder, paths, reused)
+        turns = before.turns + 1 if before is not None and reused else 0
+        self.memory.devices[folder] = DeviceRead(contents, spec, self.findings[known:], is_broken, turns)
         return spec, is_broken
 
     def _tree(self, path: str) -> Mapping | None:
@@ -149,12 +155,13 @@ class _Reader:
             result = before
         else:
             display_path = self.origins.get(path) or (f"{self.folder}/{path}" if self.folder else path)
-            result = file_read(display_path, data, before.tree if before is not None else None)
+            result = file_read(display_path, data, before)
         if self.memory is not None:
             self.memory.files[path] = result
         unportable = [*self._unportable(path, Span(result.file, 0, 0))]
         self.findings += bounded([*result.unread, *unportable] if unportable or result.unread else result.findings)
-        return None if unportable else result.tree
+        is_wrong = unportable or result.unread or result.findings
+        return None if unportable or (is_wrong and self.memory is not None and self.memory.strict) else result.tree
 
     def _unportable(self, path: str, span: Span) -> Iterator[Diagnostic]:
         """Finds what keeps a file from the file systems of some users: a name, and another one like it."""
@@ -167,7 +174,7 @@ class _Reader:
             text = f"the file cannot be beside `{first}` where names differ in more than small and capital letters"
             yield Diagnostic("file_name_portable", text, span, help="rename one of them")
 
-    def _device(self, folder: str, paths: list[str]) -> DeviceSpec | None:
+    def _device(self, folder: str, paths: list[str], reused: Reused) -> DeviceSpec | None:
         main = f"{folder}/{MAIN}"
         paths = sorted(paths, key=lambda path: (path != main, path))
         own = [path for path in paths if not path.startswith(f"{folder}/{VERSIONS}/")]
@@ -223,7 +230,7 @@ class _Reader:
         assert isinstance(identity, Scalar)
         expanded_trees = {version: expanded(tree)[0] for version, tree in layers.items()}
         used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
-        return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used)
+        return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used, reused)
 
     def _used(self, name: str) -> set[str]:
         """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""

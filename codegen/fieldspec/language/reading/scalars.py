@@ -7,7 +7,7 @@ truth value only where the schema wants one and the text is one.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from decimal import Decimal
 from functools import lru_cache
 from typing import Any
@@ -66,12 +66,25 @@ def typed(node: Node) -> tuple[Node, list[Diagnostic]]:
     return node, _objections(node, _typed_value(node, _form(schema())), ())
 
 
+def typed_item(item: Node, keys: Iterable[str | int]) -> bool:
+    """Types an item of the list at some keys in place; whether it does not violate the schema."""
+    list_keys = (*keys, 0)
+    node = _alone(item, list_keys)
+    data = _typed_value(node, _form(schema()))
+    return all(len(error.instance_path) < len(list_keys) for error in _validator(()).iter_errors(data))
+
+
+def _alone(node: Node, node_keys: Collection[str | int]) -> Node:
+    """A tree in which a node is alone: the whole schema is at hand, its parts would have to be compiled."""
+    for key in reversed([*node_keys]):
+        place = (node.file, node.start, node.end)
+        node = Sequence(*place, (node,)) if isinstance(key, int) else Mapping(*place, {key: node})
+    return node
+
+
 def violations_at(tree: Node, node_keys: list[str | int]) -> list[Diagnostic]:
     """The violations of the schema by the node at some keys of a tree."""
-    node = node_at(tree, node_keys)
-    for key in reversed(node_keys):  # alone in a tree: the whole schema is at hand, its parts would have to be compiled
-        alone = (node.file, node.start, node.end)
-        node = Sequence(*alone, (node,)) if isinstance(key, int) else Mapping(*alone, {key: node})
+    node = _alone(node_at(tree, node_keys), node_keys)
     return _objections(node, json_data(node), (), len(node_keys))
 
 

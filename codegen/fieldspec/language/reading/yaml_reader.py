@@ -116,6 +116,19 @@ def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
     return None, [*builder.findings, finding]
 
 
+def parsed_items(file: SourceFile, lines: str, depth: int) -> Sequence | None:
+    """The list that some lines of a file are, at a depth of its tree, with offsets in these lines.
+
+    None where they are something else, or not sound.
+    """
+    builder = _Builder(file, _Parser(lines))
+    try:
+        node, findings = builder.document(depth)
+    except (yaml.YAMLError, ValueError, OverflowError, _Refused):
+        return None
+    return node if isinstance(node, Sequence) and not findings else None
+
+
 def _indenting_tab(file: SourceFile) -> int | None:
     """Where a line is indented with a tab: most parsers then say something that helps nobody."""
     if "\t" not in file.text:
@@ -144,8 +157,8 @@ class _Builder:
         self.sizes: dict[str, Size] = {}
         self.total = 0
 
-    def document(self) -> tuple[Node | None, list[Diagnostic]]:
-        """The first document; a second one is a finding."""
+    def document(self, depth: int = 0) -> tuple[Node | None, list[Diagnostic]]:
+        """The first document, which is at a depth of a tree; a second one is a finding."""
         root: Node | None = None
         document_count = 0
         while not isinstance(event := self.get(), StreamEndEvent):
@@ -156,7 +169,7 @@ class _Builder:
                     text = "a second document starts here; a spec file is one document"
                     self.findings.append(Diagnostic("several_documents", text, span, help="move it to its own file"))
                     return None, self.findings
-                root = self._node(self.get(), 0)
+                root = self._node(self.get(), depth)
         return root, self.findings
 
     def _span(self, event: Event) -> Span:
@@ -361,6 +374,11 @@ def _keys(text: str) -> Iterator[tuple[str, int, int]]:
             depth -= 1
         if depth == 1:
             is_key = not is_key
+
+
+def size(tree: Node) -> int:
+    """How many values a tree has."""
+    return _size(tree)[0]
 
 
 def _size(node: Node) -> Size:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, stem, version_word
+from fieldspec.language.model.device import Device
 from fieldspec.targets.c.absent import absent_values, declare_absent
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
 from fieldspec.targets.c.conversions import declare_conversion
@@ -26,9 +29,10 @@ from fieldspec.targets.c.registers import declare_register, declare_signal, decl
 from fieldspec.targets.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
 from fieldspec.targets.c.selftest import write_selftest
 from fieldspec.targets.c.subcodes import has_subcode, subcodes_of
-from fieldspec.targets.c.usages import version_usages
+from fieldspec.targets.c.usages import usage_rows, version_usages
+from fieldspec.targets.pieces import facts_of, piece
 from fieldspec.targets.templates import fill
-from fieldspec.targets.usages import VersionUsages
+from fieldspec.targets.usages import Usage, VersionUsages, cache_spelling, spelling
 
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
@@ -36,6 +40,16 @@ _SELECT, _LATEST = "select", "latest"
 
 Block = Sequence[Declaration]
 """Declarations that belong together: an empty line parts them from others."""
+
+
+@dataclass(frozen=True, slots=True)
+class FactBlock:
+    """The declarations of a fact, which depend on `facts` of the model, on `words`, and on names alone."""
+
+    kind: str
+    facts: tuple[object, ...]
+    words: tuple[Hashable, ...]
+    declare: Callable[[], Block]
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
@@ -47,12 +61,20 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         texts[f"{name}.h"] = header(layout, naming)
         texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
         texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
+        cache_spelling("c", layout, partial(usage_rows, layout, naming))
     return texts
 
 
 def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for each version of a device, by the version."""
-    return {layout.device.version: version_usages(layout, _claimed_names(layout)) for layout in versions}
+    return {
+        layout.device.version: version_usages(layout, spelling("c", layout, partial(_spell, layout)))
+        for layout in versions
+    }
+
+
+def _spell(layout: DeviceLayout) -> Iterator[Usage]:
+    return usage_rows(layout, _claimed_names(layout))
 
 
 def shared() -> dict[str, str]:
@@ -86,7 +108,7 @@ def header(layout: DeviceLayout, naming: Naming) -> str:
     )
 
 
-def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable[Block]], ...]:
+def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable[Block | FactBlock]], ...]:
     """The sections of a header with their declarations. Names are claimed in this order, while they are declared."""
     device = layout.device
     return (
@@ -95,8 +117,8 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
         ("Numbers and characters", copy_numbers(naming, layout)),
         ("Checksums", declare_checksums(naming, layout)),
         ("Escapes", declare_escapes(naming, layout)),
-        ("Enums and codes", (declare_enum(naming, enum) for enum in device.enums.values())),
-        ("Bit fields", (declare_flags(naming, word, device.enums) for word in device.flags.values())),
+        ("Enums and codes", _enums(naming, device)),
+        ("Bit fields", _flags(naming, device)),
         ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),
         ("Conversions, which need double", _conversions(naming, layout)),
         (
@@ -107,7 +129,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
             ),
         ),
         ("Data of requests and responses", _messages(naming, layout)),
-        ("Registers", (declare_register(naming, device, register) for register in layout.registers)),
+        ("Registers", _registers(naming, layout)),
         ("Record tables", (declare_table(naming, device, table) for table in layout.tables.values())),
         (
             "Parameters",
@@ -134,23 +156,51 @@ def _claimed_names(layout: DeviceLayout) -> Naming:
     naming, device = Naming(layout.device.id), layout.device
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
     for _, blocks in _sections(naming, layout):
-        for _ in blocks:
-            pass
+        for block in blocks:
+            if isinstance(block, FactBlock):
+                block.declare()
     return naming
+
+
+def _enums(naming: Naming, device: Device) -> Iterator[FactBlock]:
+    for enum in device.enums.values():
+        yield FactBlock("enum", (enum,), (), partial(declare_enum, naming, enum))
+
+
+def _flags(naming: Naming, device: Device) -> Iterator[FactBlock]:
+    for word in device.flags.values():
+        facts = (word, *(device.enums.get(bit.enum) for bit in word.bits))
+        yield FactBlock("flags", facts, (), partial(declare_flags, naming, word, device.enums))
+
+
+def _registers(naming: Naming, layout: DeviceLayout) -> Iterator[FactBlock]:
+    device = layout.device
+    for register in layout.registers:
+        fact = register.register
+        space = device.space_name(fact.space) if device.several_spaces else ""
+        facts = (fact, *facts_of(device, fact.value))
+        yield FactBlock(
+            "register", facts, (*register.numbers, space), partial(declare_register, naming, device, register)
+        )
 
 
 def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
     """The C text of all sections, each under its heading."""
     printer = Printer()
     for name, blocks in _sections(naming, layout):
-        texts = [_print_block(printer, block) for block in blocks if block]
+        texts = [_print_block(printer, naming, block) for block in blocks if block]
         if texts:
             yield f"\n/* ---- {name} ---- */\n"
             yield from texts
 
 
-def _print_block(printer: Printer, block: Block) -> str:
+def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> str:
     """Declarations behind an empty line."""
+    if isinstance(block, FactBlock):
+        declare = block.declare
+        return piece(
+            f"c {block.kind}", block.facts, block.words, lambda: _print_block(printer, naming, declare()), naming
+        )
     return "\n".join(["", *printer.print_declarations(block), ""])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
@@ -61,6 +62,7 @@ from fieldspec.targets.c.statements import (
     call,
 )
 from fieldspec.targets.c.values import WireValue, accessed_type, declare_value, status_type, type_name
+from fieldspec.targets.pieces import facts_of, piece
 from fieldspec.targets.templates import fill
 
 _BYTE = Type("uint8_t")
@@ -148,7 +150,9 @@ def _record_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
 
 def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
     for noun, names, wire, size, trigger in lone_values(layout):
-        yield _value_macro(naming, layout.device, noun, names, wire, size, trigger)
+        make = partial(_value_macro, naming, layout.device, noun, names, wire, size, trigger)
+        words = (noun, names, wire.order, wire.swapped, size, trigger)
+        yield piece("c macro", facts_of(layout.device, wire.value), words, make, naming)
 
 
 def _value_macro(

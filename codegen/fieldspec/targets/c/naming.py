@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable, Iterator
+from contextlib import contextmanager
 from typing import Literal, TypeAlias
 
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.names import Name
 from fieldspec.foundation.reserved import C
 from fieldspec.targets.c.expressions import Identifier, Local, Type
+from fieldspec.targets.pieces import RequestedNames
 
 Noun: TypeAlias = Literal[
     "own",
@@ -43,6 +46,10 @@ _ARGUMENTS = C | _OWN
 _MEMBERS = C | _FRAME
 
 
+_NUMBERED: set[str] = set()
+"""The names that have ever had a number behind them, so that their words alone do not say whether they are free."""
+
+
 class Naming:
     """The names in the header of one device: each fact has one name, and no two names are equal.
 
@@ -57,6 +64,30 @@ class Naming:
         self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
         self._statuses: dict[str, Identifier] = {}
         self._status_variable: Local | None = None
+        self._noted: dict[Hashable, str] | None = None
+        self.key = device
+
+    @contextmanager
+    def noting(self) -> Iterator[dict[Hashable, str]]:
+        """Meanwhile, notes what is asked for, in order, and the names that are given."""
+        noted: dict[Hashable, str] = {}
+        self._noted = noted
+        try:
+            yield noted
+        finally:
+            self._noted = None
+
+    def gives(self, requested_names: RequestedNames) -> bool:
+        """Asks for names in order, up to one that is not given as it was."""
+        known_names, taken_names = self._given, self._taken
+        for key, name in requested_names:
+            known = known_names.get(key)  # type: ignore[call-overload]
+            if known is None and name not in taken_names and name not in _NUMBERED:
+                known_names[key] = name  # type: ignore[index]
+                taken_names.add(name)
+            elif (known or self._name(*key)) != name:  # type: ignore[misc]
+                return False
+        return True
 
     def type(self, noun: Noun, *parts: str) -> str:
         """`gadget_point`"""
@@ -78,15 +109,17 @@ class Naming:
 
     def status(self, name: str) -> Identifier:
         """A constant of the status that functions return: `GADGET_ERR_OUT_OF_RANGE`"""
+        text = self.own_macro(name)
         constant = self._statuses.get(name)
         if constant is None:
-            constant = self._statuses[name] = Identifier(self.own_macro(name))
+            constant = self._statuses[name] = Identifier(text)
         return constant
 
     def status_variable(self) -> Local:
         """The variable for the status of a call; its type is what functions return."""
+        name = self.own("codec_status")
         if self._status_variable is None:
-            self._status_variable = Local("status", Type(self.own("codec_status")))
+            self._status_variable = Local("status", Type(name))
         return self._status_variable
 
     def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
@@ -94,6 +127,8 @@ class Naming:
         name = self._given.get(key)
         if name is None:
             name = self._given[key] = self._free(self._words(noun, parts), upper)
+        if self._noted is not None:
+            self._noted[key] = name
         return name
 
     def _words(self, noun: Noun, parts: tuple[str, ...]) -> Name:
@@ -111,6 +146,8 @@ class Naming:
         while (text := tried.upper() if upper else tried.snake()) in self._taken:
             number += 1
             tried = words + Name.of(str(number))
+        if tried is not words:
+            _NUMBERED.add(text)
         self._taken.add(text)
         return text
 

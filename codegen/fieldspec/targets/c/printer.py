@@ -31,6 +31,7 @@ from fieldspec.targets.c.statements import (
     Evaluation,
     Expectation,
     If,
+    Printed,
     Return,
     Statement,
     Switch,
@@ -39,7 +40,7 @@ from fieldspec.targets.c.statements import (
     Variables,
 )
 
-_STEP = "    "
+INDENT = "    "
 _CONTINUATION = "        "
 
 
@@ -69,6 +70,7 @@ class Printer(ExpressionPrinter):
             Table: self._table,
             Block: self._block,
             CompileIf: self._compile_if,
+            Printed: self._printed,
         }
         self._declarations: dict[type, Callable[[Any], None]] = {
             Comment: self._comment,
@@ -127,7 +129,7 @@ class Printer(ExpressionPrinter):
 
     def _struct(self, node: Struct) -> None:
         self.lines.append(f"typedef struct {node.name} {{")
-        self._members(node.members, _STEP)
+        self._members(node.members, INDENT)
         self.lines.append(f"}} {node.name};")
 
     def _members(self, members: Sequence[Comment | Variable | Union], indent: str) -> None:
@@ -136,7 +138,7 @@ class Printer(ExpressionPrinter):
                 self._comment(member, indent)
             elif isinstance(member, Union):
                 self.lines.append(f"{indent}union {{")
-                self._members(member.members, indent + _STEP)
+                self._members(member.members, indent + INDENT)
                 self.lines.append(f"{indent}}} {member.name};")
             else:
                 self.lines.append(f"{indent}{self.print_variable(member)};")
@@ -147,7 +149,7 @@ class Printer(ExpressionPrinter):
         for number, member in enumerate(node.enumerators):
             comma = "," if number < last else ""
             self.lines.append(
-                f"{_STEP}{member.name} = {self._expression_text(member.value)}{comma}{_remark_text(member.remark)}"
+                f"{INDENT}{member.name} = {self._expression_text(member.value)}{comma}{_remark_text(member.remark)}"
             )
         attribute = f"{node.attribute} " if node.attribute else ""
         self.lines.append(f"}} {attribute}{node.name};")
@@ -159,10 +161,10 @@ class Printer(ExpressionPrinter):
         self.lines.append("{")
         self._used.clear()
         start = len(self.lines)
-        self._body(node.body, _STEP)
+        self._body(node.body, INDENT)
         if self._used:
             used = [local for local in node.locals if local.name in self._used]
-            self.lines[start:start] = [f"{_STEP}{_declarator(local.type, local.name)};" for local in used]
+            self.lines[start:start] = [f"{INDENT}{_declarator(local.type, local.name)};" for local in used]
         self.lines.append("}")
 
     # Statements
@@ -190,14 +192,14 @@ class Printer(ExpressionPrinter):
             self.lines += _fold(line.lstrip(), indent, self._longest_line)
         else:
             self.lines.append(line)
-        self._body(node.body, indent + _STEP)
+        self._body(node.body, indent + INDENT)
         alternative = node.alternative
         if len(alternative) == 1 and isinstance(alternative[0], If):
             self._if(alternative[0], indent, "} else ")
             return
         if alternative:
             self.lines.append(f"{indent}}} else {{")
-            self._body(alternative, indent + _STEP)
+            self._body(alternative, indent + INDENT)
         self.lines.append(f"{indent}}}")
 
     def _break(self, node: Break, indent: str) -> None:
@@ -206,13 +208,13 @@ class Printer(ExpressionPrinter):
     def _count_up(self, node: CountUp, indent: str) -> None:
         index = self._expression_text(node.index)
         self.lines.append(f"{indent}for ({index} = 0; {index} < {self._expression_text(node.limit)}; {index}++) {{")
-        self._body(node.body, indent + _STEP)
+        self._body(node.body, indent + INDENT)
         self.lines.append(f"{indent}}}")
 
     def _count_down(self, node: CountDown, indent: str) -> None:
         index = self._expression_text(node.index)
         self.lines.append(f"{indent}for ({index} = {self._expression_text(node.start)}; {index}-- > 0;) {{")
-        self._body(node.body, indent + _STEP)
+        self._body(node.body, indent + INDENT)
         self.lines.append(f"{indent}}}")
 
     def _switch(self, node: Switch, indent: str) -> None:
@@ -220,9 +222,9 @@ class Printer(ExpressionPrinter):
         for labels, body in node.branches:
             if labels:
                 self.lines += [f"{indent}case {self._expression_text(label)}:" for label in labels]
-                self._body((*body, Break()), indent + _STEP)
+                self._body((*body, Break()), indent + INDENT)
         self.lines.append(f"{indent}default:")
-        self._body(node.default, indent + _STEP)
+        self._body(node.default, indent + INDENT)
         self.lines.append(f"{indent}}}")
 
     def _variable_statement(self, node: Variable, indent: str) -> None:
@@ -236,13 +238,16 @@ class Printer(ExpressionPrinter):
 
     def _table(self, node: Table, indent: str) -> None:
         self.lines.append(f"{indent}static const {_declarator(node.type, node.name)}[] = {{")
-        self.lines += [f"{indent}{_STEP}{self._expression_text(row)}," for row in node.rows]
+        self.lines += [f"{indent}{INDENT}{self._expression_text(row)}," for row in node.rows]
         self.lines.append(f"{indent}}};")
 
     def _block(self, node: Block, indent: str) -> None:
         self.lines.append(f"{indent}{{")
-        self._body(node.body, indent + _STEP)
+        self._body(node.body, indent + INDENT)
         self.lines.append(f"{indent}}}")
+
+    def _printed(self, node: Printed, indent: str) -> None:
+        self.lines += node.lines
 
     def _compile_if(self, node: CompileIf, indent: str) -> None:
         self.lines.append(f"{indent}#{node.directive} {node.condition}")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import chain
 from typing import Any
 
@@ -46,13 +47,15 @@ from fieldspec.targets.c.sample_values import (
     field_sample,
     fitting,
     high_value,
+    lone_values,
     record_bytes,
     record_value,
 )
 from fieldspec.targets.c.selftest_examples import test_example
 from fieldspec.targets.c.selftest_quantities import test_absent, test_quantities
-from fieldspec.targets.c.selftest_values import test_constants, test_conversions, test_values
+from fieldspec.targets.c.selftest_values import test_constants, test_conversions, test_value
 from fieldspec.targets.c.statements import Statement, Variable, Variables, assign, call
+from fieldspec.targets.pieces import facts_of, piece
 from fieldspec.targets.templates import fill, text
 
 BYTE = Type("uint8_t")
@@ -72,14 +75,17 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
     bodies = chain(
         test_constants(layout, naming),
         _test_records(layout, naming),
-        test_values(layout, naming),
+    )
+    printer = Printer()
+    tests = [_print_test(printer, body) for body in bodies]
+    tests += _value_tests(layout, naming, printer)
+    bodies = chain(
         test_conversions(layout, naming),
         test_quantities(layout, naming),
         (test_example(layout, naming, example) for example in layout.device.examples.values()),
         test_absent(layout, naming),
     )
-    printer = Printer()
-    tests = [_print_test(printer, number, body) for number, body in enumerate(bodies)]
+    tests += [_print_test(printer, body) for body in bodies]
     switches = f"#define {naming.own_macro('with_texts')}\n" if code_tables(layout.device) else ""
     return fill(
         "c/selftest.c.j2",
@@ -89,13 +95,30 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
         selftest=naming.own("selftest"),
         switches=switches,
         support=text("targets/c/runtime/selftest_support.h"),
-        tests=tests,
+        tests=[test.replace(f"{_TEST}(", f"test_{number}(", 1) for number, test in enumerate(tests)],
         calls=[f"    test_{number}();\n" for number in range(len(tests))],
     )
 
 
-def _print_test(printer: Printer, number: int, body: list[Statement]) -> str:
-    function = Function(Type("void"), f"test_{number}", (), tuple(body), storage="static")
+_TEST = "test_"
+"""Stands for the name of a function until its number is known."""
+
+
+def _value_tests(layout: DeviceLayout, naming: Naming, printer: Printer) -> Iterator[str]:
+    """The function for the value of each register and parameter, where there is something to test."""
+    for noun, names, wire, size, trigger in lone_values(layout):
+        order = wire.order, wire.swapped
+        bodies = partial(test_value, layout.device, naming, noun, names, wire.value, order, size, trigger)
+        facts, words = facts_of(layout.device, wire.value), (noun, names, order, size, trigger)
+        yield from piece("c test", facts, words, partial(_print_tests, printer, bodies), naming)
+
+
+def _print_tests(printer: Printer, bodies: Callable[[], Iterator[list[Statement]]]) -> tuple[str, ...]:
+    return tuple([_print_test(printer, body) for body in bodies()])
+
+
+def _print_test(printer: Printer, body: list[Statement]) -> str:
+    function = Function(Type("void"), _TEST, (), tuple(body), storage="static")
     return "\n".join(["", *printer.print_declarations([function]), ""])
 
 

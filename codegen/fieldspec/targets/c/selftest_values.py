@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
+from typing import TypeVar
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.device import Device
@@ -47,24 +48,38 @@ from fieldspec.targets.c.flags import named_bits, number_of_bit
 from fieldspec.targets.c.machine import literal, machine
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.parameters import wire_number_type
+from fieldspec.targets.c.printer import INDENT, Printer
 from fieldspec.targets.c.quantities import keeps_counts
-from fieldspec.targets.c.sample_values import legal_numbers, lone_values, value_bytes
-from fieldspec.targets.c.statements import Block, CompileIf, Statement, Variable, assign, discard
+from fieldspec.targets.c.sample_values import legal_numbers, value_bytes
+from fieldspec.targets.c.statements import Block, CompileIf, Printed, Statement, Variable, assign, discard
 from fieldspec.targets.c.values import accessed_type, type_name
+from fieldspec.targets.pieces import piece
 
 
 def test_constants(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
     """The statements, one list a function."""
     device = layout.device
     tests: tuple[list[Statement], ...] = (
-        [test for word in device.flags.values() for test in _test_flags(naming, word)],
-        [test for enum in device.enums.values() for test in _test_enum(naming, enum)],
-        [test for enum in code_tables(device) for test in _test_code_texts(naming, enum)],
+        [_printed(naming, "flags", word, _test_flags) for word in device.flags.values()],
+        [test for enum in device.enums.values() if (test := _printed(naming, "enum", enum, _test_enum)).lines],
+        [_printed(naming, "codes", enum, _test_code_texts) for enum in code_tables(device)],
         list(_test_messages(layout, naming)),
         list(_test_addresses(layout, naming)),
         [test for parameters in device.parameters.values() for test in _test_numbers(naming, parameters)],
     )
     yield from (statements for statements in tests if statements)
+
+
+Tested = TypeVar("Tested")
+
+
+def _printed(naming: Naming, kind: str, fact: Tested, test: Callable[[Naming, Tested], Iterable[Statement]]) -> Printed:
+    """The tests of a fact of the model that depend on nothing else."""
+
+    def make() -> Printed:
+        return Printed(tuple(Printer().print_statements(test(naming, fact), INDENT)))
+
+    return piece(f"c test of {kind}", (fact,), (), make, naming)
 
 
 def _expect_constant(name: str, number: Expression) -> Statement:
@@ -193,14 +208,7 @@ _REFERENCE = 3000
 """The reference of quantities in tests: a usual speed in revolutions a minute."""
 
 
-def test_values(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
-    """Each register's and each parameter's value at its bounds."""
-    for noun, names, wire, size, trigger in lone_values(layout):
-        order = wire.order, wire.swapped
-        yield from _test_value(layout.device, naming, noun, names, wire.value, order, size, trigger)
-
-
-def _test_value(
+def test_value(
     device: Device,
     naming: Naming,
     noun: Noun,
@@ -210,6 +218,7 @@ def _test_value(
     size: int,
     trigger: bool,
 ) -> Iterator[list[Statement]]:
+    """The value of a register or a parameter at its bounds; nothing for what is no number."""
     if not is_count(value.encoding):
         return
     encode, decode = naming.function(noun, *names, "encode"), naming.function(noun, *names, "decode")

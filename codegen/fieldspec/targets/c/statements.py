@@ -136,6 +136,13 @@ class CompileIf:
     body: Body
 
 
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """Statements as the lines that they were printed as, at the indent of a function's body."""
+
+    lines: tuple[str, ...]
+
+
 Statement: TypeAlias = (
     Assignment
     | Evaluation
@@ -152,6 +159,7 @@ Statement: TypeAlias = (
     | Table
     | Block
     | CompileIf
+    | Printed
 )
 Body: TypeAlias = tuple[Statement, ...]
 

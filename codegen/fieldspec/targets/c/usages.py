@@ -18,15 +18,19 @@ from fieldspec.targets.c.frames import header_parameters
 from fieldspec.targets.c.naming import Naming, Noun, member
 from fieldspec.targets.c.runtime_files import is_bit
 from fieldspec.targets.c.values import WireValue, accessed_type
-from fieldspec.targets.usages import Usage, VersionUsages, sample_text
+from fieldspec.targets.usages import Rows, Usage, VersionUsages, sample_text
 
 _INCLUDE = '#include "@header@"\n'
 
 
-def version_usages(layout: DeviceLayout, naming: Naming) -> VersionUsages:
-    """The code for a version of a device, with the names of its header."""
-    variables = {"header": f"{stem(layout.device.id, layout.device.version)}.h"}
-    return VersionUsages("C", variables, tuple(_Usages(layout, naming).rows()))
+def version_usages(layout: DeviceLayout, rows: Rows) -> VersionUsages:
+    """The code for a version of a device."""
+    return VersionUsages("C", {"header": f"{stem(layout.device.id, layout.device.version)}.h"}, rows)
+
+
+def usage_rows(layout: DeviceLayout, naming: Naming) -> Iterator[Usage]:
+    """The code that reads or writes each fact, with the names of the header of the version."""
+    return _Usages(layout, naming).rows()
 
 
 @dataclass(frozen=True, slots=True)

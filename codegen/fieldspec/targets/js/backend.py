@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import Name, version_word
 from fieldspec.targets import explainer as script
+from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.explainer import explainer_files
 from fieldspec.targets.js.index import index_texts
-from fieldspec.targets.js.module import module_texts
+from fieldspec.targets.js.module import declarations, module_texts
+from fieldspec.targets.js.naming import module_scope
+from fieldspec.targets.js.usages import usage_rows
 from fieldspec.targets.js.usages import usages as usages
 from fieldspec.targets.templates import text
+from fieldspec.targets.usages import cache_spelling
 
 RUNTIME = (
     "absent",
@@ -68,7 +73,10 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     modules = {layout.device.version: version_word(layout.device.version) for layout in versions}
     texts: dict[str, str] = {}
     for layout in versions:
-        code, types = module_texts(layout)
+        names = Names(layout, module_scope())
+        declared = declarations(names)
+        code, types = module_texts(layout, declared)
+        cache_spelling("js", layout, partial(usage_rows, names, declared))
         texts[f"{folder}/{modules[layout.device.version]}.js"] = code
         texts[f"{folder}/{modules[layout.device.version]}.d.ts"] = types
         if layout.links:

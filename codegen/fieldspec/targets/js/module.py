@@ -12,7 +12,6 @@ from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.enums import declare_enum, declare_flags
 from fieldspec.targets.js.links import carries, declare_link, declare_message
-from fieldspec.targets.js.naming import module_scope
 from fieldspec.targets.js.parameters import declare_parameters
 from fieldspec.targets.js.records import declare_record
 from fieldspec.targets.js.registers import declare_accesses, declare_register, declare_table
@@ -111,9 +110,8 @@ def _bodies(message: MessageLayout, names: Names) -> list[Declaration]:
     ]
 
 
-def module_texts(layout: DeviceLayout) -> tuple[str, str]:
-    """The module of a version, and its types."""
-    rows = declarations(Names(layout, module_scope()))
+def module_texts(layout: DeviceLayout, rows: Sequence[Declaration]) -> tuple[str, str]:
+    """The module of a version that declares these `rows`, and its types."""
     head = comment(about(layout))
     device = layout.device
     constants = [("DEVICE", device.id), ("VERSION", device.version), ("IDENTITY", layout.identity)]

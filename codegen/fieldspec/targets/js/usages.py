@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
@@ -12,7 +13,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, version_word
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.value import Value
-from fieldspec.targets.js.declaration import Names
+from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.enums import member_keys
 from fieldspec.targets.js.links import argument_keys, carries
 from fieldspec.targets.js.members import Member, members_of
@@ -21,7 +22,7 @@ from fieldspec.targets.js.naming import module_scope
 from fieldspec.targets.js.registers import Access, accesses
 from fieldspec.targets.js.units import unit_of
 from fieldspec.targets.runtime_values import is_wide
-from fieldspec.targets.usages import Usage, VersionUsages, sample_text
+from fieldspec.targets.usages import Usage, VersionUsages, sample_text, spelling
 
 _IMPORT = 'import * as device from "fieldspec-devices/@folder@/@module@.js";\n'
 _READ = "const [{ message, data }] = device.readRequests(device.@0@);\n"
@@ -44,21 +45,29 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     for layout in versions:
         folder = Name.of(layout.device.id).snake().replace("_", "-")
         variables = {"folder": folder, "module": version_word(layout.device.version)}
-        result[layout.device.version] = VersionUsages("JavaScript", variables, tuple(_usages(layout).rows()))
+        result[layout.device.version] = VersionUsages(
+            "JavaScript", variables, spelling("js", layout, partial(_spell, layout))
+        )
     return result
 
 
-def _usages(layout: DeviceLayout) -> _Usages:
+def _spell(layout: DeviceLayout) -> Iterator[Usage]:
     names = Names(layout, module_scope())
+    return usage_rows(names, declarations(names))
+
+
+def usage_rows(names: Names, rows: Sequence[Declaration]) -> Iterator[Usage]:
+    """The code that reads or writes each fact, with the names of a module that declares these `rows`."""
+    layout = names.layout
     declared: dict[str, list[tuple[str, list[str]]]] = {}
-    for row in declarations(names):
+    for row in rows:
         for line in row.code:
             if match := _DECLARED.match(line):
                 keys = [key[1] for inner in row.code[1:] if (key := _KEY.match(inner))]
                 declared.setdefault(match[2].removesuffix("Array"), []).append((match[1], keys))
     carrying = [link for link in layout.links.values() if any(carries(link, m) for m in layout.messages.values())]
     links = {link.name: name for link, (name, _) in zip(carrying, declared.get("link", ()), strict=True)}
-    return _Usages(names, links, declared)
+    return _Usages(names, links, declared).rows()
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from fieldspec.codec.layout.detection import version_lines
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.targets.fact_texts import sentence
+from fieldspec.targets.pieces import piece
 from fieldspec.targets.python.client import client_view
 from fieldspec.targets.python.detection import detection_view
 from fieldspec.targets.python.device import device_view
 from fieldspec.targets.python.imports import client_imports, imports_view
 from fieldspec.targets.python.naming import Scope, module_name, package_name
 from fieldspec.targets.python.text import docstring, literal
+from fieldspec.targets.python.usages import usage_rows
 from fieldspec.targets.python.usages import usages as usages
 from fieldspec.targets.templates import fill
+from fieldspec.targets.usages import cache_spelling
 
 PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("client", "for_firmware", "latest")
@@ -85,6 +89,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
         view = device_view(layout)
         texts[f"{folder}/{module}.py"] = _module(view)
         texts |= _client(layout, f"{folder}/{module}_client.py", module, view)
+        cache_spelling("python", layout, partial(usage_rows, layout, view))
     module_lines = [
         f" {modules[layout.device.version]}: version {', '.join((layout.device.version, *layout.equal_versions))},"
         f" identity {layout.identity}"
@@ -121,8 +126,20 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     return texts
 
 
+_CLASSES = {"enum": "python/enum.py.j2", "word": "python/flags.py.j2"}
+"""The templates of classes by the names of their views."""
+
+
+def _class_texts(name: str, views: Iterable[object]) -> Iterator[str]:
+    """The texts of enums and words of flags, which depend on their views alone."""
+    for view in views:
+        yield piece(f"python text of {name}", (view,), (), partial(fill, _CLASSES[name], **{name: view}))
+
+
 def _module(view: Mapping[str, Any]) -> str:
-    body = fill("python/body.py.j2", **view)
+    body = fill(
+        "python/body.py.j2", **view, texts=[*_class_texts("enum", view["enums"]), *_class_texts("word", view["flags"])]
+    )
     imports = imports_view(body)
     return fill(
         "python/module.py.j2",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 
 from fieldspec.codec.layout.needed_bits import needed_bits
 from fieldspec.foundation.classes import dataclass, field, replace
@@ -10,6 +11,7 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.targets.fact_texts import described, sentence, unit_word
+from fieldspec.targets.pieces import piece
 from fieldspec.targets.python.naming import FLAGS, STATES, TYPES, Scope
 from fieldspec.targets.python.scaling import in_unit, quantity, ratio
 from fieldspec.targets.python.text import docstring, filled, item_lines, literal
@@ -114,8 +116,13 @@ class FlagsView:
 
 def enum_view(enum: Enum, scope: Scope) -> EnumView:
     """The view of an enum."""
+    pascal = Name.of(enum.name).pascal()
+    name = scope.take(pascal, pascal + "Code")
+    return piece("python enum", (enum,), (name,), partial(_enum_view, enum, name))
+
+
+def _enum_view(enum: Enum, name: str) -> EnumView:
     base_name = Name.of(enum.name)
-    name = scope.take(base_name.pascal(), base_name.pascal() + "Code")
     members = Scope(frozenset({"mro"}))
     kind = "" if enum.kind == "enum" else f"{enum.kind.capitalize()} codes. "
     remark = "Other values are passed on as numbers." if enum.open else "Other values are refused."
@@ -164,9 +171,19 @@ def _member(member: Member) -> list[str]:
 
 def flags_view(flags: Flags, device: Device, enums: Mapping[str, EnumView], scope: Scope) -> FlagsView:
     """The view of a word of flags."""
+    pascal = Name.of(flags.name).pascal()
+    name = scope.take(pascal, pascal + "Flags")
+    states = scope.take(f"{name}State", f"{name}StateCode") if flags.states else ""
+    used = [bit.enum for bit in flags.bits if bit.enum]
+    facts = (flags, *map(device.enums.get, used), *map(enums.get, used))
+    return piece("python flags", facts, (name, states), partial(_flags_view, flags, device, enums, name, states))
+
+
+def _flags_view(
+    flags: Flags, device: Device, enums: Mapping[str, EnumView], name: str, name_of_states: str
+) -> FlagsView:
     base_name = Name.of(flags.name)
-    name = scope.take(base_name.pascal(), base_name.pascal() + "Flags")
-    states = _states(flags, name, scope) if flags.states else None
+    states = _states(flags, name, name_of_states) if flags.states else None
     names = Scope(FLAGS, TYPES, STATES if states else frozenset())
     bit_names = [(bit, names.take(bit.name)) for bit in flags.bits if not bit.reserved]
     lines, bound = from_tables(bit_names)
@@ -223,11 +240,11 @@ def _argument(bit: Bit, view: BitView, is_needed: bool) -> str:
     return f"{view.name}: {view.argument} = {'...' if is_needed else default}"
 
 
-def _states(flags: Flags, name: str, scope: Scope) -> EnumView:
+def _states(flags: Flags, name: str, name_of_states: str) -> EnumView:
     """The states that several bits form together, numbered from 1 so that each is true."""
     members = Scope(frozenset({"mro"}))
     return EnumView(
-        name=scope.take(f"{name}State", f"{name}StateCode"),
+        name=name_of_states,
         prefix="",
         table="",
         title=f"{flags.name}_state",

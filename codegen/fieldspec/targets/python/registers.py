@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.record import RegisterLayout
@@ -18,6 +19,7 @@ from fieldspec.language.model.registers import Table
 from fieldspec.language.model.text_form import text_form_title
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import described
+from fieldspec.targets.pieces import facts_of, piece
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.scaling import quantity, ratio
 from fieldspec.targets.python.slots import Words
@@ -181,11 +183,22 @@ def register_views(
     space of a register.
     """
     names = {row.name: scope.take(Name.of(row.name).upper()) for row in layout.registers}
-    order = layout.device.byte_order
-    views = {row.name: register_view(row, words, order, names, space(row.register.space)) for row in layout.registers}
+    views = {
+        row.name: _remembered_view(layout, row, words, names, space(row.register.space)) for row in layout.registers
+    }
     exponents = {row.register.value.scale_by for row in layout.registers}
     stated = sorted(views, key=lambda name: name not in exponents)
     return list(views.values()), [views[name] for name in stated]
+
+
+def _remembered_view(
+    layout: DeviceLayout, row: RegisterLayout, words: Words, names: Mapping[str, str], space: str
+) -> RegisterView:
+    value, order = row.register.value, layout.device.byte_order
+    facts = (row.register, *facts_of(layout.device, value), words.enums.get(value.enum))
+    referred = names[row.name], names.get(value.scale_by), words.flags.get(value.flags)
+    make = partial(register_view, row, words, order, names, space)
+    return piece("python register", facts, (*row.numbers, order, space, *referred), make)
 
 
 def register_view(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -18,7 +19,7 @@ from fieldspec.targets.python.naming import Scope, module_name, package_name
 from fieldspec.targets.python.parameter_requests import ParameterMessageView
 from fieldspec.targets.python.requests import SpaceAccess
 from fieldspec.targets.python.slots import Slots
-from fieldspec.targets.usages import Usage, VersionUsages, sample_count
+from fieldspec.targets.usages import Usage, VersionUsages, sample_count, spelling
 
 _IMPORT = "from fieldspec_devices.@package@ import @module@ as @package@\n"
 _EXCHANGE = """frame = @package@.{link}.encode_request({call})
@@ -39,9 +40,18 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     result = {}
     for layout in versions:
         package, module = package_name(layout.device.id), scope.take(module_name(layout.device.version))
-        rows = _Usages(layout, device_view(layout)).rows()
-        result[layout.device.version] = VersionUsages("Python", {"package": package, "module": module}, tuple(rows))
+        rows = spelling("python", layout, partial(_spell, layout))
+        result[layout.device.version] = VersionUsages("Python", {"package": package, "module": module}, rows)
     return result
+
+
+def _spell(layout: DeviceLayout) -> Iterator[Usage]:
+    return usage_rows(layout, device_view(layout))
+
+
+def usage_rows(layout: DeviceLayout, view: dict[str, Any]) -> Iterator[Usage]:
+    """The code that reads or writes each fact, with the names in the view of the module of the version."""
+    return _Usages(layout, view).rows()
 
 
 @dataclass(frozen=True, slots=True)

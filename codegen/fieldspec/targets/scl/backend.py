@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.spreadsheet import BYTE_ORDER_MARK, Cell, Workbook, csv_text
@@ -12,7 +13,9 @@ from fieldspec.targets.controllers.layout.table import table
 from fieldspec.targets.scl.project import Project, project
 from fieldspec.targets.scl.sources import blocks, clashes, functions, source, types
 from fieldspec.targets.scl.tags import tag_tables
+from fieldspec.targets.scl.usages import usage_rows
 from fieldspec.targets.scl.usages import usages as usages
+from fieldspec.targets.usages import cache_spelling
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
@@ -27,6 +30,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
         remarks = [f"// {line}" for line in text.remarks]
         outputs[f"{text.name}.scl"] = source(tia_project, [remarks, text.text.splitlines()])
     outputs["constants.xlsx"] = tag_tables(tia_project)
+    cache_spelling("scl", versions[-1], partial(usage_rows, versions[-1]))
     outputs["layout.csv"] = BYTE_ORDER_MARK + csv_text(_layout(tia_project))
     return {f"{tia_project.stem}/{tia_project.stem}_{name}": content for name, content in outputs.items()}
 

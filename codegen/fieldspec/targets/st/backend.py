@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import stem
@@ -11,7 +12,9 @@ from fieldspec.targets.controllers.dialects import DIALECTS
 from fieldspec.targets.controllers.structured.layout_table import layout_table
 from fieldspec.targets.controllers.structured.program import Program, newest, program
 from fieldspec.targets.controllers.structured.program import refusals as program_refusals
+from fieldspec.targets.st.usages import usage_rows
 from fieldspec.targets.st.usages import usages as usages
+from fieldspec.targets.usages import cache_spelling
 
 _PARTS = {
     "type": "Types: enums and structs",
@@ -26,6 +29,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     layout = newest(versions)
     name = stem(layout.device.id, layout.device.version)
     st_program = program(layout)
+    cache_spelling("st", layout, partial(usage_rows, layout))
     return {f"{name}.st": text(st_program), f"{name}_layout.csv": layout_table(st_program)}
 
 

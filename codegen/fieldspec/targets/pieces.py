@@ -1,0 +1,103 @@
+"""What outputs make of single facts, remembered by a process that builds again and again, or builds many versions.
+
+A fact that has not changed is the same object in the next build and in the next version. A piece is taken again where
+all that it was made of is the same: the objects of the model, numbers and words beside them, and the names that it
+asked for, which depend on other facts too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import contextmanager
+from typing import Protocol, TypeVar, cast
+
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Value
+
+Result = TypeVar("Result")
+RequestedNames = tuple[tuple[Hashable, str], ...]
+
+MOST = 100_000
+"""The most pieces that are remembered; the oldest ones go first."""
+
+
+class Names(Protocol):
+    """The names of an output, which are given in the order in which they are asked for. They begin alike for a key."""
+
+    key: str
+
+    @contextmanager
+    def noting(self) -> Iterator[dict[Hashable, str]]:
+        """Meanwhile, notes what is asked for, in order, and the names that are given."""
+
+    def gives(self, requested_names: RequestedNames) -> bool:
+        """Asks for names in order, up to one that is not given as it was."""
+
+
+class Pieces:
+    """The pieces of outputs, by what they were made of."""
+
+    def __init__(self) -> None:
+        self._pieces: dict[Hashable, tuple[tuple[object, ...], RequestedNames, object]] = {}
+
+    def taken(
+        self,
+        kind: str,
+        facts: tuple[object, ...],
+        words: tuple[Hashable, ...],
+        names: Names | None,
+        make: Callable[[], Result],
+    ) -> Result:
+        """The piece of a kind that was made of the same, or else what `make` gives."""
+        key = (
+            kind,
+            words,
+            names and names.key,
+            tuple(map(id, facts)),
+        )  # as long as the piece is there, no other object gets an identity
+        known = self._pieces.get(key)
+        if known is not None and (names is None or names.gives(known[1])):
+            return cast("Result", known[2])
+        if names is None:
+            result, requested_names = make(), {}
+        else:
+            with names.noting() as requested_names:
+                result = make()
+        if known is None and len(self._pieces) >= MOST:
+            del self._pieces[next(iter(self._pieces))]
+        self._pieces[key] = facts, tuple(requested_names.items()), result
+        return result
+
+
+_at_hand: list[Pieces] = []
+
+
+@contextmanager
+def using_pieces(pieces: Pieces | None) -> Iterator[None]:
+    """Meanwhile, pieces are remembered; for None, they are not."""
+    _at_hand[:] = [pieces] if pieces is not None else []
+    try:
+        yield
+    finally:
+        _at_hand.clear()
+
+
+def facts_of(device: Device, value: Value) -> tuple[object, ...]:
+    """A value and all else of the model that its codec depends on: its enum or its bits, with their enums."""
+    word = device.flags.get(value.flags)
+    enums = [bit.enum for bit in word.bits] if word is not None else ()
+    return value, device.enums.get(value.enum), word, *map(device.enums.get, enums)
+
+
+def piece(
+    kind: str,
+    facts: tuple[object, ...],
+    words: tuple[Hashable, ...],
+    make: Callable[[], Result],
+    names: Names | None = None,
+) -> Result:
+    """What `make` gives, which depends on nothing but these facts and words, and on `names` that it asks for.
+
+    Nobody changes the result.
+    """
+    return _at_hand[0].taken(kind, facts, words, names, make) if _at_hand else make()
