@@ -12,14 +12,14 @@ from fieldspec.language.model.encoding import is_count, is_exact, is_octets, is_
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.ranges import Ranges, whole_intervals
 from fieldspec.tools.lists.assumption import Refusal
-from fieldspec.tools.lists.entries import FIELD, PARAMETER, REGISTER, SPACES, Entry
+from fieldspec.tools.lists.entries import SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.meaning_text import meant
 from fieldspec.tools.lists.naming import fresh, named
 from fieldspec.tools.lists.own_parts import parameters, spaces, tables
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.row_reading import FIELD, PARAMETER, REGISTER, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.yaml_text import commented, exact, quoted
 
@@ -44,11 +44,12 @@ class Surroundings:
     """What a spec has beside the rows: remarks for its head, what it takes of a protocol, and allowances.
 
     `uses` has lines by section and is empty for a spec without frames. `allowed` has the rules that a row
-    may break, by its number.
+    may break, by its number. `names` are those that the protocol has for numbers of parameters, and for subindices.
     """
 
     remarks: Sequence[str] = ()
     uses: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    names: Mapping[tuple[int, int | None], str] = field(default_factory=dict)
     allowed: Mapping[int, Sequence[str]] | None = None
 
 
@@ -57,10 +58,11 @@ _NOTHING = Surroundings()
 
 @dataclass(frozen=True, slots=True)
 class Spec:
-    """The text of a spec, and the row of the list that each line comes from, by the line's number."""
+    """The text of a spec, the row of the list that each line comes from, by its number, and the rows with notes."""
 
     text: str
     rows: Mapping[int, int]
+    noted: Sequence[int]
 
 
 def skeleton(
@@ -71,7 +73,7 @@ def skeleton(
     surroundings: Surroundings = _NOTHING,
 ) -> Spec:
     """The spec of a device with the registers of a list. Rows that are refused become comments."""
-    writer = _Writer(registers, surroundings.allowed or {})
+    writer = _Writer(registers, surroundings)
     lines = [*_HEAD.splitlines(), *map(commented, surroundings.remarks), "device:"]
     lines += [f"  id: {device}", f"  name: {device}", "  vendor: unknown"]
     title = f"The list {origin.file}"
@@ -85,19 +87,21 @@ def skeleton(
     if refused:
         lines.append("# Rows and cells of the list that are no facts here:")
         lines += [commented(refusal.text()) for refusal in refused]
-    return Spec("\n".join(lines) + "\n", rows)
+    return Spec("\n".join(lines) + "\n", rows, sorted(writer.noted))
 
 
 class _Writer:
     """Writes the sections of a spec as lines, each with the row that it comes from, or 0."""
 
-    def __init__(self, registers: Sequence[Entry], allowed: Mapping[int, Sequence[str]]) -> None:
-        self._registers = registers
-        self._allowed = allowed
+    def __init__(self, registers: Sequence[Entry], surroundings: Surroundings) -> None:
+        self._registers = registers = [_widened(entry, surroundings.names) for entry in registers]
+        self._allowed = surroundings.allowed or {}
+        known = self._protocol_names = surroundings.names
         self._labels: set[str] = set()
+        self.noted: set[int] = set()
         used: dict[str, set[str]] = defaultdict(set)
         self._names = [
-            fresh(_name(entry), f"{entry.row.address:04x}", used[entry.space if entry.row.is_own else ""])
+            fresh(known.get(_number(entry)) or _name(entry), f"{entry.row.address:04x}", used[_namespace(entry)])
             for entry in registers
         ]
         scaled = exponents([entry.row for entry in registers], [entry.shape.type for entry in registers])
@@ -114,7 +118,7 @@ class _Writer:
         """The lines of what a protocol gives, units, enums, bit fields and registers."""
         lines: list[tuple[str, int]] = []
         for section, used_lines in uses.items():
-            if used_lines and section not in ("enums", "records"):
+            if used_lines and section not in ("enums", "flags", "records"):
                 lines += [(f"{section}:", 0), *((line, 0) for line in used_lines)]
         if not uses and any(entry.row.is_own for entry in self._registers):
             lines += [(line, 0) for line in spaces(self._registers)]
@@ -136,7 +140,7 @@ class _Writer:
         lines += [("registers:", 0)] if any(groups.values()) else []
         for space, places in groups.items():
             lines += self._group(space, places) if places else []
-        return [*lines, *parameters(self._registers, self._fact)]
+        return [*lines, *parameters(self._registers, self._fact, self._protocol_names)]
 
     def _units(self) -> Iterator[tuple[str, int]]:
         """The units that the language does not have."""
@@ -198,12 +202,13 @@ class _Writer:
         parts += meaning.keys
         allowed = list(self._allowed.get(row.row, ()))
         if entry.is_own:
-            parts += _words(row, name, self._labels, allowed)
+            parts += _words(row, name, self._labels if row.subindices is None else set(), allowed)
         if allowed:
             parts.append("allow: {" + ", ".join(f"{rule}: {_HAS_IT_SO}" for rule in dict.fromkeys(allowed)) + "}")
         if inferred:
             parts.append(f"inferred: {{{', '.join(f'{key}: {reason}' for key, reason in inferred.items())}}}")
         if doubts:
+            self.noted.add(row.row)
             parts.append(f"notes: [{', '.join(map(quoted, doubts))}]")
         parts += [f"source: {'1 ' if entry.kind == PARAMETER else ''}L{row.row}", "unverified: true"]
         return ", ".join(parts)
@@ -214,8 +219,12 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
     row, own_shape = entry.row, entry.shape
     is_sized = bool(PRIMITIVES[type_name].size)
     if entry.kind == PARAMETER:
-        elements = [f"elements: {row.count}"] if row.count > 1 else []
+        elements = [f"elements: {row.count}"] if row.count > 1 or row.subindices else []
         elements += [] if is_sized else [f"length: {row.texts.get('bytes')}"]
+        if row.subindices is not None:
+            first, last = row.subindices
+            index = f"{first}" if first == last else f"{first}..{last}"
+            return [f"index: {index}", f"name: {quoted(name)}", f"type: {type_name}", *elements[1:]]
         return [f"number: {row.address}", f"name: {quoted(name)}", f"type: {type_name}", *elements]
     if entry.kind == FIELD:
         length = [] if is_sized else [f"length: {row.texts.get('bytes') or own_shape.words * 2}"]
@@ -227,6 +236,28 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
     if own_shape.count > 1:
         parts += [f"count: {own_shape.count}", f"stride: {row.stride or own_shape.words}"]
     return parts
+
+
+def _widened(entry: Entry, names: Mapping[tuple[int, int | None], str]) -> Entry:
+    """A parameter with elements, with as many as the protocol has for it; another entry as it is."""
+    row = entry.row
+    if entry.kind != PARAMETER or row.subindices is not None or row.count == 1:
+        return entry
+    last = max((subindex or 0 for number, subindex in names if number == row.address), default=0)
+    return replace(entry, row=replace(row, count=max(row.count, last + 1)))
+
+
+def _number(entry: Entry) -> tuple[int, int | None]:
+    """The number of a parameter and the subindex of an element; -1 for what is no parameter."""
+    row = entry.row
+    return row.address if entry.kind == PARAMETER else -1, row.subindices[0] if row.subindices else None
+
+
+def _namespace(entry: Entry) -> str:
+    """What a name has to be the only one in: elements of a parameter have names of their own."""
+    if entry.row.subindices is not None:
+        return f"{entry.space} {entry.row.address}"
+    return entry.space if entry.row.is_own else ""
 
 
 def _name(entry: Entry) -> str:
@@ -296,8 +327,8 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
         if key in texts and count is not None and has_counts and (lowest <= count <= highest or count in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
             parts.append(f"{unit_key}: {_bound(number)}")
-        elif key in texts and row.is_own and is_text(primitive.encoding):
-            parts.append(f"{key}: {quoted(texts[key])}")
+        elif key in texts and (row.is_own or row.kind == PARAMETER) and is_text(primitive.encoding):
+            parts.append(f"default: {quoted(texts[key])}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")
     return parts
