@@ -50,7 +50,10 @@ HOMES = {
     "can": ("tools/carriers/can_bus.py",),
     "canopen": ("tools/lists/formats/object_dictionary.py",),
     "cantools": ("tools/lists/formats/can_database.py",),
-    "logging": ("tools/lists/formats/", "command/verbs/lsp.py"),  # what a library says of a file is refused or noted there
+    "logging": (
+        "tools/lists/formats/",
+        "command/verbs/lsp.py",
+    ),  # what a library says of a file is refused or noted there
     "textual": COMMANDS,
     "mcp": COMMANDS,
     "pygls": ("command/editor/",),

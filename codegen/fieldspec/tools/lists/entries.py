@@ -144,9 +144,12 @@ def _width(row: ListRow) -> tuple[int, int]:
 def _of_bits(rows: Sequence[ListRow], space: str, refused: list[Refusal]) -> Entry:
     """A register of which the list has only bits."""
     highest = max(_width(row)[1] for row in rows)
-    words = 1 if highest < 16 else 2 if highest < 32 else 4
+    stated = max(row.words or 0 for row in rows)
+    words = 1 if highest < 16 and stated < 2 else 2 if highest < 32 and stated < 3 else 4
     first = rows[0]
-    whole = replace(first, names=(), texts={}, type=None, low=None, high=None, doubts=(), bits=None)
+    accesses = {row.access for row in rows}
+    access = first.access if len(accesses) == 1 else "rw"
+    whole = ListRow(first.row, first.address, access=access, space=first.space, order=first.order, gap=first.gap)
     reason = "The list has only bits of it."
     own_shape = Shape({1: "u16", 2: "u32", 4: "u64"}[words], words, inferred=reason)
     return _with_bits(Entry(whole, own_shape, space, is_own=False), rows, refused)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.foundation.classes import attributes
 from fieldspec.tools.lists.assumption import Options
-from fieldspec.tools.lists.formats.recognition import format_of
+from fieldspec.tools.lists.formats.recognition import formatted_list
 from fieldspec.tools.lists.listing import Listing, listing
 from fieldspec.tools.lists.sheet import ListError, Sheet
 from fieldspec.tools.lists.text_sheet import decoded, text_sheet
@@ -26,11 +26,12 @@ def file_list(
     content: bytes, encoding: str, sheet_name: str, names: Mapping[str, str], options: Options
 ) -> tuple[Sheet, Listing]:
     """The rows of a file, and the list in them. Its content, not its name, decides what it is. Raises ListError."""
-    read = None if content.startswith(MAGIC) or sheet_name else format_of(decoded(content, encoding))
-    if read is None:
+    is_text = not content.startswith(MAGIC) and not sheet_name
+    formatted = formatted_list(decoded(content, encoding)) if is_text else None
+    if formatted is None:
         sheet = content_sheet(content, encoding, sheet_name)
         return sheet, listing(sheet, names, options)
     idle = [*names, *(key for key in attributes(Options) if getattr(options, key))]
     if idle:
         raise ListError(f"says that itself, so --{idle[0]} has no effect; leave it out")
-    return read(decoded(content, encoding))
+    return formatted

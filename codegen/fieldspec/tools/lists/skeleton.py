@@ -15,7 +15,7 @@ from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.entries import SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
-from fieldspec.tools.lists.meaning_text import meant
+from fieldspec.tools.lists.meaning_text import count_of, meant
 from fieldspec.tools.lists.naming import fresh, named
 from fieldspec.tools.lists.own_parts import parameters, spaces, tables
 from fieldspec.tools.lists.quantities import known_unit
@@ -127,7 +127,8 @@ class _Writer:
             own = [
                 (line, entry.row.row)
                 for entry, meaning in zip(self._registers, self._meant, strict=True)
-                if (line := meaning.enum_line if section == "enums" else meaning.flags_line)
+                for line in (meaning.enum_lines if section == "enums" else (meaning.flags_line,))
+                if line
             ]
             used = [(line, 0) for line in uses.get(section, ())]
             lines += [(f"{section}:", 0), *used, *own] if used or own else []
@@ -146,9 +147,9 @@ class _Writer:
         """The units that the language does not have."""
         first: dict[str, int] = {}
         for entry in self._registers:
-            unit = entry.row.unit
-            if unit and not known_unit(unit):
-                first.setdefault(unit, entry.row.row)
+            for own in (entry.row, *(bit.row for bit in entry.bits if bit.row is not None)):
+                if own.unit and not known_unit(own.unit):
+                    first.setdefault(own.unit, own.row)
         used: set[str] = set()
         if first:
             yield "units:", 0
@@ -310,7 +311,7 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
     elif row.offset:
         doubts.append(f"Offset in the list: {row.offset:f}.")
     has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
-    low, high = (_count(bound, row) for bound in (row.low, row.high))
+    low, high = (count_of(bound, row) for bound in (row.low, row.high))
     if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
         parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
         lowest, highest = low, high
@@ -323,7 +324,7 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
     states = ", ".join(number for number, _ in row.special if not number.startswith("NaN"))
     special = Ranges(whole_intervals(states) or ()) if states else Ranges(())
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
-        count = _count(number, row) if key == "default" else _whole(number)
+        count = count_of(number, row) if key == "default" else _whole(number)
         if key in texts and count is not None and has_counts and (lowest <= count <= highest or count in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
             parts.append(f"{unit_key}: {_bound(number)}")
@@ -337,14 +338,6 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
 def _bound(number: Decimal | None) -> str:
     """A bound without zeros behind a point."""
     return exact(Fraction(number or 0))
-
-
-def _count(number: Decimal | None, row: ListRow) -> int | None:
-    """A bound as a whole count; None if it is none."""
-    if number is None or not row.in_unit:
-        return _whole(number)
-    count = (Fraction(number) - Fraction(row.offset)) / (row.scale or 1)
-    return int(count) if count.denominator == 1 else None
 
 
 def _whole(number: Decimal | None) -> int | None:

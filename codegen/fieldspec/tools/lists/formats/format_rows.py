@@ -112,7 +112,13 @@ def decimal(text: str) -> Decimal | None:
     return number if number.is_finite() and abs(number.adjusted()) < 40 else None
 
 
-def fraction(text: str) -> Fraction | None:
-    """A factor other than 0 as programs write it; None if a text is none."""
-    number = decimal(text)
-    return Fraction(number) if number else None
+def mask_bits(mask: int) -> tuple[int, int] | None:
+    """The lowest and the highest bit of a mask whose bits stand beside each other; None for another one."""
+    low, high = (mask & -mask).bit_length() - 1, mask.bit_length() - 1
+    return (low, high) if 0 < mask < 1 << 64 and mask >> low == (1 << (high - low + 1)) - 1 else None
+
+
+def exact_decimal(number: Fraction) -> Decimal | None:
+    """A number as a decimal one; None if it has none."""
+    result = Decimal(number.numerator) / number.denominator
+    return result if Fraction(result) == number else None

@@ -6,18 +6,34 @@ import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from fieldspec.tools.lists.formats import object_dictionary
+from fieldspec.tools.lists.formats import esphome, solarman
+from fieldspec.tools.lists.formats.object_dictionary import SIGNS, object_dictionary
+from fieldspec.tools.lists.formats.yaml_items import tree
 from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.sheet import Sheet
 
-Reader: TypeAlias = Callable[[str], tuple[Sheet, Listing]]
+Reader: TypeAlias = Callable[[str], tuple[Sheet, Listing] | None]
+"""What reads a text; None if it is of another format after all."""
 
 _LOOKED_AT = 1 << 16
+_YAML = re.compile(r"^parameters\s*:|^[\s-]*platform\s*:\s*\w+_controller\b|^[\s-]*server_registers\s*:", re.MULTILINE)
 
-_SIGNS: tuple[tuple[re.Pattern[str], Reader], ...] = ((object_dictionary.SIGNS, object_dictionary.object_dictionary),)
+
+def _yaml(text: str) -> tuple[Sheet, Listing] | None:
+    node = tree(text)
+    lines = text.count("\n") + 1
+    if solarman.is_definition(node):
+        return solarman.definition(node, lines)
+    return esphome.configuration(node, lines) if esphome.is_configuration(node) else None
 
 
-def format_of(text: str) -> Reader | None:
-    """What reads a text in the format of another program; None for a table or JSON of any other kind."""
+_SIGNS: tuple[tuple[re.Pattern[str], Reader], ...] = ((SIGNS, object_dictionary), (_YAML, _yaml))
+
+
+def formatted_list(text: str) -> tuple[Sheet, Listing] | None:
+    """The list in the format of another program; None for a table, and JSON of any other kind. Raises ListError."""
     head = text[:_LOOKED_AT]
-    return next((reader for sign, reader in _SIGNS if sign.search(head)), None)
+    for sign, reader in _SIGNS:
+        if sign.search(head) and (result := reader(text)) is not None:
+            return result
+    return None
