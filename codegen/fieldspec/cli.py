@@ -288,6 +288,7 @@ def _parser() -> argparse.ArgumentParser:
         inner.add_argument("--length", choices=("words", "bytes", "bits"), help="what lengths count")
         orders = "the order of the bytes of two words, where the list does not say it"
         inner.add_argument("--order", choices=("ABCD", "CDAB", "BADC", "DCBA"), help=orders)
+        inner.add_argument("--node", metavar="NAME", help="the node that the device is, of a database of messages")
         higher = "the difference between addresses in the list and on the wire: 1 if the list counts from 1"
         inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
 

@@ -39,6 +39,7 @@ def reading_options(arguments: argparse.Namespace) -> Options:
         bounds=arguments.bounds or "",
         length=arguments.length or "",
         order=arguments.order or "",
+        node=arguments.node or "",
     )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.tools.lists.column_roles import NOTE
 from fieldspec.tools.lists.imported import Imported
-from fieldspec.tools.lists.row_reading import PARAMETER
+from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER
 from fieldspec.tools.lists.words import folded
 from fieldspec.tools.lists.yaml_text import exact
 
@@ -20,8 +20,9 @@ _MOST = 20
 def lines(name: str, result: Imported, noted: Sequence[int]) -> Iterator[str]:
     """The whole report. `name` is that of the file that was written, `noted` are the rows with notes in it."""
     used = len(result.used_rows())
-    number = len(result.registers)
-    noun = "parameter" if all(entry.kind == PARAMETER for entry in result.registers) else "register"
+    kinds = {entry.kind for entry in result.registers}
+    noun = "message" if MESSAGE in kinds else "parameter" if kinds == {PARAMETER} else "register"
+    number = sum(entry.kind == MESSAGE for entry in result.registers) or len(result.registers)
     registers = f"1 {noun}" if number == 1 else f"{number} {noun}s"
     yield f"{name}: {registers}, addresses read as {result.base}"
     yield from _columns(result)

@@ -14,7 +14,7 @@ from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.item import REGISTERS, Item
 from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.row_reading import REGISTER, ListRow
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.words import folded
 from fieldspec.tools.lists.yaml_text import exact
@@ -141,6 +141,8 @@ class _Known:
         space_name = folded(row.texts.get("space", ""))
         if space_name in self.spaces:
             return self.spaces[space_name]
+        if row.kind != REGISTER:
+            return row.space
         return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
 
     def at(self, row: ListRow) -> Sequence[Item]:
@@ -209,6 +211,9 @@ def _paired(
         if row.bits is not None and (holder := next((candidate for candidate in candidates if candidate.bits), None)):
             covered[id(holder)].add(0)
             pairs.append(Pair(holder, row, tuple(_bit_differences(holder, row)) if "bits" in aspects else ()))
+            continue
+        if row.subindices is not None and candidates:
+            extras.append(Extra(row, f"an element of {candidates[0].name}, of which such a list has none"))
             continue
         if not candidates:
             holder = known.inside.get((known.space(row), row.address))

@@ -9,8 +9,9 @@ from fieldspec.tools.lists.addresses import REFERENCE
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.entries import SPACES, Entry, entries
 from fieldspec.tools.lists.listing import Listing, moved
+from fieldspec.tools.lists.message_entries import message_entries
 from fieldspec.tools.lists.numbering import chosen
-from fieldspec.tools.lists.row_reading import PARAMETER, ListRow
+from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.sheet import ListError, Sheet
 
@@ -92,6 +93,8 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
 def _entered(result: Imported) -> Imported:
     """The result with its registers, and what of the list is none."""
     registers, contradicting = entries(result.rows, result.reasons)
+    messages = [row for row in result.rows if row.kind in (MESSAGE, SIGNAL)]
+    registers += message_entries(messages, result.reasons, contradicting)
     if not registers:
         refusals: Sequence[Refusal] = [*result.refused_cells, *contradicting]
         raise ListError(f"has no row that can be a register: {refusals[0].text()}")

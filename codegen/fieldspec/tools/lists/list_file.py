@@ -27,11 +27,11 @@ def file_list(
 ) -> tuple[Sheet, Listing]:
     """The rows of a file, and the list in them. Its content, not its name, decides what it is. Raises ListError."""
     is_text = not content.startswith(MAGIC) and not sheet_name
-    formatted = formatted_list(decoded(content, encoding)) if is_text else None
+    formatted = formatted_list(decoded(content, encoding), options.node) if is_text else None
     if formatted is None:
         sheet = content_sheet(content, encoding, sheet_name)
         return sheet, listing(sheet, names, options)
-    idle = [*names, *(key for key in attributes(Options) if getattr(options, key))]
+    idle = [*names, *(key for key in attributes(Options) if key != "node" and getattr(options, key))]
     if idle:
         raise ListError(f"says that itself, so --{idle[0]} has no effect; leave it out")
     return formatted

@@ -8,12 +8,13 @@ from fractions import Fraction
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.checks.finding import longest_ascent
 from fieldspec.language.model.encoding import is_count, is_truth
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.entries import Bit, Entry
 from fieldspec.tools.lists.naming import fresh, snake
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.row_reading import SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.yaml_text import exact, quoted
 
@@ -44,7 +45,8 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     text = entry.row.texts.get("values", "")
     doubt = (f"Values in the list: {text}.",) if text else ()
     own_type = entry.shape.type
-    unsigned = own_type if entry.row.is_own and own_type.startswith("u") else _UNSIGNED.get(entry.shape.words, "")
+    is_stated = (entry.row.is_own or entry.kind == SIGNAL) and own_type.startswith("u")
+    unsigned = own_type if is_stated else _UNSIGNED.get(entry.shape.words, "")
     kind = PRIMITIVES[own_type]
     if bits:
         doubts = doubt if members or (meanings.bits and entry.bits) else ()
@@ -127,7 +129,9 @@ def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str
     names: set[str] = set()
     parts: list[str] = []
     lines: list[str] = []
-    for bit in sorted(bits, key=lambda bit: bit.low):
+    ordered = sorted(bits, key=lambda bit: bit.low)
+    ascending = longest_ascent([bit.row.row if bit.row is not None else 0 for bit in ordered])
+    for place, bit in enumerate(ordered):
         texts = [bit.name] if bit.row is None else list(bit.row.names)
         name = fresh(next(filter(None, map(snake, texts)), "") or f"bit_{bit.low}", str(bit.low), names)
         number = f"bit: {bit.low}" if bit.low == bit.high else f'bits: "{bit.low}..{bit.high}"'
@@ -144,6 +148,7 @@ def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str
                     lines += [line] if line else []
                     facts += f", enum: {quoted(enum_name)}"
             facts += f", source: 1 L{bit.row.row}"
+            facts += "" if place in ascending else ", allow: {sources_ascending: The list has it so.}"
             if doubts:
                 facts += f", notes: [{', '.join(map(quoted, doubts))}]"
         parts.append(f"{{{number}, name: {quoted(name)}{_printed(texts[0] if texts else '', name)}{facts}}}")

@@ -22,12 +22,37 @@ from fieldspec.tools.lists.words import folded, meaning
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
 
-REGISTER, FIELD, PARAMETER = "register", "field", "parameter"
-"""What a row is: exports and files of some formats have fields of tables and parameters too."""
+REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
+"""What a row is: exports and files of some formats have fields of tables, parameters, and messages with signals too."""
 
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _ASIDE = re.compile(r"[\[(]([^()\[\]]+)[\])]\s*$")
+
+
+@dataclass(frozen=True, slots=True)
+class SignalPlace:
+    """Where a signal is in the data of a message, or those data.
+
+    Bits are counted from the most significant one of the first byte where `order` is `big`, else from the least
+    significant one. `is_wide` says that the identifier of a message has 29 bits, `direction` who sends it.
+    """
+
+    first: int
+    size: int
+    order: str
+    is_wide: bool = False
+    direction: str = ""
+
+    @property
+    def first_byte(self) -> int:
+        """The byte with the first bit."""
+        return self.first // 8
+
+    @property
+    def last_byte(self) -> int:
+        """The byte with the last bit."""
+        return (self.first + self.size - 1) // 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +63,8 @@ class ListRow:
     not be understood or contradicts something. `words` is the size that the list states, `gap` the distance to the next
     address. `special` are states that an export has apart from other values, `scale_text` is its scale as written.
     `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
-    the row is, `subindices` the first and the last one of elements of the parameter at the address.
+    the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
+    signal in its message.
     """
 
     row: int
@@ -56,6 +82,7 @@ class ListRow:
     texts: Mapping[str, str] = field(default_factory=dict)
     kind: str = REGISTER
     subindices: tuple[int, int] | None = None
+    place: SignalPlace | None = None
     space: str = ""
     bits: tuple[int, int] | None = None
     scale: Fraction | None = None

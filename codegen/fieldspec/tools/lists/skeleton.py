@@ -16,10 +16,12 @@ from fieldspec.tools.lists.entries import SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.meaning_text import count_of, meant
+from fieldspec.tools.lists.message_entries import place_of
+from fieldspec.tools.lists.message_parts import links, messages
 from fieldspec.tools.lists.naming import fresh, named
 from fieldspec.tools.lists.own_parts import parameters, spaces, tables
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import FIELD, PARAMETER, REGISTER, ListRow
+from fieldspec.tools.lists.row_reading import FIELD, MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.yaml_text import commented, exact, quoted
 
@@ -120,6 +122,7 @@ class _Writer:
         for section, used_lines in uses.items():
             if used_lines and section not in ("enums", "flags", "records"):
                 lines += [(f"{section}:", 0), *((line, 0) for line in used_lines)]
+        lines += links(self._registers)
         if not uses and any(entry.row.is_own for entry in self._registers):
             lines += [(line, 0) for line in spaces(self._registers)]
         lines += self._units()
@@ -141,6 +144,7 @@ class _Writer:
         lines += [("registers:", 0)] if any(groups.values()) else []
         for space, places in groups.items():
             lines += self._group(space, places) if places else []
+        lines += messages(self._registers, self._fact)
         return [*lines, *parameters(self._registers, self._fact, self._protocol_names)]
 
     def _units(self) -> Iterator[tuple[str, int]]:
@@ -203,7 +207,7 @@ class _Writer:
         parts += meaning.keys
         allowed = list(self._allowed.get(row.row, ()))
         if entry.is_own:
-            parts += _words(row, name, self._labels if row.subindices is None else set(), allowed)
+            parts += _words(row, name, self._labels if entry.kind in (REGISTER, FIELD) else set(), allowed)
         if allowed:
             parts.append("allow: {" + ", ".join(f"{rule}: {_HAS_IT_SO}" for rule in dict.fromkeys(allowed)) + "}")
         if inferred:
@@ -211,7 +215,7 @@ class _Writer:
         if doubts:
             self.noted.add(row.row)
             parts.append(f"notes: [{', '.join(map(quoted, doubts))}]")
-        parts += [f"source: {'1 ' if entry.kind == PARAMETER else ''}L{row.row}", "unverified: true"]
+        parts += [f"source: {'' if entry.kind in (REGISTER, FIELD) else '1 '}L{row.row}", "unverified: true"]
         return ", ".join(parts)
 
 
@@ -227,6 +231,10 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
             index = f"{first}" if first == last else f"{first}..{last}"
             return [f"index: {index}", f"name: {quoted(name)}", f"type: {type_name}", *elements[1:]]
         return [f"number: {row.address}", f"name: {quoted(name)}", f"type: {type_name}", *elements]
+    if entry.kind == MESSAGE:
+        return [f"name: {quoted(name)}"]
+    if entry.kind == SIGNAL:
+        return [f"name: {quoted(name)}", f"type: {type_name}"]
     if entry.kind == FIELD:
         length = [] if is_sized else [f"length: {row.texts.get('bytes') or own_shape.words * 2}"]
         length += ["reserved: true"] if row.const is not None else []
@@ -256,7 +264,7 @@ def _number(entry: Entry) -> tuple[int, int | None]:
 
 def _namespace(entry: Entry) -> str:
     """What a name has to be the only one in: elements of a parameter have names of their own."""
-    if entry.row.subindices is not None:
+    if entry.row.subindices is not None or entry.kind == SIGNAL:
         return f"{entry.space} {entry.row.address}"
     return entry.space if entry.row.is_own else ""
 
@@ -264,6 +272,8 @@ def _namespace(entry: Entry) -> str:
 def _name(entry: Entry) -> str:
     if entry.kind == FIELD:
         return entry.row.texts["name"]
+    if entry.kind == SIGNAL and not entry.is_own:
+        return f"word_{place_of(entry.row).first_byte}"
     return named(entry.row.names if entry.is_own else (), entry.row.address)
 
 

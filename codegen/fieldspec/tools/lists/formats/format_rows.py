@@ -93,7 +93,7 @@ class FormatRows:
 
     def _notes(self, item: _Item) -> list[str]:
         noted = ((key, clean(item.cells.get(key, ""))) for key in self.notes)
-        return [f"{key} in the list: {text[:_LONGEST_NOTE]}." for key, text in noted if text]
+        return [f"{key} in the list: {text[:_LONGEST_NOTE].rstrip('.')}." for key, text in noted if text]
 
 
 def decimal(text: str) -> Decimal | None:
