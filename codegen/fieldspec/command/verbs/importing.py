@@ -101,7 +101,10 @@ def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result:
         refused: dict[int, str] = {}
         for finding in wrong:
             row = spec.rows.get(finding.span.position()[0], 0)
-            if row and finding.code in _ABOUT_TEXTS:
+            idle = [rule for rule in allowed.get(row, ()) if f"`{rule}`" in finding.message]
+            if idle and finding.code == "allowances_used":
+                allowed[row] = [rule for rule in allowed[row] if rule not in idle]
+            elif row and finding.code in _ABOUT_TEXTS:
                 allowed.setdefault(row, []).append(finding.code)
             elif row:
                 refused.setdefault(row, f"would break {finding.code}: {finding.message}")

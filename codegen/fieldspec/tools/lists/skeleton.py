@@ -99,7 +99,7 @@ class _Writer:
         self._registers = registers = [_widened(entry, surroundings.names) for entry in registers]
         self._allowed = surroundings.allowed or {}
         known = self._protocol_names = surroundings.names
-        self._labels: set[str] = set()
+        self._labels: dict[str, set[str]] = defaultdict(set)
         self.noted: set[int] = set()
         used: dict[str, set[str]] = defaultdict(set)
         self._names = [
@@ -207,7 +207,7 @@ class _Writer:
         parts += meaning.keys
         allowed = list(self._allowed.get(row.row, ()))
         if entry.is_own:
-            parts += _words(row, name, self._labels if entry.kind in (REGISTER, FIELD) else set(), allowed)
+            parts += _words(row, name, self._labels[_list_of(entry)], allowed)
         if allowed:
             parts.append("allow: {" + ", ".join(f"{rule}: {_HAS_IT_SO}" for rule in dict.fromkeys(allowed)) + "}")
         if inferred:
@@ -267,6 +267,13 @@ def _namespace(entry: Entry) -> str:
     if entry.row.subindices is not None or entry.kind == SIGNAL:
         return f"{entry.space} {entry.row.address}"
     return entry.space if entry.row.is_own else ""
+
+
+def _list_of(entry: Entry) -> str:
+    """The list that an entry is in, of which no two have the same label."""
+    if entry.kind == FIELD:
+        return entry.row.texts["name"].rpartition(".")[0]
+    return entry.kind if entry.row.subindices is None and entry.kind != SIGNAL else _namespace(entry)
 
 
 def _name(entry: Entry) -> str:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from fieldspec.tools.lists.formats import can_database, esphome, object_dictionary, solarman
+from fieldspec.tools.lists.formats import can_database, esphome, object_dictionary, solarman, sunspec_model
 from fieldspec.tools.lists.formats.yaml_items import tree
 from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.sheet import ListError, Sheet
@@ -40,6 +40,7 @@ def _without_nodes(node: str) -> None:
 _SIGNS: tuple[tuple[re.Pattern[str], Reader], ...] = (
     (object_dictionary.SIGNS, _object_dictionary),
     (can_database.SIGNS, can_database.can_database),
+    (sunspec_model.SIGNS, sunspec_model.sunspec_model),
     (_YAML, _yaml),
 )
 
