@@ -31,4 +31,4 @@ def refuse_known_format(text: str) -> None:
     lines = [line for line in head.splitlines() if line.strip() and not line.lstrip().startswith(("#", "---"))][:2]
     is_pair = len(lines) == 2 and all(_KEY.match(line) and not re.search(r"[,;\t|]", line) for line in lines)
     if lines and (is_pair or _SECTION.match(lines[0])):
-        raise ListError(f"is YAML, {_REFUSED}")
+        raise ListError(f"is YAML of no program that is known, {_REFUSED}")

@@ -96,8 +96,8 @@ def _node(messages: list[Any], node: str, rows: FormatRows) -> str:
     if node or not senders:
         return node
     own_node: str
-    (own_node, count), *others = sorted(senders.items(), key=lambda pair: (-pair[1], pair[0]))
-    if others and others[0][1] == count:
+    (own_node, count), *further = sorted(senders.items(), key=lambda pair: (-pair[1], pair[0]))
+    if further and further[0][1] == count:
         raise ListError(f"has nodes that send as many messages ({', '.join(known)}); choose one with --node")
     if len(known) > 1:
         evidence = f"it sends {count} messages, more than any other node"
