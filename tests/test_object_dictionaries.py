@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import re
 import sys
 import time
@@ -254,6 +255,28 @@ def test_without_the_library_the_refusal_names_the_extra(run: CommandLine, monke
     ran = run("import", "-", "--to", "motor.yaml", stdin=SHEET.encode())
     assert (ran.code, ran.err.count("\n")) == (2, 1)
     assert "pip install 'fieldspec[lists]'" in ran.err
+
+
+def test_an_import_agrees_with_its_own_sheet(run: CommandLine) -> None:
+    taken = "\n[".join(part for part in SHEET.split("\n[") if part[:4] not in REFUSED).replace("2=0x7000\n", "")
+    taken += "[DeviceComissioning]\nNodeID=5\n"
+    assert "not used: row" not in import_text(run, taken)
+    ran = run("compare", "motor", "-", stdin=taken.encode())
+    assert (ran.code, ran.err) == (0, "")
+
+
+def test_an_export_has_the_elements_of_objects(run: CommandLine) -> None:
+    import_text(run, SHEET)
+    rows = json.loads(run("export", "motor", "--to", "json").out)
+    elements = {(row["address"], row["subindex"]): row for row in rows if row["subindex"]}
+    names = {place: row["name"] for place, row in elements.items() if place[0] == 0x607D}
+    assert names == {
+        (0x607D, "0"): "position_limits.highest_subindex",
+        (0x607D, "1"): "position_limits.lowest",
+        (0x607D, "2"): "position_limits.highest",
+    }
+    assert (elements[0x607D, "1"]["default"], elements[0x607D, "1"]["type"]) == (-256, "i32")
+    assert elements[0x1003, "1..4"]["type"] == "u32"
 
 
 @pytest.mark.parametrize(

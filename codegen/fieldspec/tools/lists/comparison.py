@@ -146,8 +146,9 @@ class _Known:
         return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
 
     def at(self, row: ListRow) -> Sequence[Item]:
-        """The items that begin at the address of a row."""
-        return self.starts.get((self.space(row), row.address), ())
+        """The items that begin at the address of a row, with its subindices."""
+        candidates = self.starts.get((self.space(row), row.address), ())
+        return [item for item in candidates if item.subindices == row.subindices]
 
 
 def compared(
@@ -211,9 +212,6 @@ def _paired(
         if row.bits is not None and (holder := next((candidate for candidate in candidates if candidate.bits), None)):
             covered[id(holder)].add(0)
             pairs.append(Pair(holder, row, tuple(_bit_differences(holder, row)) if "bits" in aspects else ()))
-            continue
-        if row.subindices is not None and candidates:
-            extras.append(Extra(row, f"an element of {candidates[0].name}, of which such a list has none"))
             continue
         if not candidates:
             holder = known.inside.get((known.space(row), row.address))
@@ -338,6 +336,7 @@ def _unread(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Diff
             and ("min" if role == "range" else role) in aspects
             and not is_read(row)
             and not _is_own_scale(item, text)
+            and not (item.value is not None and item.value.default == text)
         ):
             yield Difference(role, "", f"{text} (not read)")
 

@@ -13,8 +13,8 @@ _FORMATS = (
         r"\A\s*\[(?:FileInfo|DeviceInfo|DeviceComissioning|Comments|DummyUsage|MandatoryObjects)\]",
         "an electronic data sheet (EDS or DCF) of a bus with objects",
     ),
-    (r"\A\s*VERSION\s+\"|^\s*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
-    (r"^\s*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
+    (r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
+    (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
     (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
 )
 _KEY = re.compile(r"[A-Za-z_]\w*:(?: |$)")

@@ -27,6 +27,7 @@ REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", 
 
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
+_LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
 _ASIDE = re.compile(r"[\[(]([^()\[\]]+)[\])]\s*$")
 
 
@@ -118,6 +119,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     low, high, meanings = _bounds(texts, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
     quantity = _quantity(row, decimal, doubts)
+    doubts += [f"Subindex in the list: {texts['subindex']}."] if texts.get("subindex") else []
     count = whole(texts.get("count", "")) or 1
     return ListRow(
         row=row.row,
@@ -161,7 +163,9 @@ def exported_row(row: ListRow) -> ListRow:
     is_parameter = row.length is None and row.texts.get("type") != BIT and row.space not in ("", REGISTERS)
     kind = PARAMETER if is_parameter else FIELD if "." in row.texts.get("name", "") else REGISTER
     own_type = Typed(row.texts["type"]) if row.texts.get("type") in PRIMITIVES else None
-    row = replace(row, type=own_type, kind=kind, words=row.length, is_own=True)
+    subindices = _bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
+    row = replace(row, doubts=tuple(doubt for doubt in row.doubts if not doubt.startswith("Subindex")))
+    row = replace(row, type=own_type, kind=kind, words=row.length, is_own=True, subindices=subindices)
     return replace(row, scale=scale, scale_text=own_text, special=special)
 
 
@@ -230,9 +234,9 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     return stated
 
 
-def _bits(text: str) -> tuple[int, int] | None:
-    numbers = [int(digits) for digits in re.findall(r"[0-9]{1,2}", text)]
-    if not numbers or len(numbers) > 2 or max(numbers) > 63:
+def _bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
+    numbers = [int(digits) for digits in re.findall(r"[0-9]{1,3}", text)]
+    if not numbers or len(numbers) > 2 or max(numbers) > highest:
         return None
     return min(numbers), max(numbers)
 

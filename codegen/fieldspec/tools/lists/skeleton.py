@@ -279,6 +279,8 @@ def _list_of(entry: Entry) -> str:
 def _name(entry: Entry) -> str:
     if entry.kind == FIELD:
         return entry.row.texts["name"]
+    if entry.row.is_own and entry.row.subindices is not None:
+        return entry.row.texts["name"].rpartition(".")[2]
     if entry.kind == SIGNAL and not entry.is_own:
         return f"word_{place_of(entry.row).first_byte}"
     return named(entry.row.names if entry.is_own else (), entry.row.address)
@@ -364,7 +366,8 @@ def _whole(number: Decimal | None) -> int | None:
 def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Iterator[str]:
     """The printed name and the label of a register; two equal ones and broken ones are added to what is `allowed`."""
     texts = row.texts
-    printed = texts.get("printed_name", "") or (row.names[0] if row.names else "")
+    is_own_element = row.is_own and row.subindices is not None
+    printed = texts.get("printed_name", "") or (row.names[0] if row.names and not is_own_element else "")
     label = texts.get("label", "")
     if printed == label and "printed_name" not in texts and "name" not in texts:
         printed = ""

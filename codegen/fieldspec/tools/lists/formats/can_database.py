@@ -20,7 +20,7 @@ from fieldspec.tools.lists.sheet import CellError, ListError, Sheet
 from fieldspec.tools.lists.type_words import Typed
 from fieldspec.tools.lists.value_texts import Meanings
 
-SIGNS = re.compile(r"\A\s*VERSION\s+\"|^\s*BO_\s+[0-9]+\s+\w+\s*:", re.MULTILINE)
+SIGNS = re.compile(r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", re.MULTILINE)
 """What such a file has."""
 
 MESSAGES = "messages"
@@ -30,6 +30,7 @@ _NOBODY = "Vector__XXX"
 _INDEPENDENT = "VECTOR__INDEPENDENT_SIG_MSG"
 _LINE = re.compile(r"\s*(?:BO_\s+(?P<identifier>[0-9]+)\s|SG_\s+(?P<signal>\w+)[\s:])")
 _EXTENDED = 1 << 31
+_LONGEST = 8 << 20
 _REALS = {16: "f16", 32: "f32", 64: "f64"}
 
 _ROLES = {
@@ -61,6 +62,8 @@ def can_database(text: str, node: str = "") -> tuple[Sheet, Listing]:
         raise ListError(
             "is a database of CAN messages (DBC), which needs more packages: pip install 'fieldspec[lists]'"
         ) from None
+    if len(text) > _LONGEST:
+        raise ListError(f"has more than {_LONGEST >> 20} MiB; a database of CAN messages is smaller")
     try:
         database: Any = cantools.database.load_string(text, "dbc", strict=False)
     except Exception as error:  # the library raises what it stumbles over: ParseError, KeyError, ValueError

@@ -22,14 +22,14 @@ from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.formats.format_rows import FormatRows, decimal
 from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.row_reading import PARAMETER, ListRow
-from fieldspec.tools.lists.sheet import ListError, Sheet
+from fieldspec.tools.lists.sheet import MOST_ROWS, ListError, Sheet
 from fieldspec.tools.lists.type_words import Typed
 
 OBJECTS = "objects"
 """The space of the numbers of objects."""
 
 SIGNS = re.compile(
-    r"^\s*\[(?:FileInfo|DeviceInfo|DeviceComissioning|DeviceCommissioning|DummyUsage|MandatoryObjects)\]",
+    r"^[ \t]*\[(?:FileInfo|DeviceInfo|DeviceComissioning|DeviceCommissioning|DummyUsage|MandatoryObjects)\]",
     re.IGNORECASE | re.MULTILINE,
 )
 """What such a file begins with, behind comments."""
@@ -66,7 +66,6 @@ _TIME_BYTES = 6
 _TEXT_BYTES = 64
 _LAST_SUBINDEX = 0xFE
 _SECTION = re.compile(r"\s*\[([^\]]*)\]")
-_PAIR = re.compile(r"\s*([^=;\[\s][^=]*?)\s*=\s*(.*?)\s*")
 _OBJECT = re.compile(r"([0-9A-Fa-f]{4})(?:sub([0-9A-Fa-f]{1,2}))?", re.IGNORECASE)
 _NAMES = re.compile(r"([0-9A-Fa-f]{4})Name", re.IGNORECASE)
 _LISTS = re.compile(r"(?:Mandatory|Optional|Manufacturer)Objects", re.IGNORECASE)
@@ -121,6 +120,8 @@ def object_dictionary(text: str) -> tuple[Sheet, Listing]:
         ) from None
     rows = FormatRows(_ROLES, _NOTES)
     sections = list(_sections(text))
+    if len(sections) > MOST_ROWS:
+        raise ListError(f"has more than {MOST_ROWS} sections; a data sheet has fewer")
     node = next((decimal(part.pairs.get("NodeID", "")) for part in sections if part.name in _NODE), None)
     groups: dict[int, list[_Section]] = {}
     types = {part.name.casefold(): part for part in sections}
@@ -151,9 +152,10 @@ def _sections(text: str) -> Iterator[_Section]:
             if section is not None:
                 yield section
             section = _Section(number, heading[1].strip())
-        elif section is not None and (pair := _PAIR.fullmatch(line.partition(" ;")[0])):
-            section.pairs.setdefault(pair[1], pair[2])
-            section.lines.setdefault(pair[1], number)
+        elif section is not None and "=" in line and not line.lstrip().startswith(";"):
+            key, _, text = (part.strip() for part in line.partition(" ;")[0].partition("="))
+            section.pairs.setdefault(key, text)
+            section.lines.setdefault(key, number)
     if section is not None:
         yield section
 

@@ -15,7 +15,9 @@ Reader: TypeAlias = Callable[[str, str], tuple[Sheet, Listing] | None]
 """What reads a text, as a node has it that the user names; None if it is of another format after all."""
 
 _LOOKED_AT = 1 << 16
-_YAML = re.compile(r"^parameters\s*:|^[\s-]*platform\s*:\s*\w+_controller\b|^[\s-]*server_registers\s*:", re.MULTILINE)
+_YAML = re.compile(
+    r"^parameters\s*:|^[ \t-]*platform\s*:\s*\w+_controller\b|^[ \t-]*server_registers\s*:", re.MULTILINE
+)
 
 
 def _yaml(text: str, node: str) -> tuple[Sheet, Listing] | None:
