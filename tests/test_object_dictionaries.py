@@ -212,6 +212,7 @@ def test_what_is_not_taken_is_named_with_its_line(run: CommandLine) -> None:
     assert {
         row: next(reason for reason in REFUSED.values() if reason in text) for row, text in refused.items()
     } == expected
+    assert "read as an electronic data sheet (EDS or DCF)" in report
     assert "columns not used: PDOMapping" in report
     assert "assumed: texts: up to 64 bytes" in report
 

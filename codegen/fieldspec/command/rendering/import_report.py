@@ -70,6 +70,8 @@ def preview(result: Imported, number: int) -> Iterator[str]:
 
 
 def _columns(result: Imported) -> Iterator[str]:
+    if result.sheet.format:
+        yield f"read as {result.sheet.format}"
     columns = result.listing.columns
     used_columns = [(role, columns.heading(role)) for role in columns.places if role not in (NOTE, *_IDLE)]
     used_columns += [

@@ -69,7 +69,7 @@ def can_database(text: str, node: str = "") -> tuple[Sheet, Listing]:
     except Exception as error:  # the library raises what it stumbles over: ParseError, KeyError, ValueError
         raise ListError(f"is no database of CAN messages: {' '.join(str(error).split())[:300]}") from None
     lines = _lines(text)
-    rows = FormatRows(_ROLES, _NOTES)
+    rows = FormatRows("a database of CAN messages (DBC)", _ROLES, _NOTES)
     own_node = _node(database.messages, node, rows)
     for message in database.messages:
         if message.name != _INDEPENDENT:

@@ -71,7 +71,7 @@ def is_configuration(node: Node) -> bool:
 def configuration(node: Node, lines: int) -> tuple[Sheet, Listing]:
     """The list of a configuration. Raises ListError."""
     assert isinstance(node, Mapping)
-    rows = FormatRows(_ROLES, _NOTES)
+    rows = FormatRows("a configuration of ESPHome", _ROLES, _NOTES)
     earlier: dict[tuple[object, ...], int] = {}
     for entity, item in _entities(node):
         line, cells = line_of(item), {**cells_of(item), "entity": entity}

@@ -32,8 +32,12 @@ class _Item:
 
 @dataclass(slots=True)
 class FormatRows:
-    """The objects of a file in its order. `roles` are what its keys say, `notes` the keys that are kept as notes."""
+    """The objects of a file of a format, in its order.
 
+    `roles` are what its keys say, `notes` the keys that are kept as notes.
+    """
+
+    format: str
     roles: Mapping[str, str]
     notes: Collection[str] = ()
     assumptions: list[Assumption] = field(default_factory=list)
@@ -79,7 +83,7 @@ class FormatRows:
         noted = tuple(heads.index(key) for key in self.notes if key in heads)
         columns = Columns({"address": 0, **roles}, heads, tuple(rows), {NOTE: noted})
         last = max(lines, rows[-1].number)
-        return Sheet(tuple(rows), last), Listing(
+        return Sheet(tuple(rows), last, format=self.format), Listing(
             columns,
             Placed(tuple(places), (), ()),
             tuple(read),

@@ -118,7 +118,7 @@ def object_dictionary(text: str) -> tuple[Sheet, Listing]:
         raise ListError(
             "is an electronic data sheet (EDS or DCF), which needs more packages: pip install 'fieldspec[lists]'"
         ) from None
-    rows = FormatRows(_ROLES, _NOTES)
+    rows = FormatRows("an electronic data sheet (EDS or DCF)", _ROLES, _NOTES)
     sections = list(_sections(text))
     if len(sections) > MOST_ROWS:
         raise ListError(f"has more than {MOST_ROWS} sections; a data sheet has fewer")

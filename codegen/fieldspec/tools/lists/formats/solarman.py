@@ -70,7 +70,7 @@ def is_definition(node: Node) -> bool:
 def definition(node: Node, lines: int) -> tuple[Sheet, Listing]:
     """The list of a definition. Raises ListError."""
     assert isinstance(node, Mapping)
-    rows = FormatRows(_ROLES, _NOTES)
+    rows = FormatRows("a definition of an inverter for Solarman", _ROLES, _NOTES)
     rows.assumptions.append(
         Assumption("order of words", "the first register has the lowest word", "what reads these files has it so")
     )

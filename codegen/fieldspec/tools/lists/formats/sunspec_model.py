@@ -94,7 +94,7 @@ def sunspec_model(text: str, node: str = "") -> tuple[Sheet, Listing] | None:
         return None
     if node:
         raise ListError("has no nodes, so --node has no effect; leave it out")
-    rows = FormatRows(_ROLES, _NOTES)
+    rows = FormatRows("a model of SunSpec", _ROLES, _NOTES)
     reading = "counted from the first register of the model"
     rows.assumptions.append(Assumption("addresses", reading, "a model does not say where a device has it", "--offset"))
     model = _Model(rows)
