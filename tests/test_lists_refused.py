@@ -17,9 +17,9 @@ from openpyxl.utils import get_column_letter
 
 from command_line import SPECS, CommandLine
 from example_counts import examples
-from fieldspec.command.files.list_files import sheet
 from fieldspec.tools.lists import json_text, text_sheet, workbook_size
 from fieldspec.tools.lists import sheet as limits
+from fieldspec.tools.lists.list_file import content_sheet
 from fieldspec.tools.lists.listing import listing
 from fieldspec.tools.lists.sheet import ListError
 
@@ -165,7 +165,7 @@ def test_too_many_rows_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workbook_size, "MOST_ROWS", 2)
     for content in (b"Address\n1\n2\n3\n", book(lambda _workbook: None)):
         with pytest.raises(ListError, match="has more than 2 rows"):
-            sheet(content, "", "")
+            content_sheet(content)
 
 
 WHOLE = book(lambda _workbook: None)
@@ -176,7 +176,7 @@ PARTS = sorted(zipfile.ZipFile(io.BytesIO(WHOLE)).namelist())
 def read_or_refused(content: bytes) -> None:
     with warnings.catch_warnings(), suppress(ListError):
         warnings.simplefilter("error")  # they would be printed with the place of a library
-        sheet(content, "", "")
+        content_sheet(content)
 
 
 @examples(400)
@@ -226,7 +226,7 @@ def test_every_verb_refuses_a_damaged_workbook_in_a_line(
 def test_a_workbook_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workbook_size, "_MOST_UNPACKED", 1000)
     with pytest.raises(ListError, match="unpacks to more"):
-        sheet(book(lambda _workbook: None), "", "")
+        content_sheet(book(lambda _workbook: None))
 
 
 @pytest.mark.parametrize(("most", "is_taken"), [(5, True), (4, False)])
@@ -289,7 +289,7 @@ LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).ma
 @examples(300)
 def test_any_bytes_are_a_list_or_are_refused(content: bytes) -> None:
     try:
-        register_list = listing(sheet(content, "", ""), {})
+        register_list = listing(content_sheet(content), {})
     except ListError:
         return
     assert all(row.address >= 0 for base in register_list.bases for row in register_list.rows(base))

@@ -14,6 +14,10 @@ import pytest
 import yaml
 
 from command_line import CommandLine
+from fieldspec.tools.lists.assumption import STATED_NOTHING
+from fieldspec.tools.lists.column_roles import NOTE
+from fieldspec.tools.lists.imported import imported
+from fieldspec.tools.lists.list_file import file_list
 
 FOLDER = Path(__file__).parent / "register_lists"
 CASES = {
@@ -84,3 +88,23 @@ def test_a_list_gives_what_it_says_and_names_the_rest(case: dict[str, Any], run:
 def test_every_name_of_a_case_is_told_apart() -> None:
     texts = [path.read_text("utf-8") for path in FOLDER.glob("*.yaml")]
     assert len(CASES) == sum(len(re.findall("^- name: ", text, re.MULTILINE)) for text in texts)
+
+
+def test_most_rows_and_columns_of_the_lists_are_used() -> None:
+    # That what is used is right, each list of these shows above; here nothing is counted that only became a note.
+    columns_used = columns_all = rows_used = rows_all = 0
+    for case in CASES.values():
+        if "refusal" in case or "options" in case:
+            continue
+        sheet, read = file_list(content(case), "", "", {}, STATED_NOTHING)
+        result = imported(read, sheet, 0)
+        noted = len(read.columns.more.get(NOTE, ())) + (NOTE in read.columns.places)
+        used = {*read.columns.places.values(), *(n for columns in read.columns.more.values() for n in columns)}
+        columns_used += len(used) - noted
+        columns_all += len(used) + len(read.columns.unused())
+        rows_used += len(result.used_rows())
+        rows_all += len(result.used_rows() | {refusal.row for refusal in result.refused} | {*result.skipped})
+    assert columns_all > 250
+    assert rows_all > 250
+    assert columns_used >= 0.8 * columns_all
+    assert rows_used >= 0.95 * rows_all

@@ -165,12 +165,13 @@ def _parser() -> argparse.ArgumentParser:
         inner.add_argument("--length", choices=("words", "bytes", "bits"), help="what lengths count")
         orders = "the order of the bytes of two words, where the list does not say it"
         inner.add_argument("--order", choices=("ABCD", "CDAB", "BADC", "DCBA"), help=orders)
+        inner.add_argument("--node", metavar="NAME", help="the node that the device is, of a database of messages")
         higher = "the difference between addresses in the list and on the wire: 1 if the list counts from 1"
         inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
 
     compare = verb("compare", "compare a device with a register list from another source", compiled=True)
     compare.add_argument("device", metavar="DEVICE[@VERSION]")
-    kinds = "CSV, XLSX, JSON, or a table separated by tabs or bars (-: standard input)"
+    kinds = "CSV, XLSX, JSON, EDS, DBC, YAML, or a table separated by tabs or bars (-: standard input)"
     compare.add_argument("file", metavar="FILE", help=kinds)
     list_options(compare)
     compare.add_argument("--ignore", metavar="WHAT,...", help="what not to compare, such as name or unit")

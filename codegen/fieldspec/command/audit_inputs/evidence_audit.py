@@ -21,6 +21,7 @@ from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.report import Baseline, BaselineError, baseline, evidence_report
 from fieldspec.tools.evidence.unit_evidence import UnitEvidence
 from fieldspec.tools.lists.dump import dump, dump_sheet
+from fieldspec.tools.lists.list_file import content_sheet
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.workbook_reader import MAGIC
 
@@ -148,7 +149,7 @@ def _add_dump(unit: UnitEvidence, observables: Observables, path: Path, source: 
                 add_scan(unit, observables, space, addresses)
             if not data:
                 return
-        sheet = dump_sheet(data) or list_files.sheet(data, "", "")
+        sheet = dump_sheet(data) or content_sheet(data)
         add_dump(unit, observables, compared(observables.layout, dump(sheet, {})), source, moment)
     except ListError as error:
         raise UsageError(f"{path} {error}") from None

@@ -10,10 +10,8 @@ from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import regular_file
 from fieldspec.command.files.regular_file import SizeError
 from fieldspec.tools.lists.assumption import Options
-from fieldspec.tools.lists.sheet import MOST_BYTES, ListError, Sheet
-from fieldspec.tools.lists.text_sheet import text_sheet
+from fieldspec.tools.lists.sheet import MOST_BYTES
 from fieldspec.tools.lists.words import words
-from fieldspec.tools.lists.workbook_reader import MAGIC, workbook_sheet
 
 COLUMNS = ("address", "space", "name", "words", "type", "access")
 """The columns of a register list that have an option of their own; `--column` names those of all roles."""
@@ -41,6 +39,7 @@ def reading_options(arguments: argparse.Namespace) -> Options:
         bounds=arguments.bounds or "",
         length=arguments.length or "",
         order=arguments.order or "",
+        node=arguments.node or "",
     )
 
 
@@ -57,12 +56,3 @@ def content(name: str) -> bytes:
         raise UsageError(f"{name} has more than {MOST_BYTES >> 20} MiB; a list of registers is smaller") from None
     except OSError as error:
         raise UsageError(f"cannot read {name}: {error.strerror}") from None
-
-
-def sheet(data: bytes, encoding: str, sheet_name: str) -> Sheet:
-    """The rows of a list. Its first bytes, not its name, decide whether it is a workbook. Raises ListError."""
-    if data.startswith(MAGIC):
-        return workbook_sheet(data, sheet_name)
-    if sheet_name:
-        raise ListError("is not a workbook, so --sheet has no effect; leave it out")
-    return text_sheet(data, encoding)

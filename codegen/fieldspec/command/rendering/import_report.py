@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.tools.lists.column_roles import NOTE
 from fieldspec.tools.lists.imported import Imported
+from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER
 from fieldspec.tools.lists.words import folded
 from fieldspec.tools.lists.yaml_text import exact
 
@@ -16,19 +17,20 @@ _MOST = 20
 """The most rows of a kind that are printed."""
 
 
-def lines(name: str, result: Imported) -> Iterator[str]:
-    """The whole report. `name` is that of the file that was written."""
+def lines(name: str, result: Imported, noted: Sequence[int]) -> Iterator[str]:
+    """The whole report. `name` is that of the file that was written, `noted` are the rows with notes in it."""
     used = len(result.used_rows())
-    number = len(result.registers)
-    registers = "1 register" if number == 1 else f"{number} registers"
+    kinds = {entry.kind for entry in result.registers}
+    noun = "message" if MESSAGE in kinds else "parameter" if kinds == {PARAMETER} else "register"
+    number = sum(entry.kind == MESSAGE for entry in result.registers) or len(result.registers)
+    registers = f"1 {noun}" if number == 1 else f"{number} {noun}s"
     yield f"{name}: {registers}, addresses read as {result.base}"
     yield from _columns(result)
     total = used + len({refusal.row for refusal in result.refused}) + len(result.skipped)
     share = f"{100 * used // max(total, 1)} %"
     yield f"rows: {used} of {total} used ({share}){_skipped(result.skipped)}"
-    noted = sum(bool(entry.row.doubts or entry.shape.doubts) for entry in result.registers)
     if noted:
-        yield f"rows with cells that are only noted: {noted}; see `notes`"
+        yield f"rows with cells that are only noted: {len(noted)}; see `notes`"
     yield from _limited([f"not used: {refusal.text()}" for refusal in result.refused])
     yield from _limited([f"assumed: {assumption.text()}" for assumption in result.assumptions])
 
@@ -41,13 +43,12 @@ def head(result: Imported, has_frames: bool) -> list[str]:
     return [*frames, *_columns(result), *(f"Assumed: {assumption.text()}" for assumption in result.assumptions)]
 
 
-def lacking(result: Imported) -> str:
+def lacking(result: Imported, noted: Sequence[int]) -> str:
     """What of the list is not used, in a line; empty if all of it is."""
     parts = [refusal.text() for refusal in result.refused[:_MOST]]
     unused = _unused(result)
     if unused:
         parts.append("columns not used: " + ", ".join(unused))
-    noted = [entry.row.row for entry in result.registers if entry.row.doubts or entry.shape.doubts]
     if noted:
         parts.append("cells only noted in rows " + ", ".join(map(str, noted[:_MOST])))
     return "; ".join(parts)
@@ -69,6 +70,8 @@ def preview(result: Imported, number: int) -> Iterator[str]:
 
 
 def _columns(result: Imported) -> Iterator[str]:
+    if result.sheet.format:
+        yield f"read as {result.sheet.format}"
     columns = result.listing.columns
     used_columns = [(role, columns.heading(role)) for role in columns.places if role not in (NOTE, *_IDLE)]
     used_columns += [

@@ -54,6 +54,36 @@ def uses(path: Path, spaces: Collection[str]) -> dict[str, list[str]]:
     return sections
 
 
+def object_uses(path: Path) -> tuple[dict[str, list[str]], dict[tuple[int, int | None], str]]:
+    """The sections of a device that uses a protocol for its objects, and the names of those that every device has.
+
+    Names are by number, and of elements by number and subindex. Raises UsageError.
+    """
+    tree = _tree(path)
+    sections = {"uses": [f"  - {{protocol: {path.stem}}}"]}
+    for section in ("links", "messages", "enums", "flags", "records"):
+        items = list(mappings(tree.values.get(section)))
+        sections[section] = list(_section(section, items, ", unverified: true"))[1:]
+    names: dict[tuple[int, int | None], str] = {}
+    for row in (row for own in mappings(tree.values.get("parameters")) for row in mappings(own.values.get("rows"))):
+        number = int(_key_text(row, "number"), 0)
+        names[number, None] = identity(row) or ""
+        for part in mappings(row.values.get("subindices")):
+            names[number, int(_key_text(part, "index").partition("..")[0], 0)] = identity(part) or ""
+    return sections, names
+
+
+def reads_objects(path: Path) -> bool:
+    """Whether a protocol has a message that reads elements of numbered objects. Raises UsageError."""
+    parts = (
+        field
+        for message in mappings(_tree(path).values.get("messages"))
+        for field in mappings(message.values.get("request"))
+    )
+    accesses = (part.values.get("parameter") for part in parts)
+    return any(isinstance(access, Mapping) and _key_text(access, "part") == "subindex" for access in accesses)
+
+
 def reads_words(path: Path) -> bool:
     """Whether a protocol has a message that reads words at addresses. Raises UsageError."""
     return first_words(path) is not None

@@ -20,6 +20,7 @@ from fieldspec.foundation.source import SourceFile
 from fieldspec.language.diagnostics import Diagnostic, has_errors, in_order
 from fieldspec.tools.audit.register_dump import compared, judged, section
 from fieldspec.tools.lists.dump import dump, dump_sheet
+from fieldspec.tools.lists.list_file import content_sheet
 from fieldspec.tools.lists.sheet import ListError, Sheet
 from fieldspec.tools.lists.text_sheet import decoded
 from fieldspec.tools.lists.workbook_reader import MAGIC
@@ -39,7 +40,7 @@ def register_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> tuple[
     encoding = arguments.encoding or ""
     data = list_files.content(arguments.dump)
     try:
-        sheet = dump_sheet(data, encoding) or list_files.sheet(data, encoding, arguments.sheet or "")
+        sheet = dump_sheet(data, encoding) or content_sheet(data, encoding, arguments.sheet or "")
         dump_rows = dump(sheet, columns, arguments.base or "")
         file, rows = _file(arguments.dump, data, encoding, sheet)
     except ListError as error:

@@ -16,7 +16,7 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.command.rendering import comparison
     from fieldspec.tools.lists.comparison import ASPECTS, compared
     from fieldspec.tools.lists.item import items
-    from fieldspec.tools.lists.listing import listing
+    from fieldspec.tools.lists.list_file import file_list
     from fieldspec.tools.lists.sheet import ListError
 
     ignored = frozenset(filter(None, (arguments.ignore or "").split(",")))
@@ -25,8 +25,8 @@ def run(arguments: argparse.Namespace) -> int:
     layout = layout_cache.requested_layout(arguments)
     columns = list_files.column_options(arguments)
     try:
-        sheet = list_files.sheet(list_files.content(arguments.file), arguments.encoding or "", arguments.sheet or "")
-        register_list = listing(sheet, columns, list_files.reading_options(arguments))
+        data, options = list_files.content(arguments.file), list_files.reading_options(arguments)
+        _, register_list = file_list(data, arguments.encoding or "", arguments.sheet or "", columns, options)
         result = compared(items(layout), register_list, arguments.offset, ignored)
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import hashlib
 import re
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -49,7 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Writes the file, or prints it for `-`. It overwrites no file, and writes none with errors. Raises UsageError."""
     from fieldspec.command.rendering import import_report
     from fieldspec.tools.lists.imported import imported
-    from fieldspec.tools.lists.listing import listing
+    from fieldspec.tools.lists.list_file import file_list
     from fieldspec.tools.lists.sheet import ListError
     from fieldspec.tools.lists.skeleton import Origin
 
@@ -61,14 +60,13 @@ def run(arguments: argparse.Namespace) -> int:
     file = Path(arguments.file).name if arguments.file != "-" else "list.txt"
     columns, options = list_files.column_options(arguments), list_files.reading_options(arguments)
     try:
-        sheet = list_files.sheet(data, arguments.encoding or "", arguments.sheet or "")
-        register_list = listing(sheet, columns, options)
+        sheet, register_list = file_list(data, arguments.encoding or "", arguments.sheet or "", columns, options)
         result = imported(register_list, sheet, arguments.offset or 0)
         origin = Origin(file, hashlib.sha256(data).hexdigest(), max(sheet.lines, 1))
         spec, result = _passing(arguments, device, origin, result)
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None
-    if arguments.strict and (lacking := import_report.lacking(result)):
+    if arguments.strict and (lacking := import_report.lacking(result, spec.noted)):
         raise UsageError(f"{arguments.file} is not taken whole, which --strict demands: {lacking}")
     say = print_note if arguments.to == "-" else print_line
     if arguments.to == "-":
@@ -78,7 +76,7 @@ def run(arguments: argparse.Namespace) -> int:
             specs.bring_schema(path.resolve().parent.parent)
         storage.write(path, spec.text.encode("utf-8"), new=True)
     name = "standard output" if arguments.to == "-" else specs.relative_path(path)
-    for line in import_report.lines(name, result):
+    for line in import_report.lines(name, result, spec.noted):
         say(line)
     if arguments.preview is not None:
         for line in import_report.preview(result, arguments.preview):
@@ -91,10 +89,10 @@ def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result:
     from fieldspec.command.rendering import import_report
     from fieldspec.tools.lists.skeleton import Surroundings, skeleton
 
-    uses = _uses(arguments, result.spaces()) if result.has_usual_spaces() else {}
+    uses, names = _uses(arguments, result)
     allowed: dict[int, list[str]] = {}
     for _ in range(_MOST_ROUNDS):
-        surroundings = Surroundings(import_report.head(result, bool(uses)), uses, allowed)
+        surroundings = Surroundings(import_report.head(result, bool(uses)), uses, names, allowed)
         spec = skeleton(device, origin, result.registers, result.refused, surroundings)
         spec = _with_editor_line(spec)
         wrong = _errors(device, spec.text)
@@ -103,7 +101,10 @@ def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result:
         refused: dict[int, str] = {}
         for finding in wrong:
             row = spec.rows.get(finding.span.position()[0], 0)
-            if row and finding.code in _ABOUT_TEXTS:
+            idle = [rule for rule in allowed.get(row, ()) if f"`{rule}`" in finding.message]
+            if idle and finding.code == "allowances_used":
+                allowed[row] = [rule for rule in allowed[row] if rule not in idle]
+            elif row and finding.code in _ABOUT_TEXTS:
                 allowed.setdefault(row, []).append(finding.code)
             elif row:
                 refused.setdefault(row, f"would break {finding.code}: {finding.message}")
@@ -120,13 +121,17 @@ def _with_editor_line(spec: Spec) -> Spec:
 
     line = specs.editor_line()
     shift = line.count("\n")
-    return Spec(line + spec.text, {number + shift: row for number, row in spec.rows.items()})
+    return Spec(line + spec.text, {number + shift: row for number, row in spec.rows.items()}, spec.noted)
 
 
-def _uses(arguments: argparse.Namespace, spaces: Sequence[str]) -> dict[str, list[str]]:
-    """The sections of the protocol that carries registers: the one that is named, or the only one that reads words."""
-    if arguments.protocol == NO_PROTOCOL:
-        return {}
+def _uses(
+    arguments: argparse.Namespace, result: Imported
+) -> tuple[dict[str, list[str]], dict[tuple[int, int | None], str]]:
+    """The sections of the protocol that carries the list, and its names for objects: the protocol that is named, or the
+    only one that reads what the list has. Lists with spaces of their own have none."""
+    has_objects = result.has_objects()
+    if not (result.has_usual_spaces() or has_objects) or arguments.protocol == NO_PROTOCOL:
+        return {}, {}
     places = {name: Path(path) for name, path in spec_files.installed_protocols().items()}
     folder = (
         spec_files.folder_or_none(arguments.specs)
@@ -137,17 +142,17 @@ def _uses(arguments: argparse.Namespace, spaces: Sequence[str]) -> dict[str, lis
         places |= {path.stem: path for path in (Path(folder) / PROTOCOLS).glob("*.yaml")}
     if arguments.protocol is not None and arguments.protocol not in places:
         raise unknown("protocol", arguments.protocol, [*sorted(places), NO_PROTOCOL])
-    known = (
-        [arguments.protocol]
-        if arguments.protocol
-        else [name for name in sorted(places) if protocol_entries.reads_words(places[name])]
-    )
+    reads = protocol_entries.reads_objects if has_objects else protocol_entries.reads_words
+    known = [arguments.protocol] if arguments.protocol else [name for name in sorted(places) if reads(places[name])]
     if len(known) != 1:
         names = ", ".join(known) or "none"
+        read = "objects" if has_objects else "words"
         raise UsageError(
-            f"the protocols that read words are {names}; name one with --protocol, or --protocol {NO_PROTOCOL}"
+            f"the protocols that read {read} are {names}; name one with --protocol, or --protocol {NO_PROTOCOL}"
         )
-    return protocol_entries.uses(places[known[0]], spaces)
+    if has_objects:
+        return protocol_entries.object_uses(places[known[0]])
+    return protocol_entries.uses(places[known[0]], result.spaces()), {}
 
 
 def _device(path: Path) -> str:

@@ -28,6 +28,7 @@ from fieldspec.tools.evidence.redacted_files import RedactedCapture, redacted_du
 from fieldspec.tools.evidence.redaction import IDENTITY, Redaction
 from fieldspec.tools.evidence.secrets import Secrets
 from fieldspec.tools.lists.dump import dump, dump_sheet
+from fieldspec.tools.lists.list_file import content_sheet
 from fieldspec.tools.lists.sheet import ListError
 
 if TYPE_CHECKING:
@@ -181,7 +182,7 @@ def _add_dump(redaction: Redaction, output: _Output, path: Path) -> None:
             raise UsageError("is neither a scan nor a dump") from None
         output.add("scan", "json", str(path), text, "")
         return
-    sheet = dump_sheet(data) or list_files.sheet(data, "", "")
+    sheet = dump_sheet(data) or content_sheet(data)
     text = redacted_dump(redaction, dump(sheet, {}))
     output.add("dump", "csv", str(path), text, f"{text.count(chr(10)) - 1} rows")
 

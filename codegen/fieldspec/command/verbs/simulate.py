@@ -22,6 +22,7 @@ from fieldspec.language.behaviour.part import ASSUMED, NOT_MODELLED, STANDINGS
 from fieldspec.language.behaviour.reading import behaviour_of
 from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
 from fieldspec.tools.lists.dump import dump, dump_sheet
+from fieldspec.tools.lists.list_file import content_sheet
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.simulator.clock import SystemClock
 from fieldspec.tools.simulator.control import CommandError, carried_out
@@ -218,7 +219,7 @@ def _seed(simulation: Simulation, name: str) -> None:
 
     data = list_files.content(name)
     try:
-        rows = dump(dump_sheet(data) or list_files.sheet(data, "", ""), {})
+        rows = dump(dump_sheet(data) or content_sheet(data), {})
     except ListError as error:
         raise UsageError(f"{name} {error}") from None
     count, unused = seed(simulation.engine, rows)

@@ -41,7 +41,7 @@ class Options:
 
     `base` is the notation of addresses, `decimal` the sign before a fraction, `gain` whether a factor multiplies or
     divides counts, `bounds` whether they are counts or in the unit, `length` the unit of lengths, `order` the order of
-    the bytes of two words.
+    the bytes of two words. `node` is the node of a bus that the device is.
     """
 
     base: str = ""
@@ -50,6 +50,7 @@ class Options:
     bounds: str = ""
     length: str = ""
     order: str = ""
+    node: str = ""
 
 
 STATED_NOTHING = Options()

@@ -14,7 +14,7 @@ from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.item import REGISTERS, Item
 from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.row_reading import REGISTER, ListRow
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.words import folded
 from fieldspec.tools.lists.yaml_text import exact
@@ -141,11 +141,14 @@ class _Known:
         space_name = folded(row.texts.get("space", ""))
         if space_name in self.spaces:
             return self.spaces[space_name]
+        if row.kind != REGISTER:
+            return row.space
         return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
 
     def at(self, row: ListRow) -> Sequence[Item]:
-        """The items that begin at the address of a row."""
-        return self.starts.get((self.space(row), row.address), ())
+        """The items that begin at the address of a row, with its subindices."""
+        candidates = self.starts.get((self.space(row), row.address), ())
+        return [item for item in candidates if item.subindices == row.subindices]
 
 
 def compared(
@@ -333,6 +336,7 @@ def _unread(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Diff
             and ("min" if role == "range" else role) in aspects
             and not is_read(row)
             and not _is_own_scale(item, text)
+            and not (item.value is not None and item.value.default == text)
         ):
             yield Difference(role, "", f"{text} (not read)")
 

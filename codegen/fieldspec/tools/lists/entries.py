@@ -9,7 +9,7 @@ from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.item import REGISTERS
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.row_reading import PARAMETER, REGISTER, ListRow
 from fieldspec.tools.lists.shapes import BIT, Shape, shape
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.type_words import Loose
@@ -19,10 +19,6 @@ SPACES = {REGISTERS: False, "input_registers": False, "coils": True, "discrete_i
 
 _HIGHEST_ADDRESS = 0xFFFF
 _MOST_WORDS = 1 << 20
-
-
-REGISTER, FIELD, PARAMETER = "register", "field", "parameter"
-"""What an entry is: an export has fields of tables and parameters too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +33,7 @@ class Bit:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A register with its bits, or of an export a field or a parameter.
+    """A register with its bits, a field, or a parameter.
 
     Without a row of its own, it has the first of its bits as `row`, and no name.
     """
@@ -47,18 +43,25 @@ class Entry:
     space: str
     bits: tuple[Bit, ...] = ()
     is_own: bool = True
-    kind: str = REGISTER
+
+    @property
+    def kind(self) -> str:
+        """What it is, as its row says."""
+        return self.row.kind
 
 
 def entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple[list[Entry], list[Refusal]]:
     """The registers of a list in its order, and the rows that are none. `refused_before` has rows with reasons."""
     refused = [Refusal(number, "", "", reason) for number, reason in refused_before.items()]
-    left = [row for row in rows if row.row not in refused_before]
+    left = [row for row in rows if row.row not in refused_before and row.place is None]
+    stated = _stated([row for row in left if row.is_own or row.kind != REGISTER], refused)
     wholes: list[Entry] = []
     by_place: dict[tuple[str, int], int] = {}
     bits: dict[tuple[str, int], list[ListRow]] = {}
     for row in left:
         space = _space(row)
+        if row.is_own or row.kind != REGISTER:
+            continue
         if reason := _outside(row, space):
             refused.append(Refusal(row.row, "", "", reason))
         elif row.bits is not None and not SPACES[space]:
@@ -73,7 +76,10 @@ def entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple
         else:
             wholes.append(_of_bits(rows_of_bits, place[0], refused))
     wholes.sort(key=lambda entry: entry.row.row)
-    return _disjoint(wholes, refused), sorted(refused, key=lambda refusal: refusal.row)
+    disjoint = _disjoint(wholes, refused)
+    if stated and disjoint:
+        stated = sorted([*stated, *disjoint], key=lambda entry: entry.row.row)
+    return stated or disjoint, sorted(refused, key=lambda refusal: refusal.row)
 
 
 def _space(row: ListRow) -> str:
@@ -138,9 +144,12 @@ def _width(row: ListRow) -> tuple[int, int]:
 def _of_bits(rows: Sequence[ListRow], space: str, refused: list[Refusal]) -> Entry:
     """A register of which the list has only bits."""
     highest = max(_width(row)[1] for row in rows)
-    words = 1 if highest < 16 else 2 if highest < 32 else 4
+    stated = max(row.words or 0 for row in rows)
+    words = 1 if highest < 16 and stated < 2 else 2 if highest < 32 and stated < 3 else 4
     first = rows[0]
-    whole = replace(first, names=(), texts={}, type=None, low=None, high=None, doubts=(), bits=None)
+    accesses = {row.access for row in rows}
+    access = first.access if len(accesses) == 1 else "rw"
+    whole = ListRow(first.row, first.address, access=access, space=first.space, order=first.order, gap=first.gap)
     reason = "The list has only bits of it."
     own_shape = Shape({1: "u16", 2: "u32", 4: "u64"}[words], words, inferred=reason)
     return _with_bits(Entry(whole, own_shape, space, is_own=False), rows, refused)
@@ -173,22 +182,24 @@ def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
     return disjoint_entries
 
 
-def exported_entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple[list[Entry], list[Refusal]]:
-    """The same of an export, whose rows say what they are. A type that a list has no room for is refused."""
-    refused = [Refusal(number, "", "", reason) for number, reason in refused_before.items()]
+def _stated(rows: Sequence[ListRow], refused: list[Refusal]) -> list[Entry]:
+    """The entries of rows that say what they are. A type that a list has no room for is refused."""
     result: list[Entry] = []
+    numbers: dict[tuple[str, int, tuple[int, int] | None], int] = {}
     for row in rows:
-        name = row.texts.get("type", "")
+        name = row.type.name if row.type is not None else ""
         kind = PRIMITIVES.get(name)
-        is_parameter = row.words is None and name != BIT and _space(row) != REGISTERS
-        if row.row in refused_before:
-            continue
+        place = _space(row), row.address, row.subindices
         if kind is None or (not kind.size and not row.texts.get("bytes")):
-            reason = f"has the type {name}, of which the list does not say how it is sent"
-            refused.append(Refusal(row.row, "", "", reason))
+            reason = f"has the type {row.texts.get('type', name)}, of which the list does not say how it is sent"
+        elif row.subindices is not None and (*place[:2], None) not in numbers:
+            reason = "is an element of a parameter that is not taken"
+        elif row.kind == PARAMETER and place in numbers:
+            reason = f"has the number of row {numbers[place]}"
+        else:
+            numbers[place] = row.row
+            words = row.words or (1 if name == BIT else kind.size or int(row.texts["bytes"]))
+            result.append(Entry(row, Shape(name, words, 1), _space(row)))
             continue
-        words = row.words or (1 if name == BIT else kind.size or int(row.texts["bytes"]))
-        is_field = "." in row.texts.get("name", "")
-        entry_kind = PARAMETER if is_parameter else FIELD if is_field else REGISTER
-        result.append(Entry(row, Shape(name, words, 1), _space(row), (), True, entry_kind))
-    return result, sorted(refused, key=lambda refusal: refusal.row)
+        refused.append(Refusal(row.row, "", "", reason))
+    return result

@@ -35,6 +35,7 @@ COLUMNS = (
     "count",
     "stride",
     "first",
+    "subindex",
     "printed_name",
     "label",
     "values",
@@ -79,6 +80,7 @@ def row(item: Item) -> dict[str, Cell]:
         "count": item.count if is_list else None,
         "stride": item.stride if is_list and item.stride else None,
         "first": item.first if is_list and item.stride else None,
+        "subindex": _run(*item.subindices) if item.subindices else None,
         "printed_name": item.printed_name or None,
         "label": item.label or None,
         "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,
@@ -95,7 +97,11 @@ def row(item: Item) -> dict[str, Cell]:
 
 
 def _bit(first: int, last: int, name: str) -> str:
-    return f"{first} {name}" if first == last else f"{first}..{last} {name}"
+    return f"{_run(first, last)} {name}"
+
+
+def _run(first: int, last: int) -> str:
+    return f"{first}" if first == last else f"{first}..{last}"
 
 
 def as_csv(items: Sequence[Item]) -> str:

@@ -7,10 +7,11 @@ from collections.abc import Mapping, Sequence
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists.addresses import REFERENCE
 from fieldspec.tools.lists.assumption import Assumption, Refusal
-from fieldspec.tools.lists.entries import PARAMETER, SPACES, Entry, entries, exported_entries
+from fieldspec.tools.lists.entries import SPACES, Entry, entries
 from fieldspec.tools.lists.listing import Listing, moved
+from fieldspec.tools.lists.message_entries import message_entries
 from fieldspec.tools.lists.numbering import chosen
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.sheet import ListError, Sheet
 
@@ -43,6 +44,10 @@ class Imported:
         own = [entry for entry in self.registers if entry.kind != PARAMETER]
         in_words = all(entry.shape.type == BIT or entry.row.words for entry in own if entry.row.is_own)
         return bool(own) and in_words and all(entry.space in SPACES for entry in own)
+
+    def has_objects(self) -> bool:
+        """Whether the list is one of objects with elements, as files of other programs have them."""
+        return all(entry.kind == PARAMETER and not entry.row.is_own for entry in self.registers)
 
     def without(self, reasons: Mapping[int, str]) -> Imported:
         """The same, without some rows, each with its reason."""
@@ -87,8 +92,9 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
 
 def _entered(result: Imported) -> Imported:
     """The result with its registers, and what of the list is none."""
-    enter = exported_entries if result.listing.own else entries
-    registers, contradicting = enter(result.rows, result.reasons)
+    registers, contradicting = entries(result.rows, result.reasons)
+    messages = [row for row in result.rows if row.kind in (MESSAGE, SIGNAL)]
+    registers += message_entries(messages, result.reasons, contradicting)
     if not registers:
         refusals: Sequence[Refusal] = [*result.refused_cells, *contradicting]
         raise ListError(f"has no row that can be a register: {refusals[0].text()}")

@@ -27,8 +27,9 @@ class Item:
     A field of a table, and a parameter with several elements, stand for `count` values: the first has the number
     `first`, and they are `stride` addresses apart, or all at one address if that is 0. `access` is empty if the manual
     does not state it. `members` are the names of raw values, of which `special` are states and no quantities; `ucum` is
-    the code of the unit, `order` that of the bytes of two words, empty for the usual one. `bits` are the lowest and the
-    highest number and the name of each. `other_names` are the names that the manual has for members and bits, by ours.
+    the code of the unit, `order` that of the bytes of two words, empty for the usual one. `subindices` are the first
+    and the last one of elements of the parameter at the address. `bits` are the lowest and the highest number and the
+    name of each. `other_names` are the names that the manual has for members and bits, by ours.
     """
 
     space: str
@@ -51,6 +52,7 @@ class Item:
     source: Citation | None = None
     unverified: bool = False
     ucum: str = ""
+    subindices: tuple[int, int] | None = None
 
     def addresses(self) -> range:
         """The addresses of all values that it stands for."""
@@ -194,6 +196,28 @@ def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[It
             label=parameter.label,
             source=_first(parameter.sources),
             unverified=parameter.unverified,
+        )
+        yield from _elements(parameter_set, parameter, number)
+
+
+def _elements(parameter_set: ParameterSet, parameter: Parameter, number: int) -> Iterator[Item]:
+    """The elements of a parameter that have meanings of their own."""
+    for part in parameter.subindices:
+        if part.reserved:
+            continue
+        yield Item(
+            space=parameter_set.space,
+            address=parameter_set.base + number,
+            name=f"{parameter.name}.{part.name}",
+            words=None,
+            type=part.value.type.name,
+            access=parameter.element_access(part.indices.low),
+            value=part.value,
+            subindices=(part.indices.low, part.indices.high),
+            printed_name=part.printed_name,
+            label=part.label,
+            source=_first(part.sources),
+            unverified=part.unverified,
         )
 
 

@@ -13,8 +13,8 @@ _FORMATS = (
         r"\A\s*\[(?:FileInfo|DeviceInfo|DeviceComissioning|Comments|DummyUsage|MandatoryObjects)\]",
         "an electronic data sheet (EDS or DCF) of a bus with objects",
     ),
-    (r"\A\s*VERSION\s+\"|^\s*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
-    (r"^\s*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
+    (r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
+    (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
     (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
 )
 _KEY = re.compile(r"[A-Za-z_]\w*:(?: |$)")
@@ -31,4 +31,4 @@ def refuse_known_format(text: str) -> None:
     lines = [line for line in head.splitlines() if line.strip() and not line.lstrip().startswith(("#", "---"))][:2]
     is_pair = len(lines) == 2 and all(_KEY.match(line) and not re.search(r"[,;\t|]", line) for line in lines)
     if lines and (is_pair or _SECTION.match(lines[0])):
-        raise ListError(f"is YAML, {_REFUSED}")
+        raise ListError(f"is YAML of no program that is known, {_REFUSED}")

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from fractions import Fraction
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.checks.finding import longest_ascent
 from fieldspec.language.model.encoding import is_count, is_truth
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.entries import Bit, Entry
 from fieldspec.tools.lists.naming import fresh, snake
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.quantities import known_unit
+from fieldspec.tools.lists.row_reading import SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
-from fieldspec.tools.lists.yaml_text import quoted
+from fieldspec.tools.lists.yaml_text import exact, quoted
 
 Members: TypeAlias = tuple[tuple[int, str], ...]
 
@@ -21,9 +25,9 @@ _UNSIGNED = {1: "u16", 2: "u32", 4: "u64"}
 
 @dataclass(frozen=True, slots=True)
 class Meant:
-    """The lines of an enum and of a bit field, the keys that name them, and the type that has them."""
+    """The lines of enums and of a bit field, the keys that name them, and the type that has them."""
 
-    enum_line: str = ""
+    enum_lines: tuple[str, ...] = ()
     flags_line: str = ""
     keys: tuple[str, ...] = ()
     type: str = ""
@@ -41,17 +45,17 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     text = entry.row.texts.get("values", "")
     doubt = (f"Values in the list: {text}.",) if text else ()
     own_type = entry.shape.type
-    unsigned = own_type if entry.row.is_own and own_type.startswith("u") else _UNSIGNED.get(entry.shape.words, "")
+    is_stated = (entry.row.is_own or entry.kind == SIGNAL) and own_type.startswith("u")
+    unsigned = own_type if is_stated else _UNSIGNED.get(entry.shape.words, "")
     kind = PRIMITIVES[own_type]
     if bits:
         doubts = doubt if members or (meanings.bits and entry.bits) else ()
         if own_type == BIT or not unsigned or max(bit.high for bit in bits) >= PRIMITIVES[unsigned].size * 8:
             return Meant(doubts=doubt)
         flags_name = fresh(name.replace(".", "_"), "bits", used_names)
-        line = (
-            f"  - {{name: {quoted(flags_name)}, type: {unsigned}, bits: [{', '.join(_bits(bits))}], {_source(entry)}}}"
-        )
-        return Meant("", line, (f"flags: {quoted(flags_name)}",), unsigned, doubts)
+        bit_texts, enum_lines = bit_lines(bits, enums, used_names)
+        line = f"  - {{name: {quoted(flags_name)}, type: {unsigned}, bits: [{', '.join(bit_texts)}], {_source(entry)}}}"
+        return Meant(enum_lines, line, (f"flags: {quoted(flags_name)}",), unsigned, doubts)
     own_states: tuple[str, ...] = ()
     if entry.row.special:
         numbers = {number for number, _ in entry.row.special}
@@ -71,15 +75,21 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     states = (f"sentinels: [{', '.join(_members(special))}]",) if special else own_states
     if not members:
         return Meant(keys=states, type=own_type)
+    enum_name, line = enum_of(members, name.replace(".", "_"), entry.row.row, enums, used_names)
+    return Meant((line,) if line else (), "", (f"enum: {quoted(enum_name)}", *states), own_type)
+
+
+def enum_of(members: Members, name: str, row: int, enums: dict[object, str], used_names: set[str]) -> tuple[str, str]:
+    """The name of the enum with some members, and its line, which is empty where another value has the same one."""
     known = enums.get(members)
     if known:
-        return Meant(keys=(f"enum: {quoted(known)}", *states), type=own_type)
-    enum_name = enums[members] = fresh(name.replace(".", "_"), "values", used_names)
+        return known, ""
+    enum_name = enums[members] = fresh(name, "values", used_names)
     ordered = sorted(members)
     sparse = ", sparse: true" if ordered[-1][0] - ordered[0][0] >= len(ordered) else ""
-    members_text = ", ".join(_members(ordered))
-    line = f"  - {{name: {quoted(enum_name)}, open: true{sparse}, members: [{members_text}], {_source(entry)}}}"
-    return Meant(line, "", (f"enum: {quoted(enum_name)}", *states), own_type)
+    texts = ", ".join(_members(ordered))
+    source = f"source: 1 L{row}, unverified: true"
+    return enum_name, f"  - {{name: {quoted(enum_name)}, open: true{sparse}, members: [{texts}], {source}}}"
 
 
 def _within(row: ListRow, members: Members) -> tuple[Members, Members]:
@@ -114,18 +124,86 @@ def _states(special: Sequence[tuple[str, str]]) -> list[str]:
     ]
 
 
-def _bits(bits: Sequence[Bit]) -> list[str]:
+def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str]) -> tuple[list[str], tuple[str, ...]]:
+    """The bits of a bit field as mappings, and the lines of the enums that they name."""
     names: set[str] = set()
-    parts = []
-    for bit in sorted(bits, key=lambda bit: bit.low):
+    parts: list[str] = []
+    lines: list[str] = []
+    ordered = sorted(bits, key=lambda bit: bit.low)
+    ascending = longest_ascent([bit.row.row if bit.row is not None else 0 for bit in ordered])
+    for place, bit in enumerate(ordered):
         texts = [bit.name] if bit.row is None else list(bit.row.names)
         name = fresh(next(filter(None, map(snake, texts)), "") or f"bit_{bit.low}", str(bit.low), names)
         number = f"bit: {bit.low}" if bit.low == bit.high else f'bits: "{bit.low}..{bit.high}"'
-        source = f", source: 1 L{bit.row.row}" if bit.row is not None else ""
-        if bit.row is not None and bit.row.doubts:
-            source += f", notes: [{', '.join(map(quoted, bit.row.doubts))}]"
-        parts.append(f"{{{number}, name: {quoted(name)}{_printed(texts[0] if texts else '', name)}{source}}}")
-    return parts
+        facts = ""
+        if bit.row is not None:
+            doubts = list(bit.row.doubts)
+            if bit.low == bit.high:
+                facts = "".join(_switch(bit.row, doubts))
+            else:
+                facts = "".join(_number(bit, bit.row, doubts))
+                members = _named_members(bit)
+                if members:
+                    enum_name, line = enum_of(members, name, bit.row.row, enums, used_names)
+                    lines += [line] if line else []
+                    facts += f", enum: {quoted(enum_name)}"
+            facts += f", source: 1 L{bit.row.row}"
+            facts += "" if place in ascending else ", allow: {sources_ascending: The list has it so.}"
+            if doubts:
+                facts += f", notes: [{', '.join(map(quoted, doubts))}]"
+        parts.append(f"{{{number}, name: {quoted(name)}{_printed(texts[0] if texts else '', name)}{facts}}}")
+    return parts, tuple(lines)
+
+
+def _named_members(bit: Bit) -> Members:
+    """The values of several bits that have names."""
+    assert bit.row is not None
+    width = bit.high - bit.low + 1
+    low, high = (-(1 << (width - 1)), (1 << (width - 1)) - 1) if _is_signed(bit.row) else (0, (1 << width) - 1)
+    return tuple(member for member in bit.row.meanings.members if low <= member[0] <= high)
+
+
+def _is_signed(row: ListRow) -> bool:
+    return row.type is not None and (row.type.name.startswith("i") or (not row.type.name and bool(row.type.signed)))
+
+
+def _switch(row: ListRow, doubts: list[str]) -> Iterator[str]:
+    """What a single bit means when it is 0 or 1; it has no quantity."""
+    for value, key in ((0, "zero"), (1, "one")):
+        if text := dict(row.meanings.members).get(value):
+            yield f", {key}: {quoted(text)}"
+    if row.scale not in (None, 1):
+        doubts.append(f"Scale in the list: {exact(row.scale or Fraction(1))}.")
+
+
+def _number(bit: Bit, row: ListRow, doubts: list[str]) -> Iterator[str]:
+    """The facts of several bits that are a number."""
+    width = bit.high - bit.low + 1
+    signed = _is_signed(row)
+    if signed:
+        yield ", signed: true"
+    if row.scale not in (None, 1):
+        yield f", scale: {exact(row.scale or Fraction(1))}"
+    if row.offset:
+        yield f", offset: {row.offset:f}"
+    if unit := known_unit(row.unit) or row.unit:
+        yield f", unit: {quoted(unit)}"
+    lowest, highest = (-(1 << (width - 1)), (1 << (width - 1)) - 1) if signed else (0, (1 << width) - 1)
+    counts = [count_of(bound, row) for bound in (row.low, row.high)]
+    low, high = counts
+    if low is not None and high is not None and lowest <= low <= high <= highest:
+        if (low, high) != (lowest, highest):
+            yield f', range: "{low}..{high}"'
+    elif row.low is not None and row.high is not None:
+        doubts.append(f"Range in the list: {row.low:f}..{row.high:f}.")
+
+
+def count_of(number: Decimal | None, row: ListRow) -> int | None:
+    """A bound as a whole count; None if it is none."""
+    if number is None:
+        return None
+    count = (Fraction(number) - Fraction(row.offset)) / (row.scale or 1) if row.in_unit else Fraction(number)
+    return int(count) if count.denominator == 1 else None
 
 
 def _printed(text: str, name: str) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
-from fieldspec.tools.lists.entries import FIELD, PARAMETER, Entry
+from fieldspec.tools.lists.entries import Entry
 from fieldspec.tools.lists.item import REGISTERS
+from fieldspec.tools.lists.row_reading import FIELD, PARAMETER
 from fieldspec.tools.lists.shapes import BIT
 
 Line: TypeAlias = tuple[str, int]
@@ -72,22 +73,64 @@ def _places(tree: Mapping[str, Any]) -> Iterator[int]:
             yield inner
 
 
-def parameters(entries: Sequence[Entry], fact: Callable[[int], str]) -> Iterator[Line]:
-    """The sections of parameters, a set for each space."""
+def parameters(
+    entries: Sequence[Entry], fact: Callable[[int], str], protocol_names: Mapping[tuple[int, int | None], str]
+) -> Iterator[Line]:
+    """The sections of parameters, a set for each space, with the elements that have meanings of their own.
+
+    `protocol_names` has the parameters that a protocol gives every device, which stay among the others in their order.
+    """
     spaces = dict.fromkeys(entry.space for entry in entries if entry.kind == PARAMETER)
     if spaces:
         yield "parameters:", 0
     for space in spaces:
         places = [place for place, entry in enumerate(entries) if entry.kind == PARAMETER and entry.space == space]
-        places.sort(key=lambda place: entries[place].row.address)
         yield f"  - name: {space}", entries[places[0]].row.row
         yield f"    source: 1 L{entries[places[0]].row.row}", 0
         yield "    unverified: true", 0
-        numbers = [entries[place].row.address for place in places]
-        if numbers[-1] - numbers[0] >= len(numbers):
-            yield f"    numbers: {numbers[0]}..{numbers[-1]}", 0
+        wholes = {entries[place].row.address: place for place in places if entries[place].row.subindices is None}
+        elements: dict[int, list[int]] = {}
+        for place in places:
+            if entries[place].row.subindices is not None:
+                elements.setdefault(entries[place].row.address, []).append(place)
+        common = {number: name for (number, subindex), name in protocol_names.items() if subindex is None}
+        if not common and max(wholes) - min(wholes) >= len(wholes):
+            yield f"    numbers: {min(wholes)}..{max(wholes)}", 0
         yield "    rows:", 0
-        yield from ((f"      - {{{fact(place)}}}", entries[place].row.row) for place in places)
+        for number in sorted({*wholes, *common}):
+            if number in wholes:
+                names = {subindex: name for (own, subindex), name in protocol_names.items() if own == number}
+                yield from _parameter(entries, fact, wholes[number], elements.get(number, ()), names)
+            else:
+                yield f"      - {{number: {number}, name: {common[number]}, source: 1 L1, unverified: true}}", 0
+
+
+def _parameter(
+    entries: Sequence[Entry],
+    fact: Callable[[int], str],
+    place: int,
+    elements: Sequence[int],
+    protocol_names: Mapping[int | None, str],
+) -> Iterator[Line]:
+    """A parameter, and its elements by their subindices. Those that the file leaves out have no meaning."""
+    row = entries[place].row
+    if not elements:
+        yield f"      - {{{fact(place)}}}", row.row
+        return
+    yield f"      - {{{fact(place)}, subindices: [", row.row
+    yield from ((f"          {{{fact(n)}}},", entries[n].row.row) for n in elements)
+    for subindex in _gaps([entries[n].row.subindices or (0, 0) for n in elements], row.count):
+        name = f"name: {protocol_names[subindex]}, " if subindex in protocol_names else ""
+        yield f"          {{index: {subindex}, {name}reserved: true}},", row.row
+    yield "        ]}", 0
+
+
+def _gaps(indices: Sequence[tuple[int, int]], count: int) -> Iterator[int]:
+    """The subindices among so many that a file leaves out."""
+    following = 0
+    for first, last in (*sorted(indices), (count, count)):
+        yield from range(following, first)
+        following = max(following, last + 1)
 
 
 def spaces(entries: Sequence[Entry]) -> Iterator[str]:

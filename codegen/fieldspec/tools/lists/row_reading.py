@@ -8,9 +8,12 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
+from fieldspec.language.model.address_space import BIT
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, whole
+from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
 from fieldspec.tools.lists.type_words import Loose, Typed, typed
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
@@ -19,9 +22,38 @@ from fieldspec.tools.lists.words import folded, meaning
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
 
+REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
+"""What a row is: exports and files of some formats have fields of tables, parameters, and messages with signals too."""
+
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
+_LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
 _ASIDE = re.compile(r"[\[(]([^()\[\]]+)[\])]\s*$")
+
+
+@dataclass(frozen=True, slots=True)
+class SignalPlace:
+    """Where a signal is in the data of a message, or those data.
+
+    Bits are counted from the most significant one of the first byte where `order` is `big`, else from the least
+    significant one. `is_wide` says that the identifier of a message has 29 bits, `direction` who sends it.
+    """
+
+    first: int
+    size: int
+    order: str
+    is_wide: bool = False
+    direction: str = ""
+
+    @property
+    def first_byte(self) -> int:
+        """The byte with the first bit."""
+        return self.first // 8
+
+    @property
+    def last_byte(self) -> int:
+        """The byte with the last bit."""
+        return (self.first + self.size - 1) // 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,22 +63,27 @@ class ListRow:
     Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what could
     not be understood or contradicts something. `words` is the size that the list states, `gap` the distance to the next
     address. `special` are states that an export has apart from other values, `scale_text` is its scale as written.
-    `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register.
+    `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
+    the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
+    signal in its message.
     """
 
     row: int
-    address: int
-    words: int | None
-    names: tuple[str, ...]
-    type: Typed | None
-    access: str
-    low: Decimal | None
-    high: Decimal | None
-    default: Decimal | None
-    const: Decimal | None
-    count: int
-    stride: int
-    texts: Mapping[str, str]
+    address: int = 0
+    words: int | None = None
+    names: tuple[str, ...] = ()
+    type: Typed | None = None
+    access: str = ""
+    low: Decimal | None = None
+    high: Decimal | None = None
+    default: Decimal | None = None
+    const: Decimal | None = None
+    count: int = 1
+    stride: int = 0
+    texts: Mapping[str, str] = field(default_factory=dict)
+    kind: str = REGISTER
+    subindices: tuple[int, int] | None = None
+    place: SignalPlace | None = None
     space: str = ""
     bits: tuple[int, int] | None = None
     scale: Fraction | None = None
@@ -82,6 +119,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     low, high, meanings = _bounds(texts, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
     quantity = _quantity(row, decimal, doubts)
+    doubts += [f"Subindex in the list: {texts['subindex']}."] if texts.get("subindex") else []
     count = whole(texts.get("count", "")) or 1
     return ListRow(
         row=row.row,
@@ -122,7 +160,13 @@ def exported_row(row: ListRow) -> ListRow:
         scale = row.factor
     special = tuple((match[1], match[2]) for match in _STATE.finditer(row.texts.get("special", "")))
     own_text = text if "/" in text else ""
-    return replace(row, scale=scale, scale_text=own_text, words=row.length, is_own=True, special=special)
+    is_parameter = row.length is None and row.texts.get("type") != BIT and row.space not in ("", REGISTERS)
+    kind = PARAMETER if is_parameter else FIELD if "." in row.texts.get("name", "") else REGISTER
+    own_type = Typed(row.texts["type"]) if row.texts.get("type") in PRIMITIVES else None
+    subindices = _bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
+    row = replace(row, doubts=tuple(doubt for doubt in row.doubts if not doubt.startswith("Subindex")))
+    row = replace(row, type=own_type, kind=kind, words=row.length, is_own=True, subindices=subindices)
+    return replace(row, scale=scale, scale_text=own_text, special=special)
 
 
 def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
@@ -190,9 +234,9 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     return stated
 
 
-def _bits(text: str) -> tuple[int, int] | None:
-    numbers = [int(digits) for digits in re.findall(r"[0-9]{1,2}", text)]
-    if not numbers or len(numbers) > 2 or max(numbers) > 63:
+def _bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
+    numbers = [int(digits) for digits in re.findall(r"[0-9]{1,3}", text)]
+    if not numbers or len(numbers) > 2 or max(numbers) > highest:
         return None
     return min(numbers), max(numbers)
 

@@ -37,7 +37,8 @@ class Sheet:
 
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
     names of further sheets with cells, `joined` those of the sheets that this one is made of, `encoding` that of a text
-    where it was guessed, `shifted` the rows whose cells do not stand under the headings.
+    where it was guessed, `shifted` the rows whose cells do not stand under the headings. `format` is that of another
+    program, empty for a table.
     """
 
     rows: tuple[SheetRow, ...]
@@ -48,6 +49,7 @@ class Sheet:
     joined: tuple[str, ...] = ()
     encoding: str = ""
     shifted: frozenset[int] = frozenset()
+    format: str = ""
 
 
 def letters(column: int) -> str:

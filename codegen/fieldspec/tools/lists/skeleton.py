@@ -12,14 +12,16 @@ from fieldspec.language.model.encoding import is_count, is_exact, is_octets, is_
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.ranges import Ranges, whole_intervals
 from fieldspec.tools.lists.assumption import Refusal
-from fieldspec.tools.lists.entries import FIELD, PARAMETER, REGISTER, SPACES, Entry
+from fieldspec.tools.lists.entries import SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
-from fieldspec.tools.lists.meaning_text import meant
+from fieldspec.tools.lists.meaning_text import count_of, meant
+from fieldspec.tools.lists.message_entries import place_of
+from fieldspec.tools.lists.message_parts import links, messages
 from fieldspec.tools.lists.naming import fresh, named
 from fieldspec.tools.lists.own_parts import parameters, spaces, tables
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.row_reading import FIELD, MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.yaml_text import commented, exact, quoted
 
@@ -44,11 +46,12 @@ class Surroundings:
     """What a spec has beside the rows: remarks for its head, what it takes of a protocol, and allowances.
 
     `uses` has lines by section and is empty for a spec without frames. `allowed` has the rules that a row
-    may break, by its number.
+    may break, by its number. `names` are those that the protocol has for numbers of parameters, and for subindices.
     """
 
     remarks: Sequence[str] = ()
     uses: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    names: Mapping[tuple[int, int | None], str] = field(default_factory=dict)
     allowed: Mapping[int, Sequence[str]] | None = None
 
 
@@ -57,10 +60,11 @@ _NOTHING = Surroundings()
 
 @dataclass(frozen=True, slots=True)
 class Spec:
-    """The text of a spec, and the row of the list that each line comes from, by the line's number."""
+    """The text of a spec, the row of the list that each line comes from, by its number, and the rows with notes."""
 
     text: str
     rows: Mapping[int, int]
+    noted: Sequence[int]
 
 
 def skeleton(
@@ -71,7 +75,7 @@ def skeleton(
     surroundings: Surroundings = _NOTHING,
 ) -> Spec:
     """The spec of a device with the registers of a list. Rows that are refused become comments."""
-    writer = _Writer(registers, surroundings.allowed or {})
+    writer = _Writer(registers, surroundings)
     lines = [*_HEAD.splitlines(), *map(commented, surroundings.remarks), "device:"]
     lines += [f"  id: {device}", f"  name: {device}", "  vendor: unknown"]
     title = f"The list {origin.file}"
@@ -85,19 +89,21 @@ def skeleton(
     if refused:
         lines.append("# Rows and cells of the list that are no facts here:")
         lines += [commented(refusal.text()) for refusal in refused]
-    return Spec("\n".join(lines) + "\n", rows)
+    return Spec("\n".join(lines) + "\n", rows, sorted(writer.noted))
 
 
 class _Writer:
     """Writes the sections of a spec as lines, each with the row that it comes from, or 0."""
 
-    def __init__(self, registers: Sequence[Entry], allowed: Mapping[int, Sequence[str]]) -> None:
-        self._registers = registers
-        self._allowed = allowed
-        self._labels: set[str] = set()
+    def __init__(self, registers: Sequence[Entry], surroundings: Surroundings) -> None:
+        self._registers = registers = [_widened(entry, surroundings.names) for entry in registers]
+        self._allowed = surroundings.allowed or {}
+        known = self._protocol_names = surroundings.names
+        self._labels: dict[str, set[str]] = defaultdict(set)
+        self.noted: set[int] = set()
         used: dict[str, set[str]] = defaultdict(set)
         self._names = [
-            fresh(_name(entry), f"{entry.row.address:04x}", used[entry.space if entry.row.is_own else ""])
+            fresh(known.get(_number(entry)) or _name(entry), f"{entry.row.address:04x}", used[_namespace(entry)])
             for entry in registers
         ]
         scaled = exponents([entry.row for entry in registers], [entry.shape.type for entry in registers])
@@ -114,8 +120,9 @@ class _Writer:
         """The lines of what a protocol gives, units, enums, bit fields and registers."""
         lines: list[tuple[str, int]] = []
         for section, used_lines in uses.items():
-            if used_lines and section not in ("enums", "records"):
+            if used_lines and section not in ("enums", "flags", "records"):
                 lines += [(f"{section}:", 0), *((line, 0) for line in used_lines)]
+        lines += links(self._registers)
         if not uses and any(entry.row.is_own for entry in self._registers):
             lines += [(line, 0) for line in spaces(self._registers)]
         lines += self._units()
@@ -123,7 +130,8 @@ class _Writer:
             own = [
                 (line, entry.row.row)
                 for entry, meaning in zip(self._registers, self._meant, strict=True)
-                if (line := meaning.enum_line if section == "enums" else meaning.flags_line)
+                for line in (meaning.enum_lines if section == "enums" else (meaning.flags_line,))
+                if line
             ]
             used = [(line, 0) for line in uses.get(section, ())]
             lines += [(f"{section}:", 0), *used, *own] if used or own else []
@@ -136,15 +144,16 @@ class _Writer:
         lines += [("registers:", 0)] if any(groups.values()) else []
         for space, places in groups.items():
             lines += self._group(space, places) if places else []
-        return [*lines, *parameters(self._registers, self._fact)]
+        lines += messages(self._registers, self._fact)
+        return [*lines, *parameters(self._registers, self._fact, self._protocol_names)]
 
     def _units(self) -> Iterator[tuple[str, int]]:
         """The units that the language does not have."""
         first: dict[str, int] = {}
         for entry in self._registers:
-            unit = entry.row.unit
-            if unit and not known_unit(unit):
-                first.setdefault(unit, entry.row.row)
+            for own in (entry.row, *(bit.row for bit in entry.bits if bit.row is not None)):
+                if own.unit and not known_unit(own.unit):
+                    first.setdefault(own.unit, own.row)
         used: set[str] = set()
         if first:
             yield "units:", 0
@@ -198,14 +207,15 @@ class _Writer:
         parts += meaning.keys
         allowed = list(self._allowed.get(row.row, ()))
         if entry.is_own:
-            parts += _words(row, name, self._labels, allowed)
+            parts += _words(row, name, self._labels[_list_of(entry)], allowed)
         if allowed:
             parts.append("allow: {" + ", ".join(f"{rule}: {_HAS_IT_SO}" for rule in dict.fromkeys(allowed)) + "}")
         if inferred:
             parts.append(f"inferred: {{{', '.join(f'{key}: {reason}' for key, reason in inferred.items())}}}")
         if doubts:
+            self.noted.add(row.row)
             parts.append(f"notes: [{', '.join(map(quoted, doubts))}]")
-        parts += [f"source: {'1 ' if entry.kind == PARAMETER else ''}L{row.row}", "unverified: true"]
+        parts += [f"source: {'' if entry.kind in (REGISTER, FIELD) else '1 '}L{row.row}", "unverified: true"]
         return ", ".join(parts)
 
 
@@ -214,9 +224,17 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
     row, own_shape = entry.row, entry.shape
     is_sized = bool(PRIMITIVES[type_name].size)
     if entry.kind == PARAMETER:
-        elements = [f"elements: {row.count}"] if row.count > 1 else []
+        elements = [f"elements: {row.count}"] if row.count > 1 or row.subindices else []
         elements += [] if is_sized else [f"length: {row.texts.get('bytes')}"]
+        if row.subindices is not None:
+            first, last = row.subindices
+            index = f"{first}" if first == last else f"{first}..{last}"
+            return [f"index: {index}", f"name: {quoted(name)}", f"type: {type_name}", *elements[1:]]
         return [f"number: {row.address}", f"name: {quoted(name)}", f"type: {type_name}", *elements]
+    if entry.kind == MESSAGE:
+        return [f"name: {quoted(name)}"]
+    if entry.kind == SIGNAL:
+        return [f"name: {quoted(name)}", f"type: {type_name}"]
     if entry.kind == FIELD:
         length = [] if is_sized else [f"length: {row.texts.get('bytes') or own_shape.words * 2}"]
         length += ["reserved: true"] if row.const is not None else []
@@ -229,9 +247,42 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
     return parts
 
 
+def _widened(entry: Entry, names: Mapping[tuple[int, int | None], str]) -> Entry:
+    """A parameter with elements, with as many as the protocol has for it; another entry as it is."""
+    row = entry.row
+    if entry.kind != PARAMETER or row.subindices is not None or row.count == 1:
+        return entry
+    last = max((subindex or 0 for number, subindex in names if number == row.address), default=0)
+    return replace(entry, row=replace(row, count=max(row.count, last + 1)))
+
+
+def _number(entry: Entry) -> tuple[int, int | None]:
+    """The number of a parameter and the subindex of an element; -1 for what is no parameter."""
+    row = entry.row
+    return row.address if entry.kind == PARAMETER else -1, row.subindices[0] if row.subindices else None
+
+
+def _namespace(entry: Entry) -> str:
+    """What a name has to be the only one in: elements of a parameter have names of their own."""
+    if entry.row.subindices is not None or entry.kind == SIGNAL:
+        return f"{entry.space} {entry.row.address}"
+    return entry.space if entry.row.is_own else ""
+
+
+def _list_of(entry: Entry) -> str:
+    """The list that an entry is in, of which no two have the same label."""
+    if entry.kind == FIELD:
+        return entry.row.texts["name"].rpartition(".")[0]
+    return entry.kind if entry.row.subindices is None and entry.kind != SIGNAL else _namespace(entry)
+
+
 def _name(entry: Entry) -> str:
     if entry.kind == FIELD:
         return entry.row.texts["name"]
+    if entry.row.is_own and entry.row.subindices is not None:
+        return entry.row.texts["name"].rpartition(".")[2]
+    if entry.kind == SIGNAL and not entry.is_own:
+        return f"word_{place_of(entry.row).first_byte}"
     return named(entry.row.names if entry.is_own else (), entry.row.address)
 
 
@@ -279,7 +330,7 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
     elif row.offset:
         doubts.append(f"Offset in the list: {row.offset:f}.")
     has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
-    low, high = (_count(bound, row) for bound in (row.low, row.high))
+    low, high = (count_of(bound, row) for bound in (row.low, row.high))
     if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
         parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
         lowest, highest = low, high
@@ -292,12 +343,12 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
     states = ", ".join(number for number, _ in row.special if not number.startswith("NaN"))
     special = Ranges(whole_intervals(states) or ()) if states else Ranges(())
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
-        count = _count(number, row) if key == "default" else _whole(number)
+        count = count_of(number, row) if key == "default" else _whole(number)
         if key in texts and count is not None and has_counts and (lowest <= count <= highest or count in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
             parts.append(f"{unit_key}: {_bound(number)}")
-        elif key in texts and row.is_own and is_text(primitive.encoding):
-            parts.append(f"{key}: {quoted(texts[key])}")
+        elif key in texts and (row.is_own or row.kind == PARAMETER) and is_text(primitive.encoding):
+            parts.append(f"default: {quoted(texts[key])}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")
     return parts
@@ -308,14 +359,6 @@ def _bound(number: Decimal | None) -> str:
     return exact(Fraction(number or 0))
 
 
-def _count(number: Decimal | None, row: ListRow) -> int | None:
-    """A bound as a whole count; None if it is none."""
-    if number is None or not row.in_unit:
-        return _whole(number)
-    count = (Fraction(number) - Fraction(row.offset)) / (row.scale or 1)
-    return int(count) if count.denominator == 1 else None
-
-
 def _whole(number: Decimal | None) -> int | None:
     return int(number) if number is not None and number == number.to_integral_value() else None
 
@@ -323,7 +366,8 @@ def _whole(number: Decimal | None) -> int | None:
 def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Iterator[str]:
     """The printed name and the label of a register; two equal ones and broken ones are added to what is `allowed`."""
     texts = row.texts
-    printed = texts.get("printed_name", "") or (row.names[0] if row.names else "")
+    is_own_element = row.is_own and row.subindices is not None
+    printed = texts.get("printed_name", "") or (row.names[0] if row.names and not is_own_element else "")
     label = texts.get("label", "")
     if printed == label and "printed_name" not in texts and "name" not in texts:
         printed = ""

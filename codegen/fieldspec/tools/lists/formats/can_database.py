@@ -1,0 +1,238 @@
+"""Databases of CAN messages (DBC) as rows: a message or a signal for each.
+
+The library cantools reads them. It says neither where a message is nor which one breaks a rule: the lines of the file
+do, and each message is judged alone.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+from fieldspec.tools.lists.assumption import Assumption
+from fieldspec.tools.lists.formats.format_rows import FormatRows, decimal
+from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.row_reading import MESSAGE, SIGNAL, ListRow, SignalPlace
+from fieldspec.tools.lists.sheet import CellError, ListError, Sheet
+from fieldspec.tools.lists.type_words import Typed
+from fieldspec.tools.lists.value_texts import Meanings
+
+SIGNS = re.compile(r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", re.MULTILINE)
+"""What such a file has."""
+
+MESSAGES = "messages"
+"""The space of the identifiers of messages."""
+
+_NOBODY = "Vector__XXX"
+_INDEPENDENT = "VECTOR__INDEPENDENT_SIG_MSG"
+_LINE = re.compile(r"\s*(?:BO_\s+(?P<identifier>[0-9]+)\s|SG_\s+(?P<signal>\w+)[\s:])")
+_EXTENDED = 1 << 31
+_LONGEST = 8 << 20
+_REALS = {16: "f16", 32: "f32", 64: "f64"}
+
+_ROLES = {
+    "Identifier": "address",
+    "Name": "name",
+    "Length": "length",
+    "Senders": "direction",
+    "Receivers": "receivers",
+    "Start": "bit",
+    "Size": "bits",
+    "Byte order": "word_order",
+    "Type": "type",
+    "Factor": "scale",
+    "Offset": "value_offset",
+    "Minimum": "min",
+    "Maximum": "max",
+    "Unit": "unit",
+    "Values": "values",
+    "Multiplexer": "condition",
+}
+_NOTES = ("Comment", "Cycle time", "Initial value")
+
+
+def can_database(text: str, node: str = "") -> tuple[Sheet, Listing]:
+    """The list of a database, as a node has it. Raises ListError."""
+    try:
+        import cantools
+    except ImportError:
+        raise ListError(
+            "is a database of CAN messages (DBC), which needs more packages: pip install 'fieldspec[lists]'"
+        ) from None
+    if len(text) > _LONGEST:
+        raise ListError(f"has more than {_LONGEST >> 20} MiB; a database of CAN messages is smaller")
+    try:
+        database: Any = cantools.database.load_string(text, "dbc", strict=False)
+    except Exception as error:  # the library raises what it stumbles over: ParseError, KeyError, ValueError
+        raise ListError(f"is no database of CAN messages: {' '.join(str(error).split())[:300]}") from None
+    lines = _lines(text)
+    rows = FormatRows("a database of CAN messages (DBC)", _ROLES, _NOTES)
+    own_node = _node(database.messages, node, rows)
+    for message in database.messages:
+        if message.name != _INDEPENDENT:
+            _add(rows, message, own_node, lines)
+    rows.items.sort(key=lambda item: item.line)
+    return rows.listing(text.count("\n") + 1)
+
+
+def _lines(text: str) -> dict[tuple[int, str], int]:
+    """The lines of messages by their identifiers, and of signals by their names too."""
+    lines: dict[tuple[int, str], int] = {}
+    identifier = -1
+    for number, line in enumerate(text.splitlines(), 1):
+        if match := _LINE.match(line):
+            identifier = int(match["identifier"]) if match["identifier"] else identifier
+            lines.setdefault((identifier, match["signal"] or ""), number)
+    return lines
+
+
+def _node(messages: list[Any], node: str, rows: FormatRows) -> str:
+    """The node that the device is: the one that is named, or that sends most messages. Raises ListError."""
+    senders = Counter(sender for message in messages for sender in message.senders if sender != _NOBODY)
+    receivers = {receiver for message in messages for receiver in message.receivers}
+    known = sorted({*senders, *receivers} - {_NOBODY})
+    if node and node not in known:
+        raise ListError(f"has no node {node}; there are {', '.join(known) or 'none'}")
+    if node or not senders:
+        return node
+    own_node: str
+    (own_node, count), *further = sorted(senders.items(), key=lambda pair: (-pair[1], pair[0]))
+    if further and further[0][1] == count:
+        raise ListError(f"has nodes that send as many messages ({', '.join(known)}); choose one with --node")
+    if len(known) > 1:
+        evidence = f"it sends {count} messages, more than any other node"
+        rows.assumptions.append(Assumption("node", own_node, evidence, "--node"))
+    return own_node
+
+
+def _add(rows: FormatRows, message: Any, node: str, lines: dict[tuple[int, str], int]) -> None:
+    """Adds a message and its signals."""
+    identifier = message.frame_id | (_EXTENDED if message.is_extended_frame else 0)
+    line = lines.get((identifier, ""), 1)
+    cells = _message_cells(message)
+    try:
+        direction = _direction(message, node)
+        message.refresh(strict=True)
+    except CellError as error:
+        reason = str(error)
+    except Exception as error:
+        reason = f"contradicts itself: {' '.join(str(error).split())[:200]}"
+    else:
+        reason = ""
+        texts = {"name": message.name, "space": MESSAGES}
+        place = SignalPlace(0, message.length * 8, "", message.is_extended_frame, direction)
+        row = ListRow(0, identifier, names=(message.name,), texts=texts, kind=MESSAGE, space=MESSAGES, place=place)
+        rows.add(line, cells, row)
+    if reason:
+        rows.refuse(line, cells, reason)
+    for signal in message.signals:
+        own_line = lines.get((identifier, signal.name), line)
+        signal_cells = {"Identifier": cells["Identifier"], **_signal_cells(signal)}
+        if reason:
+            rows.refuse(own_line, signal_cells, "belongs to a message that is not taken")
+            continue
+        try:
+            rows.add(own_line, signal_cells, _row(identifier, signal))
+        except CellError as error:
+            rows.refuse(own_line, signal_cells, str(error))
+
+
+def _direction(message: Any, node: str) -> str:
+    """`response` for what the device sends, `request` for what it receives. Raises CellError for any other message."""
+    if not node or node in message.senders or not set(message.senders) - {_NOBODY}:
+        return "response"
+    if node in message.receivers:
+        return "request"
+    raise CellError(f"is neither sent nor received by {node}")
+
+
+def _message_cells(message: Any) -> dict[str, str]:
+    return {
+        "Identifier": f"0x{message.frame_id:X}",
+        "Name": message.name,
+        "Length": str(message.length),
+        "Senders": " ".join(message.senders),
+        "Comment": message.comment or "",
+        "Cycle time": f"{message.cycle_time} ms" if message.cycle_time else "",
+        **_attributes(message),
+    }
+
+
+def _attributes(owner: Any) -> dict[str, str]:
+    attributes = owner.dbc.attributes if owner.dbc is not None else {}
+    known = ("GenMsgCycleTime", "GenSigStartValue")
+    return {name: str(attribute.value) for name, attribute in attributes.items() if name not in known}
+
+
+def _signal_cells(signal: Any) -> dict[str, str]:
+    multiplexed = ", ".join(map(str, signal.multiplexer_ids or ()))
+    return {
+        "Name": signal.name,
+        "Receivers": " ".join(signal.receivers),
+        "Start": str(signal.start),
+        "Size": str(signal.length),
+        "Byte order": signal.byte_order,
+        "Type": "real" if signal.is_float else "signed" if signal.is_signed else "unsigned",
+        "Factor": str(signal.scale),
+        "Offset": str(signal.offset),
+        "Minimum": "" if signal.minimum is None else str(signal.minimum),
+        "Maximum": "" if signal.maximum is None else str(signal.maximum),
+        "Unit": signal.unit or "",
+        "Values": "; ".join(f"{number} {name}" for number, name in (signal.choices or {}).items()),
+        "Multiplexer": "multiplexer" if signal.is_multiplexer else multiplexed,
+        "Comment": signal.comment or "",
+        "Initial value": "" if signal.raw_initial is None else str(signal.raw_initial),
+        **_attributes(signal),
+    }
+
+
+def _row(identifier: int, signal: Any) -> ListRow:
+    """The row of a signal. Raises CellError."""
+    if signal.multiplexer_ids:
+        values = ", ".join(map(str, signal.multiplexer_ids[:5]))
+        selector = signal.multiplexer_signal
+        raise CellError(
+            f"is multiplexed: it is there where {selector} is {values}, and a message has all fields always"
+        )
+    if signal.is_float and signal.length not in _REALS:
+        raise CellError(f"is a real number of {signal.length} bits")
+    numbers = [_exact(number) for number in (signal.scale, signal.offset, signal.minimum, signal.maximum)]
+    scale, offset, low, high = numbers
+    if scale is None or scale <= 0 or offset is None:
+        raise CellError(f"has the factor {signal.scale} and the offset {signal.offset}")
+    name = _REALS[signal.length] if signal.is_float else "i64" if signal.is_signed else "u64"
+    members = tuple((int(number), str(text)) for number, text in (signal.choices or {}).items())
+    bounds = {"min": signal.minimum, "max": signal.maximum}
+    is_stated = low is not None and high is not None
+    return ListRow(
+        0,
+        identifier,
+        names=(signal.name,),
+        type=Typed(name),
+        low=low if is_stated else None,
+        high=high if is_stated else None,
+        texts={key: str(bound) for key, bound in bounds.items() if bound is not None},
+        kind=SIGNAL,
+        space=MESSAGES,
+        unit=signal.unit or "",
+        scale=Fraction(scale),
+        offset=offset,
+        meanings=Meanings(members),
+        in_unit=scale != 1 or bool(offset),
+        place=SignalPlace(*_first_bit(signal), "big" if signal.byte_order == "big_endian" else "little"),
+    )
+
+
+def _first_bit(signal: Any) -> tuple[int, int]:
+    """The first bit of a signal, and how many it has: counted from the most significant one of the data where the byte
+    order is big, else from the least significant one of the first byte."""
+    if signal.byte_order == "big_endian":
+        return signal.start // 8 * 8 + 7 - signal.start % 8, signal.length
+    return signal.start, signal.length
+
+
+def _exact(number: float | None) -> Decimal | None:
+    return None if number is None else decimal(repr(number))
