@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.codec.explain.access_steps import step_spans
 from fieldspec.codec.explain.body import Body
-from fieldspec.codec.explain.registers import register_rows
+from fieldspec.codec.explain.registers import NO_REGISTERS, RegisterRows
 from fieldspec.codec.explain.row import (
     ExplanationRow,
     Spot,
@@ -34,6 +34,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import Raw
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass, field, replace
 
 __all__ = ["Explanation", "ExplanationRow", "Meaning", "explained", "explained_after"]
@@ -60,10 +61,15 @@ class Explanation:
     error: bool
     frame: bytes
     rows: tuple[ExplanationRow, ...]
-    registers: tuple[ExplanationRow, ...]
+    register_rows: RegisterRows = field(repr=False, compare=False)
     values: dict[str, Raw] = field(repr=False)
     errata: tuple[str, ...] = ()
     accessed: tuple[int, int] | None = None
+
+    @property
+    def registers(self) -> tuple[ExplanationRow, ...]:
+        """The rows of the registers. They are made when they are asked for, as most readings of a frame are dropped."""
+        return self.register_rows.rows
 
     @property
     def reasons(self) -> tuple[str, ...]:
@@ -80,6 +86,28 @@ def explained(
     tells which message and which registers the response is about, if the response does not.
     Raises KeyError for a link that the device does not have, and nothing for any bytes.
     """
+    if len(frame) + len(request) > _LONGEST_REMEMBERED:
+        return _explained(layout, link, direction, frame, message, request)
+    known = _EXPLAINED.get_or_compute(layout, lambda _: {})
+    key = link, direction, frame, message, request
+    explanation = known.get(key)
+    if explanation is None:
+        explanation = _explained(layout, link, direction, frame, message, request)
+        if len(known) >= _MOST_REMEMBERED:
+            del known[next(iter(known))]
+        known[key] = explanation
+    return explanation
+
+
+_LONGEST_REMEMBERED = 300
+_MOST_REMEMBERED = 256
+_EXPLAINED: ByIdentity[DeviceLayout, dict[tuple[str, str, bytes, str, bytes], Explanation]] = ByIdentity(limit=8)
+"""The newest explanations: each frame is read in several ways, then one of them again, and logs repeat their requests."""
+
+
+def _explained(
+    layout: DeviceLayout, link: str, direction: str, frame: bytes, message: str, request: bytes
+) -> Explanation:
     of_request = explained(layout, link, "request", request, message) if request and direction == "response" else None
     return explained_after(layout, link, direction, frame, message, of_request)
 
@@ -89,6 +117,11 @@ def explained_after(
 ) -> Explanation:
     """The explanation of a frame that answers a request which is explained already. Raises as `explained` does."""
     return _Frame(layout, link, direction, frame, message, request).explanation()
+
+
+def is_damaged(layout: DeviceLayout, link: str, direction: str, frame: bytes) -> bool:
+    """Whether a checksum is wrong, so that no reading of the frame in this direction fits."""
+    return _Frame(layout, link, direction, frame, "", None).is_damaged
 
 
 class _Frame:
@@ -121,7 +154,7 @@ class _Frame:
         if self.unreadable is not None:
             return self._unreadable(self.unreadable)
         rows = [*start_rows(self.wrapped), *self._head()]
-        registers: tuple[ExplanationRow, ...] = ()
+        registers = NO_REGISTERS
         if len(self.data) >= self.shape.header_size:
             self.error = self.error or self._is_marked()
             body_rows, registers = self._body()
@@ -138,6 +171,17 @@ class _Frame:
             name = self.message.name
         known = (tuple(rows), registers, self.values, errata, self.accessed)
         return Explanation(self.link.name, self.direction, name, self.error, self.frame, *known)
+
+    @property
+    def is_damaged(self) -> bool:
+        """Whether the parts are whole, and one of their checksums is wrong."""
+        parts_size = self.shape.header_size + self.shape.trailer_size
+        if self.unreadable is not None or not self.wrapped.whole or len(self.data) < parts_size:
+            return False
+        return any(
+            part.checksum(self._measured(part)) != self.data[part.at(len(self.data)) :][: part.size]
+            for part in self.shape.checksums
+        )
 
     def _is_marked(self) -> bool:
         """Whether a part or the data say that a frame without a code is an exception response."""
@@ -187,7 +231,7 @@ class _Frame:
         if self.surplus:
             rows.append(surplus_row(self.spot, len(self.data), self.surplus))
         rows += end_rows(self.wrapped)
-        return Explanation(self.link.name, self.direction, self.named, False, self.frame, tuple(rows), (), {}, ())
+        return Explanation(self.link.name, self.direction, self.named, False, self.frame, tuple(rows), NO_REGISTERS, {})
 
     def _unescaped_rows(self, parts: Iterable[PartLayout]) -> Iterator[ExplanationRow]:
         """The rows of parts that are not escaped."""
@@ -337,28 +381,26 @@ class _Frame:
             return self.layout.records[self.link.exception_response.record]
         return self.message.data(self.direction) if self.message else None
 
-    def _body(self) -> tuple[list[ExplanationRow], tuple[ExplanationRow, ...]]:
+    def _body(self) -> tuple[list[ExplanationRow], RegisterRows]:
         """The rows of the body, and those of the registers that it reads or writes."""
         start, record = self.shape.header_size, self._record()
         end = max(start, len(self.data) - self.shape.trailer_size) if self.wrapped.whole else len(self.data)
         if record is None:
-            return list(self._unknown(start, end)), ()
+            return list(self._unknown(start, end)), NO_REGISTERS
         message = self.message.message if self.message else None
         request_values = self.asked.values if self.asked else {}
         body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, request_values)
         self.values |= body.values
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
         if message is None or self.error:
-            return rows, ()
+            return rows, NO_REGISTERS
         access, bits = self.layout.device.register_access(message), self.layout.device.bit_access(message)
         access = access or bits
         if access is None:
             body_bytes = start, self.data[start:end]
             answered_values = request_values if self.direction == "response" else None
             steps = step_spans(self.layout, message, record, body_bytes, body.values, answered_values)
-            return rows, tuple(
-                row for step, span in steps for row in register_rows(self.layout, span, self.spot, step.operation)
-            )
+            return rows, RegisterRows(self.layout, self.spot, [(step.operation, span) for step, span in steps])
         values = record.named(access.values)
         values_start = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end
@@ -369,9 +411,9 @@ class _Frame:
             unit_size = self.layout.device.space(access.space).unit_size
             span = accessed(access, body.values, request_values, values_start, data, unit_size)
         if span is None:
-            return rows, ()
+            return rows, NO_REGISTERS
         self.accessed = span.address, span.end - 1
-        return rows, tuple(register_rows(self.layout, span, self.spot, access.operation))
+        return rows, RegisterRows(self.layout, self.spot, [(access.operation, span)])
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
         """The row of a body that nothing describes."""

@@ -22,7 +22,8 @@ from fieldspec.command.rendering import explanation_text as texts
 from fieldspec.command.rendering.blocks import Block, Line
 from fieldspec.command.rendering.explanation_text import faults
 from fieldspec.command.sources import layout_cache
-from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
 if TYPE_CHECKING:
     from typing import BinaryIO
@@ -38,6 +39,7 @@ class FramePrinter:
         self.layout, self.form, self.all_errata = layout, form, all_errata
         self.said: set[str] = set()
         self.first = True
+        self._known: ByIdentity[Explanation, _Body] = ByIdentity(_MOST_KNOWN)
 
     def explain(self, reading: ChosenReading, remarks: Sequence[str], number: int = 0) -> None:
         """Prints one frame; `number` is that of its line in a log, 0 where there is no log."""
@@ -64,12 +66,33 @@ class FramePrinter:
         print_blocks(self._blocks(reading, remarks, number))
 
     def _blocks(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
-        yield from texts.blocks(self.layout, reading, remarks, f"line {number}: " if number else "")
-        for line in texts.footnotes(self.layout, reading.explanation, self.all_errata):
+        yield from texts.head_blocks(self.layout, reading, remarks, f"line {number}: " if number else "")
+        body = self._known.get_or_compute(reading.explanation, self._body)
+        yield from body.blocks
+        for line in body.footnotes:
             if line not in self.said:
                 self.said.add(line)
                 yield Line(line, "dim")
 
+    def _body(self, explanation: Explanation) -> _Body:
+        return _Body(
+            tuple(texts.body_blocks(self.layout, explanation)),
+            tuple(texts.footnotes(self.layout, explanation, self.all_errata)),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class _Body:
+    """What is printed of an explanation below its remarks."""
+
+    blocks: tuple[Block, ...]
+    footnotes: tuple[str, ...]
+
+
+_MOST_KNOWN = 512
+"""The newest explanations whose texts are kept: logs repeat their requests, and many of the answers."""
+
+_LONGEST_KNOWN = 300
 
 LONGEST_LINE = 8192
 
@@ -167,6 +190,7 @@ class Log:
         self.repeated = {name: repeated_parts(link) for name, link in layout.links.items()}
         self.mark = ""
         self.wrong = False
+        self.readings: dict[object, ChosenReading] = {}
 
     def explain(self, stream: BinaryIO) -> int:
         """Explains every line, and reports those that it cannot read. Returns the exit code."""
@@ -204,16 +228,28 @@ class Log:
     def _read(self, frame: bytes) -> tuple[ChosenReading, int]:
         """The reading of a frame, and the line of the request before it that counts; 0 where there is none."""
         if self.asked is not None or not self.open:
-            return read(self.layout, frame, self.said, self.mark, self.asked), 0
+            return self._reading(frame, self.asked), 0
         nearest = None
         for open_request, line in self.open[::-1]:
-            own = read(self.layout, frame, self.said, self.mark, open_request), line
+            own = self._reading(frame, open_request), line
             if own[0].chosen == "request":
                 return own
             if nearest is None or (own[0].mismatches and not nearest[0].mismatches):
                 nearest = own
         assert nearest is not None
         return nearest
+
+    def _reading(self, frame: bytes, open_request: OpenRequest | None) -> ChosenReading:
+        asked = open_request.request if open_request is not None else None
+        key = frame, self.mark, None if asked is None else (asked.link, asked.message, asked.frame)
+        reading = self.readings.get(key)
+        if reading is None:
+            reading = read(self.layout, frame, self.said, self.mark, open_request)
+            if len(frame) <= _LONGEST_KNOWN:
+                self.readings[key] = reading
+            if len(self.readings) > _MOST_KNOWN:
+                del self.readings[next(iter(self.readings))]
+        return reading
 
     def _close(self, frame: Explanation) -> None:
         """Closes the requests that a frame answers, or leaves without an answer."""
