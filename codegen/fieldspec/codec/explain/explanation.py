@@ -102,7 +102,7 @@ def explained(
 _LONGEST_REMEMBERED = 300
 _MOST_REMEMBERED = 256
 _EXPLAINED: ByIdentity[DeviceLayout, dict[tuple[str, str, bytes, str, bytes], Explanation]] = ByIdentity(limit=8)
-"""The newest explanations: each frame is read in several ways, then one of them again, and logs repeat their requests."""
+"""The newest explanations: a frame is read in several ways, then one of them again, and logs repeat their requests."""
 
 
 def _explained(
