@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import gc
 import os
+import shlex
 import sys
 from collections.abc import Iterator, Sequence
 
@@ -127,7 +128,7 @@ def run(arguments: argparse.Namespace) -> int:
             print_note("reading frames from the terminal, one on each line")
         gc.enable()  # a log may be long
         return Log(layout, options, open_request, printer, hints, arguments.strict).explain(sys.stdin.buffer)
-    line = _frame(layout, text)
+    line = _frame(layout, text, arguments.device)
     reading = read(layout, line.frame, options, line.direction, open_request)
     printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options), *hints.of(reading)])
     return int(_fails(reading, arguments.strict))
@@ -143,22 +144,38 @@ def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None
     if text is None:
         return None
     places = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
-    request = read(layout, _frame(layout, text).frame, FrameOptions(places, options.message))
+    request = read(layout, _frame(layout, text, "").frame, FrameOptions(places, options.message))
     if request.wrong and request.explanation.reasons != ("unknown_code",):
         faults_text = "; ".join(faults(request.explanation))
         raise UsageError(f"--request is not a valid request of {layout.device.id}: {faults_text}")
     return OpenRequest(request.explanation, True)
 
 
-def _frame(layout: DeviceLayout, text: str) -> LogLine:
+def _frame(layout: DeviceLayout, text: str, device: str) -> LogLine:
+    """The frame in a text that the user wrote. With the name of a `device`, it may be a path by mistake."""
     try:
         line = log_line(text, [link.link for link in layout.links.values()])
     except Unreadable as error:
-        hint = f"; it is a path: read it with - < {text}, or with --to" if os.path.exists(text) else ""
+        hint = _path_hint(text, device) if device and os.path.exists(text) else ""
         raise UsageError(f"this is not a frame: {error}{hint}") from None
     if line is None or not line.frame:
         raise UsageError("this is not a frame: it has no bytes")
     return line
+
+
+def _path_hint(path: str, device: str) -> str:
+    """How to decode what is at a path: each line of a log, a capture or a folder as tables."""
+    command = f"fieldspec decode {device}"
+    tables = f"{command} {shlex.quote(path)} --to parquet --out FOLDER"
+    if os.path.isdir(path):
+        return f"; it is a folder: decode the files in it with {tables}"
+    from fieldspec.tools.captures.file_content import FileContent, is_capture
+
+    with open(path, "rb") as file:
+        content = FileContent(file)
+        if is_capture(content.read(4)) or content.is_packed:
+            return f"; it is {'packed' if content.is_packed else 'a capture'}: decode it with {tables}"
+    return f"; it is a path: explain its lines with {command} - < {shlex.quote(path)}"
 
 
 _MOST_OPEN = 64
@@ -287,6 +304,14 @@ class Log:
         return OpenRequest(request, False)
 
 
+def _refuse_packets(head: bytes) -> None:
+    from fieldspec.tools.captures.file_content import MAGIC, is_capture
+
+    if is_capture(head) or head.startswith(MAGIC):
+        form = "a capture" if is_capture(head) else "packed"
+        raise UsageError(f"standard input is {form}: name the file, with --to parquet --out FOLDER")
+
+
 def _lines(stream: BinaryIO) -> Iterator[tuple[int, str]]:
     """The lines of a log, numbered from 1. Long lines are cut; UTF-16, which Windows shells write, is accepted."""
     number = 0
@@ -296,6 +321,7 @@ def _lines(stream: BinaryIO) -> Iterator[tuple[int, str]]:
         while len(rest) == LONGEST_LINE and not rest.endswith(b"\n"):
             rest = stream.readline(LONGEST_LINE)
         if number == 1:
+            _refuse_packets(line)
             for mark in (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff"):
                 line = line.removeprefix(mark)
         yield number, line.replace(b"\0", b"").decode("utf-8", "replace")
