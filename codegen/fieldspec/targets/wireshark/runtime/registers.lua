@@ -72,10 +72,8 @@ function registers.show(context, tree, span, operation)
             unlisted(reached, place.address - 1)
         end
         reached = math.max(reached, place.address + row.words)
-        local options = { index = heading(place), lenient = row.trigger and operation == "read" }
-        if operation == "write" and row.value.write_ranges then
-            options.ranges = row.value.write_ranges
-        end
+        local is_write = operation == "write"
+        local options = { index = heading(place), lenient = row.trigger and not is_write, is_write = is_write }
         local item
         local start = (span.unit_size or 2) * (place.address - span.address) + (row.skip or 0)
         if span.is_bits then

@@ -12,8 +12,20 @@ protocol.init = reset
 
 local in_ranges = values.is_within
 
+local ranges_of = {}
+
 -- `1-16,20` or `0x8001` as ranges; nil for a text without numbers, which means every number.
 function streams.ranges(text)
+    local known = ranges_of[text]
+    if known == nil then
+        known = streams.parsed(text) or false
+        ranges_of[text] = known
+    end
+    return known or nil
+end
+
+-- The same for a text that is new.
+function streams.parsed(text)
     local ranges = {}
     for item in tostring(text):gsub("%s*%-%s*", "-"):gmatch("[^,%s]+") do
         local first, last = item:match("^(%w+)%-?(%w*)$")
