@@ -1,7 +1,7 @@
 """The code that shows a value: one function of Lua for each meaning that values have, without a look at a table.
 
 A function gets the entry of a fact, the tree, the bytes in the packet, those of the value, and options. `options.index`
-is what stands behind the title; `options.lenient` is set for answers that need not be what was written,
+is what stands behind the title, and `options.title` both with what stands before; `options.lenient` is set for answers that need not be what was written,
 `options.is_write` for what is sent to the device, and `options.reason` takes the place of the reason of a finding. It
 returns the item, the number, and the reason of a finding.
 """
@@ -80,10 +80,10 @@ class _ValueCode:
                 f'format("0x%0{2 * size}x", unsigned)' if is_short else "numbers.hexadecimal(bytes, entry.value)"
             )
             yield f"local digits = {hexadecimal}"
-        yield 'local title = entry.title .. (options.index or "")'
+        yield 'local title = options.title or entry.title .. (options.index or "")'
         if self.is_reserved:
             yield f'item:set_text(title .. ": " .. {digits} .. " (reserved)")'
-            yield "values.cite(item, entry.errata)"
+            yield "if entry.errata then values.cite(item, entry.errata) end"
             yield "return item, number, nil"
             return
         yield "local state, name, reason, detail"
@@ -98,12 +98,12 @@ class _ValueCode:
             yield "end"
         if word:
             yield from self._bits(self.functions.words[word])
-        yield "reason = reason and options.reason or reason"
         yield "if reason and not options.lenient then"
+        yield "    reason = options.reason or reason"
         yield '    local name = entry.name .. (options.index or "")'
         yield f'    values.report(item, reason, name .. " is " .. {digits} .. ": " .. detail)'
         yield "end"
-        yield "values.cite(item, entry.errata)"
+        yield "if entry.errata then values.cite(item, entry.errata) end"
         yield "return item, number, not options.lenient and reason or nil"
 
     def _load(self) -> Iterator[str]:

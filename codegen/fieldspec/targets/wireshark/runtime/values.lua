@@ -201,6 +201,9 @@ end
 local function show_characters(entry, tree, range, bytes, options)
     if entry.value.kind == "bytes" then
         local item = tree:add(entry.field, range)
+        if options.before then
+            item:prepend_text(options.before)
+        end
         values.cite(item, entry.errata)
         return item, nil, nil
     end
@@ -208,7 +211,7 @@ local function show_characters(entry, tree, range, bytes, options)
     local is_ascii = not text:find("[\128-\255]")
     text = text:gsub("[^\32-\126]", function(char) return string.format("\\x%02x", char:byte()) end)
     local item = tree:add(entry.field, range, text)
-    item:set_text(entry.title .. (options.index or "") .. ": " .. text)
+    item:set_text((options.title or entry.title .. (options.index or "")) .. ": " .. text)
     if not is_ascii and not entry.reserved then
         values.report(item, "unknown_value", "the text is not ASCII")
     end
