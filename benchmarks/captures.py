@@ -133,7 +133,9 @@ def same_tables(ours: Path, theirs: Path) -> None:
         own, other = parquet.read_table(ours / name), parquet.read_table(theirs / f"{name}.parquet")
         for column in set(own.column_names) - {"device"}:
             texts = [
-                table[column].cast(pyarrow.string()) if pyarrow.types.is_dictionary(table[column].type) else table[column]
+                table[column].cast(pyarrow.string())
+                if pyarrow.types.is_dictionary(table[column].type)
+                else table[column]
                 for table in (own, other)
             ]
             if not texts[0].equals(texts[1]):

@@ -72,51 +72,57 @@ def tables(pairs: np.ndarray, first: int, source: str, is_states: bool) -> Itera
     delay[1::2] = time[1::2] - time[::2]
     ones = np.ones(rows, np.int64)
     frame_bytes = np.concatenate([pairs[:, REQUEST], pairs[:, ANSWER]], axis=1).ravel()
-    yield "frames", pa.table(
-        {
-            "source": same(source, rows),
-            "frame": number,
-            "packet": number,
-            "time": pa.array(time).cast(pa.timestamp("ns", "UTC")),
-            "stream": same("tcp 10.0.0.1:49152 10.0.0.2:502", rows),
-            "device": same("device", rows),
-            "link": same("tcp", rows),
-            "direction": text(is_answer, ["request", "response"]),
-            "message": same("read_input_registers", rows),
-            "exception": nothing(TEXT, rows),
-            "unit_address": ones,
-            "space": same("input_registers", rows),
-            "address": np.zeros(rows, np.int64),
-            "count": 10 * ones,
-            "request": pa.array(number - 1, mask=~is_answer),
-            "delay": pa.array(delay, mask=~is_answer),
-            "verdict": same("ok", rows),
-            "bytes": packed(frame_bytes, np.tile([12, 29], len(pairs))),
-            "data": packed(np.ascontiguousarray(pairs[:, 161:181]).ravel(), np.where(is_answer, 20, 0), is_answer),
-        }
+    yield (
+        "frames",
+        pa.table(
+            {
+                "source": same(source, rows),
+                "frame": number,
+                "packet": number,
+                "time": pa.array(time).cast(pa.timestamp("ns", "UTC")),
+                "stream": same("tcp 10.0.0.1:49152 10.0.0.2:502", rows),
+                "device": same("device", rows),
+                "link": same("tcp", rows),
+                "direction": text(is_answer, ["request", "response"]),
+                "message": same("read_input_registers", rows),
+                "exception": nothing(TEXT, rows),
+                "unit_address": ones,
+                "space": same("input_registers", rows),
+                "address": np.zeros(rows, np.int64),
+                "count": 10 * ones,
+                "request": pa.array(number - 1, mask=~is_answer),
+                "delay": pa.array(delay, mask=~is_answer),
+                "verdict": same("ok", rows),
+                "bytes": packed(frame_bytes, np.tile([12, 29], len(pairs))),
+                "data": packed(np.ascontiguousarray(pairs[:, 161:181]).ravel(), np.where(is_answer, 20, 0), is_answer),
+            }
+        ),
     )
     count = words.size
     is_known = np.ones((len(pairs), 10), np.bool_)
     if is_states:
         is_known[:, :5] = words[:, :5] < 20
     raw, register = words.ravel(), np.tile(np.arange(10), len(pairs))
-    yield "values", pa.table(
-        {
-            "source": same(source, count),
-            "frame": np.repeat(number[1::2], 10),
-            "time": pa.array(np.repeat(time[1::2], 10)).cast(pa.timestamp("ns", "UTC")),
-            "device": same("device", count),
-            "unit_address": np.ones(count, np.int64),
-            "operation": same("read", count),
-            "space": same("input_registers", count),
-            "address": register,
-            "register": text(register, [f"r{place}" for place in range(10)]),
-            "raw": raw,
-            "value": nothing(pa.float64(), count) if is_states else raw.astype(np.float64),
-            "text": meanings(words) if is_states else nothing(TEXT, count),
-            "unit": nothing(TEXT, count),
-            "verdict": text(~is_known.ravel(), ["ok", "unlisted_member"]),
-        }
+    yield (
+        "values",
+        pa.table(
+            {
+                "source": same(source, count),
+                "frame": np.repeat(number[1::2], 10),
+                "time": pa.array(np.repeat(time[1::2], 10)).cast(pa.timestamp("ns", "UTC")),
+                "device": same("device", count),
+                "unit_address": np.ones(count, np.int64),
+                "operation": same("read", count),
+                "space": same("input_registers", count),
+                "address": register,
+                "register": text(register, [f"r{place}" for place in range(10)]),
+                "raw": raw,
+                "value": nothing(pa.float64(), count) if is_states else raw.astype(np.float64),
+                "text": meanings(words) if is_states else nothing(TEXT, count),
+                "unit": nothing(TEXT, count),
+                "verdict": text(~is_known.ravel(), ["ok", "unlisted_member"]),
+            }
+        ),
     )
 
 

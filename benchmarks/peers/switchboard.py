@@ -14,7 +14,11 @@ versions:
 uses:
   - {{protocol: modbus, links: [tcp], messages: [read_input_registers]}}
 links:
-  - {{name: tcp, source: 1 L4, word_order: big, unit_addresses: {{range: 1..247, source: 1 L3}}, network: {{tcp: 502, source: 1 L5}}}}
+  - name: tcp
+    word_order: big
+    unit_addresses: {{range: 1..247, source: 1 L3}}
+    network: {{tcp: 502, source: 1 L5}}
+    source: 1 L4
 spaces:
   - {{name: input_registers, title: Input registers, first_number: 30001, source: 2 L2}}
 messages:

@@ -1,4 +1,4 @@
-"""A log or a capture costs little for each line and value: the calls are counted, as the clock differs from run to run."""
+"""A log or a capture costs little for each line and value. Calls are counted, as clocks differ from run to run."""
 
 from __future__ import annotations
 

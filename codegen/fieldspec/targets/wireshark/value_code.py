@@ -1,9 +1,9 @@
 """The code that shows a value: one function of Lua for each meaning that values have, without a look at a table.
 
 A function gets the entry of a fact, the tree, the bytes in the packet, those of the value, and options. `options.index`
-is what stands behind the title, and `options.title` both with what stands before; `options.lenient` is set for answers that need not be what was written,
-`options.is_write` for what is sent to the device, and `options.reason` takes the place of the reason of a finding. It
-returns the item, the number, and the reason of a finding.
+is what stands behind the title, and `options.title` both with what stands before. `options.lenient` is set for answers
+that need not be what was written, `options.is_write` for what is sent to the device, and `options.reason` takes the
+place of the reason of a finding. It returns the item, the number, and the reason of a finding.
 """
 
 from __future__ import annotations
@@ -66,20 +66,33 @@ class _ValueCode:
         """Whether the number is a whole one that a double holds."""
         return bool(self.value["kind"] != "float" and self.value["size"] <= _DOUBLE)
 
+    @property
+    def _is_short(self) -> bool:
+        """Whether a join of texts writes all digits of the number."""
+        return self._is_plain and self.value["size"] <= _NUMBER
+
+    @property
+    def _has_key(self) -> bool:
+        """Whether the number is needed as a text: as the key of a table, or where a join of texts cuts digits off."""
+        return not self._is_short or bool(self.value.get("special")) or self._has_remarks
+
+    @property
+    def _has_remarks(self) -> bool:
+        enum = self.functions.enums[self.value["enum"]] if self.value.get("enum") else {}
+        return bool(enum.get("texts") or enum.get("errata"))
+
     def lines(self) -> Iterator[str]:
         value = self.value
         yield from self._load()
         yield f"local item = tree:add(entry.field, range, {self._of_item()})"
-        yield 'local key = format("%.0f", number)' if self._is_plain else "local key = numbers.text(number)"
+        if self._has_key:
+            yield 'local key = format("%.0f", number)' if self._is_plain else "local key = numbers.text(number)"
         word, size = value.get("word"), value["size"]
-        digits = "key"
+        digits = "key" if self._has_key else "number"
         if word:
             digits = "digits"
-            is_short = self._is_plain and size <= _NUMBER
-            hexadecimal = (
-                f'format("0x%0{2 * size}x", unsigned)' if is_short else "numbers.hexadecimal(bytes, entry.value)"
-            )
-            yield f"local digits = {hexadecimal}"
+            short = f'format("0x%0{2 * size}x", unsigned)'
+            yield f"local digits = {short if self._is_short else 'numbers.hexadecimal(bytes, entry.value)'}"
         yield 'local title = options.title or entry.title .. (options.index or "")'
         if self.is_reserved:
             yield f'item:set_text(title .. ": " .. {digits} .. " (reserved)")'
@@ -144,7 +157,7 @@ class _ValueCode:
         value = self.value
         branches: list[tuple[str, list[str]]] = []
         if value["kind"] == "boolean":
-            branches.append(('key ~= "0" and key ~= "1"', [_because("unknown_value", '"should be 0 or 1"')]))
+            branches.append(("number ~= 0 and number ~= 1", [_because("unknown_value", '"should be 0 or 1"')]))
         const = value.get("const")
         if const is not None:
             text = f'"should be " .. numbers.text({self._number(const)})'
@@ -211,7 +224,7 @@ class _ValueCode:
             return
         yield "local quantity, approximate"
         if scale is None:
-            lines = [f"quantity = key .. {literal(unit)}"]
+            lines = [f"quantity = {'key' if self._has_key else 'number'} .. {literal(unit)}"]
         else:
             lines = [*self._scaled(scale), *([f"quantity = quantity .. {literal(unit)}"] if unit else ())]
         yield from (["if not state then", *(f"    {line}" for line in lines), "end"] if has_states else lines)
@@ -231,10 +244,8 @@ class _ValueCode:
         yield f'quantity = format("%.{places}f", approximate)'
 
     def _remarks(self) -> Iterator[str]:
-        name = self.value.get("enum") or ""
-        enum = self.functions.enums[name] if name else {}
-        if enum.get("texts") or enum.get("errata"):
-            yield f"if name then values.remark(item, device.enums[{literal(name)}], key) end"
+        if self._has_remarks:
+            yield f"if name then values.remark(item, device.enums[{literal(self.value['enum'])}], key) end"
 
     def _bits(self, word: Sequence[Mapping[str, Any]]) -> Iterator[str]:
         is_short = self._is_plain

@@ -46,7 +46,7 @@ local function options_of(place, operation)
         local row, index, is_write = place.row, heading(place), operation == "write"
         local before = string.format("0x%04X ", place.address)
         options = {
-            index = index, title = before .. row.title .. index, before = before,
+            index = index, name = row.name .. index, title = before .. row.title .. index, before = before,
             lenient = row.trigger and not is_write, is_write = is_write,
         }
         if row.access == "ro" and is_write then
@@ -106,7 +106,8 @@ end
 -- bits `is_bits` is set, and `single` is the value of the only bit where that is a number of its own.
 function registers.show(context, tree, span, operation)
     local space = spaces[span.space] or { widest = 1, at = {} }
-    local reached, stop = span.address, span.address + span.words
+    local reached, stop, names = span.address, span.address + span.words, {}
+    context.registers = names
     for address = reached - space.widest + 1, stop - 1 do
         local places = space.at[address]
         for number = 1, places and #places or 0 do
@@ -118,6 +119,7 @@ function registers.show(context, tree, span, operation)
                 end
                 reached = math.max(reached, behind)
                 local options = options_of(place, operation)
+                names[#names + 1] = options.name
                 local item = show_present(context, tree, span, place, options)
                     or show_accessed(context, tree, span, place, options)
                 if options.forbidden then
