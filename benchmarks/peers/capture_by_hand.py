@@ -1,7 +1,7 @@
-"""A capture of Modbus TCP as the two tables of `fieldspec decode`, with numpy by hand for this device and these packets.
+"""A capture of Modbus TCP as the two tables of `fieldspec decode`, with numpy by hand.
 
-It knows that each request has 12 bytes and each answer 29, that nothing is lost, and what each register is: numbers alone,
-or five states of 20 numbers each and five words of 16 bits. `python capture_by_hand.py CAPTURE FOLDER states|numbers`.
+It knows the device and the packets: each request has 12 bytes and each answer 29, nothing is lost, and the registers are
+ten numbers, or five states of 20 numbers each and five words of 16 bits. `capture_by_hand.py CAPTURE FOLDER states|numbers`
 """
 
 from __future__ import annotations
