@@ -1,7 +1,7 @@
 """A capture of Modbus TCP as the two tables of `fieldspec decode`, with numpy by hand.
 
-It knows the device and the packets: each request has 12 bytes and each answer 29, nothing is lost, and the registers are
-ten numbers, or five states of 20 numbers each and five words of 16 bits. `capture_by_hand.py CAPTURE FOLDER states|numbers`
+It knows the device and the packets: each request has 12 bytes and each answer 29, nothing is lost. The registers are
+ten numbers, or five states and five words of 16 bits. `capture_by_hand.py CAPTURE FOLDER states|numbers`
 """
 
 from __future__ import annotations

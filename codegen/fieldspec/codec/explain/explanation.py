@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.codec.explain.access_steps import step_spans
 from fieldspec.codec.explain.body import Body
+from fieldspec.codec.explain.explained_frame import Explanation
 from fieldspec.codec.explain.registers import NO_REGISTERS, RegisterRows
 from fieldspec.codec.explain.row import (
     ExplanationRow,
@@ -35,46 +36,9 @@ from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import Raw
 from fieldspec.foundation.caches import ByIdentity
-from fieldspec.foundation.classes import dataclass, field, replace
+from fieldspec.foundation.classes import replace
 
 __all__ = ["Explanation", "ExplanationRow", "Meaning", "explained", "explained_after"]
-
-# Reasons with which a codec still accepts the frame: the manual prints narrower bounds than the type has.
-_ACCEPTED = ("", "out_of_range")
-
-
-@dataclass(frozen=True, slots=True)
-class Explanation:
-    """The meaning of every byte of a frame.
-
-    `rows` cover every byte of the frame once, in order. `registers` are the registers that the frame reads or writes,
-    by address; their bytes, if the frame carries them, are in `rows` too. `accessed` are the addresses of the first and
-    the last word or bit that a message with `accesses` reads or writes; None where the frame does not tell.
-    `message` is empty if nothing tells which one it is. `error` marks an exception response.
-    `values` are the raw values by name: those of the header without the length, and those of the fields in the body.
-    `errata` are the ids of those about the message and about the link as a whole.
-    """
-
-    link: str
-    direction: str
-    message: str
-    error: bool
-    frame: bytes
-    rows: tuple[ExplanationRow, ...]
-    register_rows: RegisterRows = field(repr=False, compare=False)
-    values: dict[str, Raw] = field(repr=False)
-    errata: tuple[str, ...] = ()
-    accessed: tuple[int, int] | None = None
-
-    @property
-    def registers(self) -> tuple[ExplanationRow, ...]:
-        """The rows of the registers. They are made when they are asked for, as most readings of a frame are dropped."""
-        return self.register_rows.rows
-
-    @property
-    def reasons(self) -> tuple[str, ...]:
-        """The reasons for which a codec refuses the frame, as its errors name them; empty if it accepts the frame."""
-        return tuple(row.reason for row in self.rows if row.reason not in _ACCEPTED)
 
 
 def explained(
@@ -86,16 +50,17 @@ def explained(
     tells which message and which registers the response is about, if the response does not.
     Raises KeyError for a link that the device does not have, and nothing for any bytes.
     """
-    if len(frame) + len(request) > _LONGEST_REMEMBERED:
-        return _explained(layout, link, direction, frame, message, request)
     known = _EXPLAINED.get_or_compute(layout, lambda _: {})
     key = link, direction, frame, message, request
     explanation = known.get(key)
     if explanation is None:
-        explanation = _explained(layout, link, direction, frame, message, request)
+        is_answer = request and direction == "response"
+        of_request = explained(layout, link, "request", request, message) if is_answer else None
+        explanation = explained_after(layout, link, direction, frame, message, of_request)
         if len(known) >= _MOST_REMEMBERED:
             del known[next(iter(known))]
-        known[key] = explanation
+        if len(frame) + len(request) <= _LONGEST_REMEMBERED:
+            known[key] = explanation
     return explanation
 
 
@@ -103,13 +68,6 @@ _LONGEST_REMEMBERED = 300
 _MOST_REMEMBERED = 256
 _EXPLAINED: ByIdentity[DeviceLayout, dict[tuple[str, str, bytes, str, bytes], Explanation]] = ByIdentity(limit=8)
 """The newest explanations: a frame is read in several ways, then one of them again, and logs repeat their requests."""
-
-
-def _explained(
-    layout: DeviceLayout, link: str, direction: str, frame: bytes, message: str, request: bytes
-) -> Explanation:
-    of_request = explained(layout, link, "request", request, message) if request and direction == "response" else None
-    return explained_after(layout, link, direction, frame, message, of_request)
 
 
 def explained_after(

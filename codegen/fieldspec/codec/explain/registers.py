@@ -147,11 +147,11 @@ def occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
     """
     device = layout.device
     own = device.space_name(span.space)
-    near = _INDEXES.get_or_compute(layout, _index).get(own, {})
+    blocks = _INDEXES.get_or_compute(layout, _index).get(own, {})
     numbers = {
         number
         for block in range(span.address // _BLOCK, max(span.address, span.end - 1) // _BLOCK + 1)
-        for number in near.get(block, ())
+        for number in blocks.get(block, ())
     }
     for number in sorted(numbers):
         yield from _elements(layout.registers[number], span)

@@ -39,7 +39,7 @@ def aligned(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     widths = list(map(max, *sizes)) if rows else sizes[0]
     text = ""
     for line, own in zip(lines, sizes, strict=True):
-        padded = [cell + " " * (most - size) for cell, size, most in zip(line, own, widths, strict=True)]
+        padded = [cell + " " * (column - size) for cell, size, column in zip(line, own, widths, strict=True)]
         text += "  ".join(padded).rstrip() + "\n"
     return text
 

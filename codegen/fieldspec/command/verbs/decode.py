@@ -257,8 +257,8 @@ class Log:
         return nearest
 
     def _reading(self, frame: bytes, open_request: OpenRequest | None) -> ChosenReading:
-        asked = open_request.request if open_request is not None else None
-        key = frame, self.mark, None if asked is None else (asked.link, asked.message, asked.frame)
+        request = open_request.request if open_request is not None else None
+        key = frame, self.mark, None if request is None else (request.link, request.message, request.frame)
         reading = self.readings.get(key)
         if reading is None:
             reading = read(self.layout, frame, self.said, self.mark, open_request)

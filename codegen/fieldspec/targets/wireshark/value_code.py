@@ -47,12 +47,7 @@ class ValueFunctions:
     def text(self) -> str:
         """All functions, as the list `values.shows`."""
         functions = (f"function(entry, tree, range, bytes, options)\n{text}\nend," for text in self.numbers)
-        head = [
-            "-- How numbers are shown, a function for each meaning.",
-            "",
-            "local byte, format = string.byte, string.format",
-        ]
-        return "\n".join([*head, "values.shows = {", *functions, "}", ""])
+        return "\n".join([_HEAD, "values.shows = {", *functions, "}", ""])
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,14 +57,14 @@ class _ValueCode:
     is_reserved: bool
 
     @property
-    def _is_plain(self) -> bool:
+    def _fits_double(self) -> bool:
         """Whether the number is a whole one that a double holds."""
         return bool(self.value["kind"] != "float" and self.value["size"] <= _DOUBLE)
 
     @property
     def _is_short(self) -> bool:
         """Whether a join of texts writes all digits of the number."""
-        return self._is_plain and self.value["size"] <= _NUMBER
+        return self._fits_double and self.value["size"] <= _NUMBER
 
     @property
     def _has_key(self) -> bool:
@@ -86,7 +81,7 @@ class _ValueCode:
         yield from self._load()
         yield f"local item = tree:add(entry.field, range, {self._of_item()})"
         if self._has_key:
-            yield 'local key = format("%.0f", number)' if self._is_plain else "local key = numbers.text(number)"
+            yield 'local key = format("%.0f", number)' if self._fits_double else "local key = numbers.text(number)"
         word, size = value.get("word"), value["size"]
         digits = "key" if self._has_key else "number"
         if word:
@@ -123,7 +118,7 @@ class _ValueCode:
         """The number, and of a word of few bytes the same without a sign."""
         value = self.value
         size, order, swapped, sign = value["size"], value["order"], value["swapped"], value.get("signed")
-        if not self._is_plain:
+        if not self._fits_double:
             if value["kind"] == "float" and size in (4, 8) and not swapped:
                 form = (">" if order == "big" else "<") + ("f" if size == 4 else "d")
                 yield f'local number = Struct.unpack("{form}", bytes)'
@@ -179,7 +174,7 @@ class _ValueCode:
         if not name:
             return
         enum = self.functions.enums[name]
-        number = "number" if self._is_plain else "tonumber(key)"
+        number = "number" if self._fits_double else "tonumber(key)"
         yield f"local enum = device.enums[{literal(name)}]"
         yield f"name = enum.names[{number}]"
         if not enum["open"]:
@@ -189,11 +184,11 @@ class _ValueCode:
 
     def _within(self) -> Iterator[str]:
         """The judgement by the ranges, where nothing else has refused the number."""
-        ranges, written = self.value.get("ranges"), self.value.get("write_ranges")
-        if written is None:
+        ranges, write_ranges = self.value.get("ranges"), self.value.get("write_ranges")
+        if write_ranges is None:
             yield from self._outside("not reason", ranges)
             return
-        yield from self._outside("not reason and options.is_write", written)
+        yield from self._outside("not reason and options.is_write", write_ranges)
         yield from self._outside("not reason and not options.is_write", ranges)
 
     def _outside(self, condition: str, ranges: Sequence[Sequence[int | str]] | None) -> Iterator[str]:
@@ -234,9 +229,9 @@ class _ValueCode:
         factor, shift, divisor, places = (scale[key] for key in ("factor", "shift", "divisor", "places"))
         above = "number" if factor == 1 else f"number * {factor}"
         above += f" + {shift}" if shift else ""
-        is_exact = self._is_plain and _most(self.value, factor, shift) < _EXACT
+        is_exact = self._fits_double and _most(self.value, factor, shift) < _EXACT
         if not is_exact or 10**places % divisor:
-            count = "number" if self.value["kind"] == "float" or self._is_plain else "numbers.double(number)"
+            count = "number" if self.value["kind"] == "float" or self._fits_double else "numbers.double(number)"
             yield f"quantity, approximate = numbers.fraction({count}, entry.value.scale)"
             return
         yield f"local above = {above}"
@@ -248,7 +243,7 @@ class _ValueCode:
             yield f"if name then values.remark(item, device.enums[{literal(self.value['enum'])}], key) end"
 
     def _bits(self, word: Sequence[Mapping[str, Any]]) -> Iterator[str]:
-        is_short = self._is_plain
+        is_short = self._fits_double
         lines = [_bit_texts(self.functions.enums, bit) for bit in word]
         if not is_short or None in lines:
             yield "local ordered = numbers.significant(bytes, entry.value)"
@@ -281,8 +276,8 @@ def _bit_texts(enums: Mapping[str, Any], bit: Mapping[str, Any]) -> tuple[str, s
     names = enums[bit["enum"]]["names"] if bit["enum"] else {}
     head = f"Bit {bit['first']}, {bit['title']}: "
     texts = [names.get(number) or bit[word] for number, word in ((0, "zero"), (1, "one"))]
-    zero, one = (f"{head}{text} ({number})" if text else f"{head}{number}" for number, text in enumerate(texts))
-    return zero, one
+    lines = [f"{head}{text} ({number})" if text else f"{head}{number}" for number, text in enumerate(texts)]
+    return lines[0], lines[1]
 
 
 def _most(value: Mapping[str, Any], factor: int, shift: int) -> int:

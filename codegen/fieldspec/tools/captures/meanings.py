@@ -63,7 +63,7 @@ class Meanings:
         state = self._states(numbers)
         own = np.flatnonzero(state < 0) if self.sentinels else slice(None)
         if self.listing is not None:
-            texts[own], verdicts[own] = self._listed(numbers[own], is_named[own], verdicts[own])
+            texts[own], verdicts[own] = self._of_bits(numbers[own], is_named[own], verdicts[own])
         elif self.value.enum:
             texts[own], verdicts[own] = self._members(numbers[own], is_named[own], verdicts[own])
         if self.sentinels:
@@ -90,11 +90,11 @@ class Meanings:
             texts = np.where((members[nearest] == numbers) & is_named, places[nearest], texts)
         return texts, np.where((verdicts == OK) & (texts < 0), UNLISTED_MEMBER, verdicts).astype(np.int8)
 
-    def _listed(self, numbers: Counts, is_named: Mask, verdicts: Verdicts) -> tuple[Texts, Verdicts]:
+    def _of_bits(self, numbers: Counts, is_named: Mask, verdicts: Verdicts) -> tuple[Texts, Verdicts]:
         assert self.listing is not None
         words = np.where(is_named, numbers, 0).astype(numbers.dtype).view(np.uint64)
-        listed = self.listing.texts(words)
-        texts = np.array([self.texts.place(text) for text in listed], np.int32).reshape(len(numbers))
+        names = self.listing.texts(words)
+        texts = np.array([self.texts.place(text) for text in names], np.int32).reshape(len(numbers))
         texts[~is_named] = self.texts.place("")
         is_unlisted = (words & np.uint64(self.listing.unlisted)) != 0
         return texts, np.where((verdicts == OK) & is_unlisted, UNLISTED_BITS, verdicts).astype(np.int8)
@@ -148,7 +148,7 @@ def _named(words: npt.NDArray[np.uint64], mask: int, name: Callable[[int], str])
 
 
 def passing(test: Test, numbers: Counts) -> Mask:
-    """Whether numbers pass a test of whole numbers."""
+    """Whether numbers pass a test of whole numbers. Raises AssertionError for a test of something else."""
     match test:
         case Equals():
             return is_in(numbers, ((test.number, test.number),))
