@@ -17,7 +17,7 @@ from device_models.ck10 import Ck10
 from device_models.draws import calm
 from device_models.esc11 import Esc11
 from device_models.hiwin import HiwinE
-from device_models.tc100 import Tc100
+from device_models.tc100 import AsciiTc100, Tc100
 from fieldspec_devices import DeviceError
 from fieldspec_devices.ck10 import client as ck10_client
 from fieldspec_devices.errors import NoAnswerError
@@ -35,7 +35,8 @@ CALM = {
     "late start": "cancelled",
     "no control": "zeros",
 }
-FRAMED = ("tc100", "ck10", "esc11")
+FRAMED = ("tc100", "tc100 rtu", "ck10", "esc11")
+"""Devices by their names, each on the link that it uses as delivered unless another one is named."""
 TELEGRAMS = ("9", "111")
 SPEEDS = ("3", "102")
 
@@ -44,10 +45,11 @@ def connected(name: str, home: bool = True, **readings: str) -> tuple[Any, Carri
     """A client whose device has its servo on and is at home, unless a scene wants it otherwise."""
     draws = calm(**{key.replace("_", " "): value for key, value in {**CALM, **readings}.items()})
     if name in FRAMED:
-        model: Any = {"tc100": Tc100, "ck10": Ck10, "esc11": Esc11}[name](draws)
-        module: Any = {"tc100": tc100_client, "ck10": ck10_client, "esc11": esc11_client}[name]
+        model: Any = {"tc100": AsciiTc100, "tc100 rtu": Tc100, "ck10": Ck10, "esc11": Esc11}[name](draws)
+        device, _, link = name.partition(" ")
+        module: Any = {"tc100": tc100_client, "ck10": ck10_client, "esc11": esc11_client}[device]
         carrier = Carrier(model, draws)
-        client = carrier.serve(module.Client(carrier, unit_address=model.STATION))
+        client = carrier.serve(module.Client(carrier, unit_address=model.STATION, **({"link": link} if link else {})))
     else:
         model = HiwinE(draws, int(name))
         carrier = Carrier(model, draws, model.exchanged)

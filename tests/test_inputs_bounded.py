@@ -310,9 +310,10 @@ def test_an_index_of_a_manual_that_is_no_regular_file_is_refused(kind: str, tmp_
     (specs / "gadget").mkdir(parents=True)
     (specs / "gadget/device.yaml").write_bytes(DEVICE)
     IRREGULAR[kind][0](specs / "gadget/manual.index")
-    for words in (("audit", "gadget"), ("build", "--out", str(tmp_path / "out"))):
+    # A build leaves out the device alone, as for any file of its spec that is wrong; an audit is about nothing else.
+    for words, code in ((("audit", "gadget"), 2), (("build", "--out", str(tmp_path / "out")), 1)):
         ran = run(*words, "--specs", str(specs))
-        assert ran.returncode == 2
+        assert ran.returncode == code
         assert "manual.index" in ran.stderr
 
 

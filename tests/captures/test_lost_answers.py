@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 import struct
+from argparse import Namespace
 from typing import NamedTuple
 
 import pytest
@@ -12,6 +13,7 @@ import pytest
 from captures.bulk import Sent, decoded
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.frames.frame_hints import FrameHints
 from fieldspec.command.pipeline import layouts, load
 from fieldspec.command.verbs.decode import FramePrinter, Log
 from fieldspec.tools.captures.decoding import Choices
@@ -165,7 +167,9 @@ def test_a_response_answers_the_same_request_in_a_log_and_in_bulk(twin: DeviceLa
     lines = "".join(
         f"{'TX' if frame.direction == 'request' else 'RX'}: {frame.data(link).hex(' ')}\n" for frame in frames
     )
-    Log(twin, FrameOptions(), None, printer, strict=False).explain(io.BytesIO(lines.encode()))
+    options = FrameOptions()
+    hints = FrameHints(twin, options, Namespace())
+    Log(twin, options, None, printer, hints, strict=False).explain(io.BytesIO(lines.encode()))
     sent = [Sent(0, frame.direction, frame.data(link)) for frame in frames]
     batches = decoded(twin, sent, Choices(link=link))
     in_bulk = [max(int(number), 0) for _, batch in batches for number in batch.frames.request]

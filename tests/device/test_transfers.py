@@ -69,7 +69,7 @@ def test_a_file_means_the_words_that_it_is_written_from(ending: str) -> None:
 def test_settings_are_restored_over_a_pseudo_terminal(tmp_path: Path) -> None:
     path = tmp_path / "settings.json"
     with simulation("tc100", ports={"rtu": "pty"}, folder=SPECS) as device:
-        options = ("--port", device.place, "--specs", SPECS)
+        options = ("--link", "rtu", "--port", device.place, "--specs", SPECS)
         set_values(device, {"points[1].wait_time": 123, "motion_speed": 41})
         assert main(["live", "tc100", "backup", str(path), *options]) == 0
         names = {row["Name"] for row in json.loads(path.read_text("utf-8"))}

@@ -20,6 +20,7 @@ from __future__ import annotations
 import struct
 
 from device_models.draws import Draws
+from device_models.frames import with_crc
 from device_models.modbus import ADDRESS, VALUE, ModbusDevice, RefusedError, high, low, number_of
 
 BUSY, LIMIT, SERVO_FAULT, LOCKED, SOFT_LIMIT, UNHOMED = 1, 2, 8, 9, 10, 12
@@ -285,3 +286,43 @@ class Tc100(ModbusDevice):
         """A word of a point; a fresh one moves to a place of its own, so that a test can tell the points apart."""
         fresh = {0: 1, 2: 100 * number, 3: 50, 10: 300, 11: 300, 13: 0xFFFF}
         return self.points.get(number, {}).get(offset, fresh.get(offset, 0))
+
+
+class AsciiTc100(Tc100):
+    """A TC100 as delivered, on Modbus ASCII: the same bytes as digits, with an LRC instead of the CRC [8.4 L1730]."""
+
+    def answer(self, frame: bytes) -> bytes | None:
+        """What the device answers to a frame; None where it stays silent."""
+        sent = _rtu(frame)
+        return None if sent is None else _ascii(super().answer(sent))
+
+    def meaning(self, frame: bytes) -> str:
+        """What a request asks for, in words."""
+        return super().meaning(_rtu(frame) or b"")
+
+    @classmethod
+    def foreign(cls, answer: bytes) -> bytes:
+        """The same answer by another station, with other data."""
+        return _ascii(super().foreign(_rtu(answer) or b"")) or b""
+
+    @staticmethod
+    def alike(first: bytes, second: bytes) -> bool:
+        """Whether two answers may be for the same request."""
+        return ModbusDevice.alike(_rtu(first) or b"", _rtu(second) or b"")
+
+
+def _ascii(frame: bytes | None) -> bytes | None:
+    """A frame of RTU as ASCII: the LRC makes the sum of all bytes zero [8.3 L1744-1746]."""
+    if frame is None:
+        return None
+    body = frame[:-2]
+    return b":" + (body + bytes([-sum(body) & 0xFF])).hex().upper().encode() + b"\r\n"
+
+
+def _rtu(frame: bytes) -> bytes | None:
+    """A frame of ASCII as RTU; None where a mark or the LRC is wrong."""
+    digits = frame[1:-2]
+    if frame[:1] != b":" or frame[-2:] != b"\r\n" or len(digits) % 2 or not set(digits) <= set(b"0123456789ABCDEF"):
+        return None
+    body = bytes.fromhex(digits.decode())
+    return None if not body or sum(body) & 0xFF else with_crc(body[:-1])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import random
 import re
+from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import Any
@@ -13,6 +14,7 @@ import pytest
 
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command.frames.frame_hints import FrameHints
 from fieldspec.command.rendering.explanation_text import as_data
 from fieldspec.command.verbs.decode import FramePrinter, Log
 from fieldspec.language.model.texts import Example
@@ -88,6 +90,14 @@ def test_frames_of_a_link_that_only_the_device_uses_are_explained_as_by_the_comm
         assert have == explained_by_python(layout, job), job
 
 
+class NoHints(FrameHints):
+    """Says nothing: hints are read with other versions, which a page does not have."""
+
+    def of(self, reading: ChosenReading) -> Iterator[str]:
+        """Nothing."""
+        yield from ()
+
+
 class CollectingPrinter(FramePrinter):
     """Collects the explanations of a log instead of printing them."""
 
@@ -102,7 +112,9 @@ class CollectingPrinter(FramePrinter):
 
 def log_read_by_python(layout: DeviceLayout, log: str, capsys: pytest.CaptureFixture[str]) -> list[dict[str, Any]]:
     printer = CollectingPrinter(layout)
-    Log(layout, FrameOptions(), None, printer, strict=False).explain(io.BytesIO(log.encode("utf-8")))
+    options = FrameOptions()
+    hints = NoHints(layout, options, Namespace())
+    Log(layout, options, None, printer, hints, strict=False).explain(io.BytesIO(log.encode("utf-8")))
     faults = re.findall(r"^fieldspec: line (\d+): (.*)$", capsys.readouterr().err, re.MULTILINE)
     results = [*printer.results, *({"line": int(number), "error": text} for number, text in faults)]
     return sorted(results, key=lambda result: result["line"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import re
 import shutil
 import sys
@@ -208,7 +209,11 @@ def test_a_refused_device_stops_the_build_and_leaves_what_was_there(
     capsys.readouterr()
     assert main(arguments) == 1
     assert f"error[{code}]" in capsys.readouterr().out
-    assert {path: path.read_bytes() for path in out.rglob("*") if path.is_file()} == before
+    after = {path: path.read_bytes() for path in out.rglob("*") if path.is_file()}
+    stale = json.loads(after.pop(out / "manifest.json"))["stale"]
+    del before[out / "manifest.json"]
+    assert after == before
+    assert {out / path for path in stale} == set(before)
     assert main([*arguments[:-1], "vectors"]) == 0
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 from fieldspec.codec.explain.hazards import is_bare
@@ -71,10 +71,11 @@ def access_of(client: Client) -> Access:
 def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
     """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
     link = layout.links[_link(layout, arguments)]
+    fixed = fixed_values(layout, link, arguments)
     try:
         carrier: Carrier = _Nothing() if dry else opened(link, arguments)
         try:
-            client = client_at(layout, link, arguments, carrier)
+            client = client_at(layout, link, arguments, carrier, fixed)
             if arguments.format == "text" and not dry:
                 print_note(settings_text(layout, link, arguments, client.unit_address))
             yield client
@@ -171,9 +172,22 @@ def line_settings(link: LinkLayout, arguments: argparse.Namespace) -> LineSettin
     return settings_of(link.link, arguments.baud, arguments.parity, arguments.data_bits)
 
 
-def client_at(layout: DeviceLayout, chosen: LinkLayout, arguments: argparse.Namespace, carrier: Carrier) -> Client:
-    """A client over a carrier, with the settings that are requested. Raises UsageError."""
-    fixed = dict(_fixed_value(layout, chosen, text) for text in arguments.fixed)
+def fixed_values(layout: DeviceLayout, link: LinkLayout, arguments: argparse.Namespace) -> dict[str, Raw]:
+    """The values of `--with` for all requests, by name. Raises UsageError."""
+    return dict(_fixed_value(layout, link, text) for text in arguments.fixed)
+
+
+def client_at(
+    layout: DeviceLayout,
+    chosen: LinkLayout,
+    arguments: argparse.Namespace,
+    carrier: Carrier,
+    fixed: Mapping[str, Raw],
+) -> Client:
+    """A client over a carrier, with the settings that are requested and the `fixed` values of all requests.
+
+    Raises UsageError.
+    """
     link = chosen.link
     unit = _unit_address(layout, chosen, arguments)
     settings = line_settings(chosen, arguments)

@@ -17,6 +17,7 @@ from fieldspec.command.console.usage import UsageError
 from fieldspec.command.live.connection import (
     access_of,
     client_at,
+    fixed_values,
     line_settings,
     links_that_read,
     opened,
@@ -159,13 +160,14 @@ def _answers(
     if not numbers:
         return
     own = setting.applied(arguments, None)
+    fixed = fixed_values(layout, setting.link, own)
     with closing(opened(setting.link, own)) as carrier:
-        client = client_at(layout, setting.link, own, carrier)
+        client = client_at(layout, setting.link, own, carrier, fixed)
         if setting.link.name not in reads:
             access = access_of(client)
             reads[setting.link.name] = access, _harmless_item(client, access)
         for unit in numbers:
-            client = client_at(layout, setting.link, setting.applied(arguments, unit), carrier)
+            client = client_at(layout, setting.link, setting.applied(arguments, unit), carrier, fixed)
             answer = _answer(client, *reads[setting.link.name])
             done(1)
             if answer:

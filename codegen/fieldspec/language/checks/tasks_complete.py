@@ -16,17 +16,15 @@ from collections.abc import Iterator
 from fieldspec.language.checks.finding import enumeration, finding
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.task import OF_GRIPPERS
 from fieldspec.language.schema import schema
-
-_GRIPPERS = ("grip", "release")
-"""What only grippers do."""
 
 
 def tasks_complete(device: Device) -> Iterator[Diagnostic]:
     if not device.tasks:
         return
     present_kinds = {task.kind for task in device.tasks}
-    expected = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in _GRIPPERS]
+    expected = [kind for kind in schema()["$defs"]["task_kind"]["enum"] if kind not in OF_GRIPPERS]
     missing = [kind for kind in expected if kind not in present_kinds]
     if missing:
         text = f"{device.name} has no entry for the tasks {enumeration(missing)}"

@@ -10,6 +10,8 @@ from fieldspec.language.model.fact import Citation, Fact, Place, ScalarValue
 
 ACTIONS = ("write", "set", "clear", "pulse", "send", "read", "wait")
 """What a step does with its target."""
+OF_GRIPPERS = ("grip", "release")
+"""The kinds of tasks that only grippers have; a device states all others, or why it lacks them."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.language.model.task import Task, step_text
+from fieldspec.language.model.task import OF_GRIPPERS, Task, step_text
 from fieldspec.language.schema import schema
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable, Subject
 
@@ -14,9 +14,11 @@ _INTRODUCTION = (
 
 
 def tasks(subject: Subject) -> Section:
-    """The section with all tasks of the schema, and the answers of the spec."""
+    """The section with the answers of the spec to all tasks of the schema; those of grippers only where it has them."""
     device = subject.device
-    kinds: list[str] = schema()["$defs"]["task_kind"]["enum"]
+    stated = {task.kind for task in device.tasks}
+    all_kinds: list[str] = schema()["$defs"]["task_kind"]["enum"]
+    kinds = [kind for kind in all_kinds if kind in stated or kind not in OF_GRIPPERS]
     rows: list[tuple[Cell, ...]] = []
     states: list[str] = []
     for kind in kinds:

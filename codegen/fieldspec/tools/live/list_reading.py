@@ -127,8 +127,9 @@ def _of_row(
         if not layout.tables:
             text = f"{layout.device.id} has no tables; write Name and Value in each row"
         else:
-            text = f"there is no table {name}" if name else "the row names no table: add a column Table, or --table"
-            text = f"{text}; use {' or '.join(layout.tables)}"
+            names = ", ".join(layout.tables)
+            missing = f"the row names no table: add a column Table, or --table with one of {names}"
+            text = f"there is no table {name}; there are {names}" if name else missing
         return [], [ListFinding(row.number, columns.get(TABLE, -1) + 1, text)]
     index, indexes = row.cell(columns[INDEX]), layout.tables[name].table.indexes
     if not index.isascii() or not index.isdecimal() or int(index) not in indexes:
