@@ -29,7 +29,7 @@ class Explanation:
     error: bool
     frame: bytes
     rows: tuple[ExplanationRow, ...]
-    register_rows: RegisterRows = field(repr=False, compare=False)
+    register_rows: RegisterRows = field(repr=False)
     values: dict[str, Raw] = field(repr=False)
     errata: tuple[str, ...] = ()
     accessed: tuple[int, int] | None = None

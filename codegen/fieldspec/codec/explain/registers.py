@@ -93,6 +93,12 @@ class RegisterRows:
             )
         return self._rows
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, RegisterRows) and self.rows == other.rows
+
+    def __hash__(self) -> int:
+        return hash(self.rows)
+
 
 NO_REGISTERS = RegisterRows(None, None, ())
 
