@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import construct
-from processes import FIELDSPEC, Took, in_turns
+from peers.switchboard import spec
+from processes import FIELDSPEC, PYTHON, Took, compared, in_turns
 from rows import ROOT, Row, interleaved, printed
 
 GROUP = "Captures"
@@ -28,12 +29,19 @@ FIELDS = (
 )
 
 
-def packets(count: int) -> Iterator[bytes]:
-    """Requests and answers of one connection, with the records of pcap around them."""
+BY_HAND = Path(__file__).parent / "peers" / "capture_by_hand.py"
+
+
+def packets(count: int, states: int = 65536) -> Iterator[bytes]:
+    """Requests and answers of one connection, with the records of pcap around them.
+
+    The first five words are less than `states`.
+    """
     asked = answered = 1000
     for number in range(count // 2):
         request = struct.pack(">HHHBBHH", number % 65536, 0, 6, 1, 4, 0, 10)
-        words = struct.pack(">10H", *((number * 7919 + word) % 65536 for word in range(10)))
+        numbers = [(number * 7919 + word) % 65536 for word in range(10)]
+        words = struct.pack(">10H", *(each % states for each in numbers[:5]), *numbers[5:])
         answer = struct.pack(">HHHBBB", number % 65536, 0, 23, 1, 4, 20) + words
         yield record(2 * number, True, asked, request)
         yield record(2 * number + 1, False, answered, answer)
@@ -50,11 +58,11 @@ def record(number: int, is_request: bool, sequence: int, data: bytes) -> bytes:
     return struct.pack("<IIII", number // 1000, number % 1000 * 1000, len(packet), len(packet)) + packet
 
 
-def capture(path: Path, count: int) -> None:
+def capture(path: Path, count: int, states: int = 65536) -> None:
     """Writes a capture."""
     with path.open("wb") as file:
         file.write(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, 1))
-        file.writelines(packets(count))
+        file.writelines(packets(count, states))
 
 
 FRAME = construct.Struct(
@@ -76,6 +84,7 @@ def rows() -> Iterator[Row]:
     tshark = shutil.which("tshark")
     if tshark is None:
         raise SystemExit("tshark is missing")
+    yield from beside_numpy()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         path, some, walk = folder / "input.pcap", folder / "some.pcap", folder / "walk"
@@ -95,6 +104,42 @@ def rows() -> Iterator[Row]:
     parse = construct.GreedyRange(FRAME).parse
     _, slow, _ = interleaved(lambda: None, lambda: parse(data))
     yield row(ours, "construct, the headers", slow / FEW / 1e3, at_least=5)
+
+
+def beside_numpy() -> Iterator[Row]:
+    """The rows beside a program with numpy that knows the device and the packets, and writes the same tables."""
+    titles = {"numbers": "Ten numbers, to Parquet", "states": "Five enums and five words of bits, to Parquet"}
+    for kind, title in titles.items():
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "switchboard").mkdir()
+            (folder / "switchboard" / "device.yaml").write_text(spec(kind == "states"))
+            path, out = folder / "input.pcap", folder / "out"
+            capture(path, FRAMES, 20 if kind == "states" else 65536)
+            decode = " ".join((*FIELDSPEC, "decode", "switchboard", str(path), "--to", "parquet", "--out", str(out)))
+            script = f"rm -rf {out}; exec {decode} --specs {folder}"
+            by_hand = (*PYTHON, str(BY_HAND), str(path), str(folder / "by_hand"), kind)
+            took = in_turns({"ours": ("/bin/sh", "-c", script), "numpy": by_hand}, 3)
+            same_tables(out, folder / "by_hand")
+            yield compared(GROUP, title, took, "ours", "numpy", at_most=1.3)
+
+
+def same_tables(ours: Path, theirs: Path) -> None:
+    """Ends the run where the two programs have written different rows."""
+    import pyarrow
+    from pyarrow import parquet
+
+    for name in ("frames", "values"):
+        own, other = parquet.read_table(ours / name), parquet.read_table(theirs / f"{name}.parquet")
+        for column in set(own.column_names) - {"device"}:
+            texts = [
+                table[column].cast(pyarrow.string())
+                if pyarrow.types.is_dictionary(table[column].type)
+                else table[column]
+                for table in (own, other)
+            ]
+            if not texts[0].equals(texts[1]):
+                raise SystemExit(f"{name}: {column} differs from numpy by hand")
 
 
 def least(took: list[Took], frames: int) -> float:

@@ -36,6 +36,7 @@ FILES = (
     "queries",
     "device",
     "captures",
+    "dissectors",
     "javascript",
     "c_instructions",
     "c_cortex",

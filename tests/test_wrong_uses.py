@@ -57,7 +57,10 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["encode", "tc100", "write", "motion_speed=5%", "--direction", "response"], "name the message to encode"),
         (["decode", "tc100", ""], "this is not a frame: it has no bytes"),
         (["decode", "tc100", "  "], "this is not a frame: it has no bytes"),
-        (["decode", "tc100", SPECS], f"it is a path: read it with - < {SPECS}, or with --to"),
+        (
+            ["decode", "tc100", SPECS],
+            f"it is a folder: decode the files in it with fieldspec decode tc100 {SPECS} --to",
+        ),
         (["simulate", "tc100", "--control", "--view"], "use one of them"),
         (["simulate", "tc100", "--rate", "0"], "argument --rate: 0 is not more than 0"),
         (["simulate", "tc100", "--rate", "nan"], "argument --rate: nan is no number"),

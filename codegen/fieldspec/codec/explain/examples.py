@@ -67,6 +67,23 @@ def printed(device: Device, example: Example) -> Printed:
     return Printed(frame, characters, verdict, errata)
 
 
+_BY_BYTES: ByIdentity[Device, dict[bytes, list[Example]]] = ByIdentity(limit=8)
+
+
+def examples_of_bytes(device: Device, frame: bytes) -> list[Example]:
+    """The examples that are a frame, and those that the manual misprints as it, in the order of the spec."""
+    return _BY_BYTES.get_or_compute(device, _by_bytes).get(frame, [])
+
+
+def _by_bytes(device: Device) -> dict[bytes, list[Example]]:
+    result: dict[bytes, list[Example]] = {}
+    for example in device.examples.values():
+        digits = printed(device, example).frame
+        for frame in {example.frame, bytes.fromhex(digits)}:
+            result.setdefault(frame, []).append(example)
+    return result
+
+
 def _with_controls(characters: object) -> str:
     """The characters of an erratum, whose control characters are written as `\\r` and `\\n`."""
     return str(characters).replace("\\r", "\r").replace("\\n", "\n")

@@ -11,7 +11,8 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.codec.explain.access_steps import step_spans
 from fieldspec.codec.explain.body import Body
-from fieldspec.codec.explain.registers import register_rows
+from fieldspec.codec.explain.explained_frame import Explanation
+from fieldspec.codec.explain.registers import NO_REGISTERS, RegisterRows
 from fieldspec.codec.explain.row import (
     ExplanationRow,
     Spot,
@@ -34,41 +35,10 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import Raw
-from fieldspec.foundation.classes import dataclass, field, replace
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import replace
 
 __all__ = ["Explanation", "ExplanationRow", "Meaning", "explained", "explained_after"]
-
-# Reasons with which a codec still accepts the frame: the manual prints narrower bounds than the type has.
-_ACCEPTED = ("", "out_of_range")
-
-
-@dataclass(frozen=True, slots=True)
-class Explanation:
-    """The meaning of every byte of a frame.
-
-    `rows` cover every byte of the frame once, in order. `registers` are the registers that the frame reads or writes,
-    by address; their bytes, if the frame carries them, are in `rows` too. `accessed` are the addresses of the first and
-    the last word or bit that a message with `accesses` reads or writes; None where the frame does not tell.
-    `message` is empty if nothing tells which one it is. `error` marks an exception response.
-    `values` are the raw values by name: those of the header without the length, and those of the fields in the body.
-    `errata` are the ids of those about the message and about the link as a whole.
-    """
-
-    link: str
-    direction: str
-    message: str
-    error: bool
-    frame: bytes
-    rows: tuple[ExplanationRow, ...]
-    registers: tuple[ExplanationRow, ...]
-    values: dict[str, Raw] = field(repr=False)
-    errata: tuple[str, ...] = ()
-    accessed: tuple[int, int] | None = None
-
-    @property
-    def reasons(self) -> tuple[str, ...]:
-        """The reasons for which a codec refuses the frame, as its errors name them; empty if it accepts the frame."""
-        return tuple(row.reason for row in self.rows if row.reason not in _ACCEPTED)
 
 
 def explained(
@@ -80,8 +50,24 @@ def explained(
     tells which message and which registers the response is about, if the response does not.
     Raises KeyError for a link that the device does not have, and nothing for any bytes.
     """
-    of_request = explained(layout, link, "request", request, message) if request and direction == "response" else None
-    return explained_after(layout, link, direction, frame, message, of_request)
+    known = _EXPLAINED.get_or_compute(layout, lambda _: {})
+    key = link, direction, frame, message, request
+    explanation = known.get(key)
+    if explanation is None:
+        is_answer = request and direction == "response"
+        of_request = explained(layout, link, "request", request, message) if is_answer else None
+        explanation = explained_after(layout, link, direction, frame, message, of_request)
+        if len(known) >= _MOST_REMEMBERED:
+            del known[next(iter(known))]
+        if len(frame) + len(request) <= _LONGEST_REMEMBERED:
+            known[key] = explanation
+    return explanation
+
+
+_LONGEST_REMEMBERED = 300
+_MOST_REMEMBERED = 256
+_EXPLAINED: ByIdentity[DeviceLayout, dict[tuple[str, str, bytes, str, bytes], Explanation]] = ByIdentity(limit=8)
+"""The newest explanations: a frame is read in several ways, then one of them again, and logs repeat their requests."""
 
 
 def explained_after(
@@ -89,6 +75,11 @@ def explained_after(
 ) -> Explanation:
     """The explanation of a frame that answers a request which is explained already. Raises as `explained` does."""
     return _Frame(layout, link, direction, frame, message, request).explanation()
+
+
+def is_damaged(layout: DeviceLayout, link: str, direction: str, frame: bytes) -> bool:
+    """Whether a checksum is wrong, so that no reading of the frame in this direction fits."""
+    return _Frame(layout, link, direction, frame, "", None).is_damaged
 
 
 class _Frame:
@@ -121,7 +112,7 @@ class _Frame:
         if self.unreadable is not None:
             return self._unreadable(self.unreadable)
         rows = [*start_rows(self.wrapped), *self._head()]
-        registers: tuple[ExplanationRow, ...] = ()
+        registers = NO_REGISTERS
         if len(self.data) >= self.shape.header_size:
             self.error = self.error or self._is_marked()
             body_rows, registers = self._body()
@@ -138,6 +129,17 @@ class _Frame:
             name = self.message.name
         known = (tuple(rows), registers, self.values, errata, self.accessed)
         return Explanation(self.link.name, self.direction, name, self.error, self.frame, *known)
+
+    @property
+    def is_damaged(self) -> bool:
+        """Whether the parts are whole, and one of their checksums is wrong."""
+        parts_size = self.shape.header_size + self.shape.trailer_size
+        if self.unreadable is not None or not self.wrapped.whole or len(self.data) < parts_size:
+            return False
+        return any(
+            part.checksum(self._measured(part)) != self.data[part.at(len(self.data)) :][: part.size]
+            for part in self.shape.checksums
+        )
 
     def _is_marked(self) -> bool:
         """Whether a part or the data say that a frame without a code is an exception response."""
@@ -187,7 +189,7 @@ class _Frame:
         if self.surplus:
             rows.append(surplus_row(self.spot, len(self.data), self.surplus))
         rows += end_rows(self.wrapped)
-        return Explanation(self.link.name, self.direction, self.named, False, self.frame, tuple(rows), (), {}, ())
+        return Explanation(self.link.name, self.direction, self.named, False, self.frame, tuple(rows), NO_REGISTERS, {})
 
     def _unescaped_rows(self, parts: Iterable[PartLayout]) -> Iterator[ExplanationRow]:
         """The rows of parts that are not escaped."""
@@ -337,28 +339,26 @@ class _Frame:
             return self.layout.records[self.link.exception_response.record]
         return self.message.data(self.direction) if self.message else None
 
-    def _body(self) -> tuple[list[ExplanationRow], tuple[ExplanationRow, ...]]:
+    def _body(self) -> tuple[list[ExplanationRow], RegisterRows]:
         """The rows of the body, and those of the registers that it reads or writes."""
         start, record = self.shape.header_size, self._record()
         end = max(start, len(self.data) - self.shape.trailer_size) if self.wrapped.whole else len(self.data)
         if record is None:
-            return list(self._unknown(start, end)), ()
+            return list(self._unknown(start, end)), NO_REGISTERS
         message = self.message.message if self.message else None
         request_values = self.asked.values if self.asked else {}
         body = Body(self.layout, record, message or record.record, self.data, start, end, self.spot, request_values)
         self.values |= body.values
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
         if message is None or self.error:
-            return rows, ()
+            return rows, NO_REGISTERS
         access, bits = self.layout.device.register_access(message), self.layout.device.bit_access(message)
         access = access or bits
         if access is None:
             body_bytes = start, self.data[start:end]
             answered_values = request_values if self.direction == "response" else None
             steps = step_spans(self.layout, message, record, body_bytes, body.values, answered_values)
-            return rows, tuple(
-                row for step, span in steps for row in register_rows(self.layout, span, self.spot, step.operation)
-            )
+            return rows, RegisterRows(self.layout, self.spot, [(step.operation, span) for step, span in steps])
         values = record.named(access.values)
         values_start = start + values.offset if values else start
         last = min(end, start + values.end) if values and values.end is not None else end
@@ -369,9 +369,9 @@ class _Frame:
             unit_size = self.layout.device.space(access.space).unit_size
             span = accessed(access, body.values, request_values, values_start, data, unit_size)
         if span is None:
-            return rows, ()
+            return rows, NO_REGISTERS
         self.accessed = span.address, span.end - 1
-        return rows, tuple(register_rows(self.layout, span, self.spot, access.operation))
+        return rows, RegisterRows(self.layout, self.spot, [(access.operation, span)])
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
         """The row of a body that nothing describes."""

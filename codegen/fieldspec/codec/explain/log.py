@@ -44,6 +44,8 @@ def unquoted(text: str) -> str:
 
 def bytes_of(text: str) -> bytes:
     """The bytes of a text. Raises Unreadable."""
+    if data := _hex_bytes(text):
+        return data
     text = unquoted(text)
     if is_each_enclosed(text):
         text = re.sub(r"[\[\]<>]+", " ", text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from fieldspec.codec.explain.examples import examples_of_bytes
 from fieldspec.codec.explain.explanation import Explanation, explained
 from fieldspec.codec.explain.recognition import Reading, closest, lengths, recognised
 from fieldspec.codec.layout.bits import packed_size
@@ -122,7 +123,7 @@ def _examples(layout: DeviceLayout, frame: bytes) -> list[Reading]:
     """The readings of the examples that have exactly these bytes."""
     return [
         (example.link, example.direction, example.message, example.exception_response)
-        for example in layout.device.examples.values()
+        for example in examples_of_bytes(layout.device, frame)
         if example.frame == frame
     ]
 

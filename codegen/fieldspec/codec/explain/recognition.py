@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.explanation import explained, is_damaged
 from fieldspec.codec.explain.row import unwrapped
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
@@ -37,6 +37,8 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
     reasons_of: dict[Reading, frozenset[str]] = {}
     for link in layout.links.values():
         for direction in ("request", "response"):
+            if steps is _FITTING and is_damaged(layout, link.name, direction, frame):
+                continue
             names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
             if link.frame(direction).role("code") is not None:
                 ambiguous = link.ambiguous_codes(direction).values()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.explain.row import ExplanationRow, Spot, fact_row
 from fieldspec.codec.explain.spans import Span
@@ -12,6 +12,7 @@ from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.nested_fields import NestedField, nested_fields
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.codec.layout.values import Raw
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Register, Table
@@ -69,6 +70,39 @@ class Occupant:
         return any(handling.clears_on_read for handling in self.handlings)
 
 
+class RegisterRows:
+    """The rows of what some spans have, each with its operation; they are made once, when they are asked for."""
+
+    __slots__ = ("_layout", "_rows", "_spans", "_spot")
+
+    def __init__(self, layout: DeviceLayout | None, spot: Spot | None, spans: Sequence[tuple[str, Span]]) -> None:
+        self._layout, self._spot, self._spans = layout, spot, spans
+        self._rows: tuple[ExplanationRow, ...] | None = None
+
+    @property
+    def rows(self) -> tuple[ExplanationRow, ...]:
+        """The rows, in the order of the spans."""
+        if self._rows is None:
+            layout, spot = self._layout, self._spot
+            self._rows = (
+                ()
+                if layout is None or spot is None
+                else tuple(
+                    row for operation, span in self._spans for row in register_rows(layout, span, spot, operation)
+                )
+            )
+        return self._rows
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, RegisterRows) and self.rows == other.rows
+
+    def __hash__(self) -> int:
+        return hash(self.rows)
+
+
+NO_REGISTERS = RegisterRows(None, None, ())
+
+
 def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) -> Iterator[ExplanationRow]:
     """The rows of all registers that share words with a span, by address, and of words that no register has.
 
@@ -119,16 +153,33 @@ def occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
     """
     device = layout.device
     own = device.space_name(span.space)
-    for register in layout.registers:
-        if device.space_name(register.register.space) != own:
-            continue
-        end = register.address + (register.count - 1) * register.stride + register.words
-        if register.address < span.end and span.address < end:
-            yield from _elements(register, span)
+    blocks = _INDEXES.get_or_compute(layout, _index).get(own, {})
+    numbers = {
+        number
+        for block in range(span.address // _BLOCK, max(span.address, span.end - 1) // _BLOCK + 1)
+        for number in blocks.get(block, ())
+    }
+    for number in sorted(numbers):
+        yield from _elements(layout.registers[number], span)
     for table in layout.tables.values():
         located = _located(layout, table, span)
         if located is not None and device.space_name(table.table.space) == own:
             yield from _fields(located, span)
+
+
+_BLOCK = 64
+_INDEXES: ByIdentity[DeviceLayout, dict[str, dict[int, list[int]]]] = ByIdentity(limit=8)
+"""By space and block of addresses: the numbers of the registers with words there."""
+
+
+def _index(layout: DeviceLayout) -> dict[str, dict[int, list[int]]]:
+    result: dict[str, dict[int, list[int]]] = {}
+    for number, register in enumerate(layout.registers):
+        blocks = result.setdefault(layout.device.space_name(register.register.space), {})
+        last = register.address + (register.count - 1) * register.stride + register.words - 1
+        for block in range(register.address // _BLOCK, last // _BLOCK + 1):
+            blocks.setdefault(block, []).append(number)
+    return result
 
 
 def base_of_table(layout: DeviceLayout, name: str) -> Occupant:

@@ -148,8 +148,8 @@ class _Errata:
                 self.of.setdefault(path, []).append((number, erratum.id))
 
 
-_ERRATA: ByIdentity[tuple[Erratum, ...], _Errata] = ByIdentity(limit=1)
-"""One device is explained at a time."""
+_ERRATA: ByIdentity[tuple[Erratum, ...], _Errata] = ByIdentity(limit=8)
+"""One device is explained at a time, with some of its other versions."""
 
 
 def _errata(device: Device) -> _Errata:

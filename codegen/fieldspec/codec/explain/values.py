@@ -272,12 +272,25 @@ def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
     for bit in word.bits:
         number_of_bits = bit.number_in(number)
         unknown &= ~bit.mask
-        if number_of_bits or ((bit.enum or bit.is_number) and not bit.reserved):
+        if shows_bit(bit, number_of_bits):
             yield _bit(device, bit, number_of_bits)
     for index in range(unknown.bit_length()):
         if unknown >> index & 1:
             yield Meaning("", "", "not listed", str(index))
     yield from (_state(state) for state in word.states if _shows(word, state, number))
+
+
+def shows_bit(bit: Bit, number: int) -> bool:
+    """Whether a number of some bits of a word has a meaning that people see."""
+    return bool(number) or (bool(bit.enum or bit.is_number) and not bit.reserved)
+
+
+def bit_name(device: Device, bit: Bit, number: int) -> str:
+    """The name of a number of some bits of a word: `ready`, `state=running` or `level=5`."""
+    member = device.enums[bit.enum].member(number) if bit.enum else None
+    if member is not None:
+        return f"{bit.name}={member.name}"
+    return f"{bit.name}={number}" if bit.width > 1 else bit.name
 
 
 def _remark_on_bit_numbers(word: Flags) -> str:
@@ -298,14 +311,15 @@ def _state(state: State) -> Meaning:
 
 def _bit(device: Device, bit: Bit, number: int) -> Meaning:
     bits = str(bit.first) if bit.width == 1 else f"{bit.first}..{bit.last}"
+    name = bit_name(device, bit, number)
     if bit.enum:
         member = device.enums[bit.enum].member(number)
         if member is not None:
-            return Meaning(f"{bit.name}={member.name}", member.label or bit.label, member.doc, bits)
+            return Meaning(name, member.label or bit.label, member.doc, bits)
     if bit.width > 1:
         text = ": ".join(part for part in (in_unit(bit.as_value, number), bit.doc) if part)
-        return Meaning(f"{bit.name}={number}", bit.label, text, bits)
+        return Meaning(name, bit.label, text, bits)
     text = bit.one or bit.doc
     if bit.edge:
         text = "; ".join(part for part in (text.removesuffix("."), f"acts at its {bit.edge} edge") if part)
-    return Meaning(bit.name, bit.label, text, bits)
+    return Meaning(name, bit.label, text, bits)

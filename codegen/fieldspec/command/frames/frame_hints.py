@@ -96,6 +96,8 @@ class FrameHints:
         if self._versions is None:
             self._versions = list(self._other_versions())
         for layout, options in self._versions:
+            if not recognised(layout, frame):
+                continue
             reading = read(layout, frame, options)
             if not reading.wrong:
                 own = reading.explanation

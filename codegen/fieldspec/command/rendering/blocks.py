@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from fieldspec.codec.explain.values import in_unit, range_in_unit
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.foundation.line_text import visible_text
 from fieldspec.language.model.enums import Bit, Flags
@@ -16,7 +18,12 @@ if TYPE_CHECKING:
 
 def width(text: str) -> int:
     """The columns that a text takes in a terminal: two for a wide character, none for a combining one."""
-    return len(text) if text.isascii() else sum(map(_char_width, text))
+    return len(text) if text.isascii() else _wide_width(text)
+
+
+@lru_cache(4096)
+def _wide_width(text: str) -> int:
+    return sum(map(_char_width, text))
 
 
 def _char_width(char: str) -> int:
@@ -28,10 +35,11 @@ def _char_width(char: str) -> int:
 def aligned(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """A table as text, with two blanks between columns."""
     lines = [[visible_text(cell) for cell in row] for row in (headings, *rows)]
-    widths = [max(width(line[index]) for line in lines) for index in range(len(headings))]
+    sizes = [list(map(width, line)) for line in lines]
+    widths = list(map(max, *sizes)) if rows else sizes[0]
     text = ""
-    for line in lines:
-        padded = (cell + " " * (widths[index] - width(cell)) for index, cell in enumerate(line))
+    for line, own in zip(lines, sizes, strict=True):
+        padded = [cell + " " * (column - size) for cell, size, column in zip(line, own, widths, strict=True)]
         text += "  ".join(padded).rstrip() + "\n"
     return text
 
@@ -62,7 +70,13 @@ Block: TypeAlias = Line | Table
 
 def bare_text(block: Block) -> str:
     """A block as lines of bare text."""
-    return visible_text(block.text) + "\n" if isinstance(block, Line) else aligned(block.headings, block.rows)
+    if isinstance(block, Line):
+        return visible_text(block.text) + "\n"
+    return _TABLES.get_or_compute(block, lambda table: aligned(table.headings, table.rows))
+
+
+_TABLES: ByIdentity[Table, str] = ByIdentity(limit=1024)
+"""The texts of tables, which logs of frames print again and again."""
 
 
 _GAP = 2

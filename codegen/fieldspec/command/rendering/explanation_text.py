@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import groupby
 
-from fieldspec.codec.explain.examples import printed
+from fieldspec.codec.explain.examples import examples_of_bytes, printed
 from fieldspec.codec.explain.explanation import Explanation, ExplanationRow, Meaning
 from fieldspec.codec.explain.readings import ChosenReading
 from fieldspec.codec.explain.recognition import Reading
@@ -110,13 +110,19 @@ def register_table(explanation: Explanation) -> Table:
     return _table(headings, lines)
 
 
-def blocks(layout: DeviceLayout, reading: ChosenReading, remarks: Iterable[str], before: str = "") -> Iterator[Block]:
-    """A frame under its reading: what it is, after a text `before`, remarks, bytes with meanings, faults, examples."""
+def head_blocks(
+    layout: DeviceLayout, reading: ChosenReading, remarks: Iterable[str], before: str = ""
+) -> Iterator[Block]:
+    """What a frame is under its reading, after a text `before`, and remarks."""
     explanation = reading.explanation
     own = explanation.link, explanation.direction
     sure = all((link, direction) != own for link, direction, _, _ in reading.alternatives)
     yield Line(before + title(layout, explanation, sure), "bold")
     yield from (Line(remark, "red" if reading.wrong else "yellow") for remark in remarks)
+
+
+def body_blocks(layout: DeviceLayout, explanation: Explanation) -> Iterator[Block]:
+    """The bytes of a frame with their meanings, its registers, faults, and examples."""
     yield frame_table(layout, explanation)
     if explanation.registers:
         yield Line(accessed(layout, explanation), "bold")
@@ -135,6 +141,8 @@ def footnotes(layout: DeviceLayout, explanation: Explanation, all_errata: bool) 
                 visited.add(note)
                 yield f"note on {row.path or 'the frame'}: {note}"
     of_fields = {number for row in rows for number in row.errata}
+    if not of_fields and not explanation.errata:
+        return
     touching = [own for own in layout.device.errata if own.id in of_fields or own.id in explanation.errata]
     link = layout.device.links[explanation.link]
     printed_ids = {own.id for own in touching if own.id in of_fields and concerns_link(layout.device, own, link)}
@@ -151,7 +159,7 @@ def footnotes(layout: DeviceLayout, explanation: Explanation, all_errata: bool) 
 def examples(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
     """The examples of the manual with this frame, and those that it misprints as this frame."""
     device = layout.device
-    own = [example for example in device.examples.values() if _is_alike(example, explanation)]
+    own = [example for example in examples_of_bytes(device, explanation.frame) if _is_alike(example, explanation)]
     same = [example for example in own if example.frame == explanation.frame]
     for example in same[:_EXAMPLES]:
         text = ", ".join(part for part in (f"example {example.id}", citations(example.sources)) if part)

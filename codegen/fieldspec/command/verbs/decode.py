@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import gc
 import os
+import shlex
 import sys
 from collections.abc import Iterator, Sequence
 
@@ -22,7 +23,8 @@ from fieldspec.command.rendering import explanation_text as texts
 from fieldspec.command.rendering.blocks import Block, Line
 from fieldspec.command.rendering.explanation_text import faults
 from fieldspec.command.sources import layout_cache
-from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
 if TYPE_CHECKING:
     from typing import BinaryIO
@@ -38,6 +40,7 @@ class FramePrinter:
         self.layout, self.form, self.all_errata = layout, form, all_errata
         self.said: set[str] = set()
         self.first = True
+        self._known: ByIdentity[Explanation, _Body] = ByIdentity(_MOST_KNOWN)
 
     def explain(self, reading: ChosenReading, remarks: Sequence[str], number: int = 0) -> None:
         """Prints one frame; `number` is that of its line in a log, 0 where there is no log."""
@@ -64,12 +67,33 @@ class FramePrinter:
         print_blocks(self._blocks(reading, remarks, number))
 
     def _blocks(self, reading: ChosenReading, remarks: Sequence[str], number: int) -> Iterator[Block]:
-        yield from texts.blocks(self.layout, reading, remarks, f"line {number}: " if number else "")
-        for line in texts.footnotes(self.layout, reading.explanation, self.all_errata):
+        yield from texts.head_blocks(self.layout, reading, remarks, f"line {number}: " if number else "")
+        body = self._known.get_or_compute(reading.explanation, self._body)
+        yield from body.blocks
+        for line in body.footnotes:
             if line not in self.said:
                 self.said.add(line)
                 yield Line(line, "dim")
 
+    def _body(self, explanation: Explanation) -> _Body:
+        return _Body(
+            tuple(texts.body_blocks(self.layout, explanation)),
+            tuple(texts.footnotes(self.layout, explanation, self.all_errata)),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class _Body:
+    """What is printed of an explanation below its remarks."""
+
+    blocks: tuple[Block, ...]
+    footnotes: tuple[str, ...]
+
+
+_MOST_KNOWN = 512
+"""The newest explanations whose texts are kept: logs repeat their requests, and many of the answers."""
+
+_LONGEST_KNOWN = 300
 
 LONGEST_LINE = 8192
 
@@ -104,7 +128,7 @@ def run(arguments: argparse.Namespace) -> int:
             print_note("reading frames from the terminal, one on each line")
         gc.enable()  # a log may be long
         return Log(layout, options, open_request, printer, hints, arguments.strict).explain(sys.stdin.buffer)
-    line = _frame(layout, text)
+    line = _frame(layout, text, arguments.device)
     reading = read(layout, line.frame, options, line.direction, open_request)
     printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options), *hints.of(reading)])
     return int(_fails(reading, arguments.strict))
@@ -120,22 +144,38 @@ def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None
     if text is None:
         return None
     places = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
-    request = read(layout, _frame(layout, text).frame, FrameOptions(places, options.message))
+    request = read(layout, _frame(layout, text, "").frame, FrameOptions(places, options.message))
     if request.wrong and request.explanation.reasons != ("unknown_code",):
         faults_text = "; ".join(faults(request.explanation))
         raise UsageError(f"--request is not a valid request of {layout.device.id}: {faults_text}")
     return OpenRequest(request.explanation, True)
 
 
-def _frame(layout: DeviceLayout, text: str) -> LogLine:
+def _frame(layout: DeviceLayout, text: str, device: str) -> LogLine:
+    """The frame in a text that the user wrote. With the name of a `device`, it may be a path by mistake."""
     try:
         line = log_line(text, [link.link for link in layout.links.values()])
     except Unreadable as error:
-        hint = f"; it is a path: read it with - < {text}, or with --to" if os.path.exists(text) else ""
+        hint = _path_hint(text, device) if device and os.path.exists(text) else ""
         raise UsageError(f"this is not a frame: {error}{hint}") from None
     if line is None or not line.frame:
         raise UsageError("this is not a frame: it has no bytes")
     return line
+
+
+def _path_hint(path: str, device: str) -> str:
+    """How to decode what is at a path: each line of a log, a capture or a folder as tables."""
+    command = f"fieldspec decode {device}"
+    tables = f"{command} {shlex.quote(path)} --to parquet --out FOLDER"
+    if os.path.isdir(path):
+        return f"; it is a folder: decode the files in it with {tables}"
+    from fieldspec.tools.captures.file_content import FileContent, is_capture
+
+    with open(path, "rb") as file:
+        content = FileContent(file)
+        if is_capture(content.read(4)) or content.is_packed:
+            return f"; it is {'packed' if content.is_packed else 'a capture'}: decode it with {tables}"
+    return f"; it is a path: explain its lines with {command} - < {shlex.quote(path)}"
 
 
 _MOST_OPEN = 64
@@ -167,6 +207,7 @@ class Log:
         self.repeated = {name: repeated_parts(link) for name, link in layout.links.items()}
         self.mark = ""
         self.wrong = False
+        self.readings: dict[object, ChosenReading] = {}
 
     def explain(self, stream: BinaryIO) -> int:
         """Explains every line, and reports those that it cannot read. Returns the exit code."""
@@ -204,16 +245,28 @@ class Log:
     def _read(self, frame: bytes) -> tuple[ChosenReading, int]:
         """The reading of a frame, and the line of the request before it that counts; 0 where there is none."""
         if self.asked is not None or not self.open:
-            return read(self.layout, frame, self.said, self.mark, self.asked), 0
+            return self._reading(frame, self.asked), 0
         nearest = None
         for open_request, line in self.open[::-1]:
-            own = read(self.layout, frame, self.said, self.mark, open_request), line
+            own = self._reading(frame, open_request), line
             if own[0].chosen == "request":
                 return own
             if nearest is None or (own[0].mismatches and not nearest[0].mismatches):
                 nearest = own
         assert nearest is not None
         return nearest
+
+    def _reading(self, frame: bytes, open_request: OpenRequest | None) -> ChosenReading:
+        request = open_request.request if open_request is not None else None
+        key = frame, self.mark, None if request is None else (request.link, request.message, request.frame)
+        reading = self.readings.get(key)
+        if reading is None:
+            reading = read(self.layout, frame, self.said, self.mark, open_request)
+            if len(frame) <= _LONGEST_KNOWN:
+                self.readings[key] = reading
+            if len(self.readings) > _MOST_KNOWN:
+                del self.readings[next(iter(self.readings))]
+        return reading
 
     def _close(self, frame: Explanation) -> None:
         """Closes the requests that a frame answers, or leaves without an answer."""
@@ -251,6 +304,14 @@ class Log:
         return OpenRequest(request, False)
 
 
+def _refuse_packets(head: bytes) -> None:
+    from fieldspec.tools.captures.file_content import MAGIC, is_capture
+
+    if is_capture(head) or head.startswith(MAGIC):
+        form = "a capture" if is_capture(head) else "packed"
+        raise UsageError(f"standard input is {form}: name the file, with --to parquet --out FOLDER")
+
+
 def _lines(stream: BinaryIO) -> Iterator[tuple[int, str]]:
     """The lines of a log, numbered from 1. Long lines are cut; UTF-16, which Windows shells write, is accepted."""
     number = 0
@@ -260,6 +321,7 @@ def _lines(stream: BinaryIO) -> Iterator[tuple[int, str]]:
         while len(rest) == LONGEST_LINE and not rest.endswith(b"\n"):
             rest = stream.readline(LONGEST_LINE)
         if number == 1:
+            _refuse_packets(line)
             for mark in (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff"):
                 line = line.removeprefix(mark)
         yield number, line.replace(b"\0", b"").decode("utf-8", "replace")

@@ -16,6 +16,7 @@ from fieldspec.targets.wireshark.records import DIRECTIONS, message_data, opaque
 from fieldspec.targets.wireshark.registers import parameter_sets, register_data, table_data
 from fieldspec.targets.wireshark.remaining import Remaining, remaining
 from fieldspec.targets.wireshark.text import Data, comment, line_text, table
+from fieldspec.targets.wireshark.value_code import ValueFunctions
 from fieldspec.targets.wireshark.values import enum_data, word_data
 
 RUNTIME = (
@@ -88,10 +89,11 @@ def dissector(layout: DeviceLayout) -> str:
         "-- Put this file into the folder of Lua plugins of Wireshark, one version of a device at a time.",
         *_not_decoded(visible_device),
     ]
-    data = f"local device = {table(device_data(visible_device))}"
+    data, functions = device_data(visible_device)
     names = [name for name in RUNTIME if name != "opaque" or visible_device.bodies]
     program = [text(f"targets/wireshark/runtime/{name}.lua") for name in names]
-    return "\n".join([*head, "", data, "", *program])
+    program.insert(names.index("values") + 1, functions)
+    return "\n".join([*head, "", f"local device = {table(data)}", "", *program])
 
 
 def _not_decoded(visible_device: Remaining) -> list[str]:
@@ -100,12 +102,15 @@ def _not_decoded(visible_device: Remaining) -> list[str]:
     return [comment("Not decoded, and shown as bytes:"), *map(comment, lines)] if lines else []
 
 
-def device_data(visible_device: Remaining) -> dict[str, Data]:
-    """Everything that the dissector knows of a device."""
+def device_data(visible_device: Remaining) -> tuple[dict[str, Data], str]:
+    """Everything that the dissector knows of a device, and the functions that show its values."""
     layout = visible_device.layout
     device = layout.device
     prefix = Name.of(device.id).snake()
-    filters = Filters(device, prefix)
+    enums: dict[str, Data] = {name: enum_data(device, enum) for name, enum in device.enums.items()}
+    words: dict[str, Data] = {name: word_data(device, flags) for name, flags in device.flags.items()}
+    functions = ValueFunctions(enums, words)
+    filters = Filters(device, prefix, functions)
     # Registers come first: their names are the ones that people filter by.
     registers: list[Data] = [register_data(filters, device, register) for register in layout.registers]
     for record_table in layout.tables.values():
@@ -118,19 +123,19 @@ def device_data(visible_device: Remaining) -> dict[str, Data]:
     }
     for message in layout.messages.values():
         for direction in DIRECTIONS:
-            prefixes, data = (message.name, f"{message.name}.{direction}"), message.data(direction)
+            prefixes, body = (message.name, f"{message.name}.{direction}"), message.data(direction)
             is_opaque = (message.name, direction) in visible_device.bodies
             records[record_key(message, direction)] = (
-                opaque_data(layout, data)
+                opaque_data(layout, body)
                 if is_opaque
-                else record_data(filters, layout, data, prefixes, message.message)
+                else record_data(filters, layout, body, prefixes, message.message)
             )
     links: dict[str, Data] = {name: link_data(filters, layout, link) for name, link in layout.links.items()}
     common: dict[str, Data] = {
         name: filters.take((f"frame.{name}",), {"title": title, "type": kind, "names": names})
         for name, (title, kind, names) in (_COMMON | (_OPAQUE if visible_device.bodies else {})).items()
     }
-    return {
+    data: dict[str, Data] = {
         "id": prefix,
         "title": f"{line_text(device.vendor)} {line_text(device.name)} {device.version}".strip(),
         "version": device.version,
@@ -139,8 +144,8 @@ def device_data(visible_device: Remaining) -> dict[str, Data]:
         "link_order": list(layout.links),
         "common": common,
         "fields": list(filters.rows.values()),
-        "enums": {name: enum_data(device, enum) for name, enum in device.enums.items()},
-        "words": {name: word_data(device, flags) for name, flags in device.flags.items()},
+        "enums": enums,
+        "words": words,
         "parameters": parameters,
         "registers": registers,
         "records": records,
@@ -156,3 +161,4 @@ def device_data(visible_device: Remaining) -> dict[str, Data]:
             if (names := [own.name for own in device.links.values() if not concerns_link(device, erratum, own)])
         },
     }
+    return data, functions.text()

@@ -23,6 +23,7 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.wireshark.text import Data, joined, line_text
+from fieldspec.targets.wireshark.value_code import ValueFunctions
 
 _LONGEST = 200
 """The characters of a description, which Wireshark shows in its status line."""
@@ -60,6 +61,7 @@ class Filters:
 
     device: Device
     prefix: str
+    functions: ValueFunctions
     rows: dict[str, dict[str, Data]] = field(default_factory=dict)
 
     def take(self, names: tuple[str, ...], row: dict[str, Data]) -> str:

@@ -126,12 +126,14 @@ def _part(
     assert part.value is not None
     if part.role == "length":
         data |= {"unit_size": part.unit_size, "base": part.base}
+    value = value_data(part.value, part.order, False)
     return {
         **data,
         "filter": filters.of_value(names, own, part.value),
         "quantity": filters.of_quantity(names, own, part.value),
         "bits": filters.of_bits((part.value.flags, *names), part.value),
-        "value": value_data(part.value, part.order, False),
+        "value": value,
+        "show": filters.functions.number(value, part.reserved),
     }
 
 

@@ -21,11 +21,13 @@ def value_entry(
     filters: Filters, layout: DeviceLayout, names: tuple[str, ...], field: FieldLayout, value: Value
 ) -> dict[str, Data]:
     """The filter names and the data of a field that has a value."""
+    data = value_data(value, field.order, field.swapped)
     return {
         "filter": filters.of_value(names, field.field, value),
         "quantity": filters.of_quantity(names, field.field, value),
         "bits": filters.of_bits((value.flags, *names), value),
-        "value": value_data(value, field.order, field.swapped),
+        "value": data,
+        "show": filters.functions.number(data, field.field.reserved),
         "percent": _percent(layout, field),
     }
 

@@ -16,13 +16,15 @@ def register_data(filters: Filters, device: Device, layout: RegisterLayout) -> d
     """A register with all of its elements."""
     register, value = layout.register, layout.register.value
     names = (layout.name, f"register.{layout.name}")
+    data = value_data(value, layout.order, layout.swapped)
     return {
         "name": layout.name,
         "title": title_of(register),
         "filter": filters.of_value(names, register, value),
         "quantity": filters.of_quantity(names, register, value),
         "bits": filters.of_bits(names, value),
-        "value": value_data(value, layout.order, layout.swapped),
+        "value": data,
+        "show": filters.functions.number(data, False),
         "space": device.space_name(register.space),
         "address": layout.address,
         "words": layout.words,
@@ -63,11 +65,13 @@ def _table_field(filters: Filters, device: Device, layout: TableLayout, nested: 
     table, field = layout.table, nested.field
     names = (f"{layout.name}.{nested.name}", f"table.{layout.name}.{nested.name}")
     assert field.value is not None
+    data = value_data(field.value, field.order, field.swapped)
     return {
         "filter": filters.of_value(names, field.field, field.value),
         "quantity": filters.of_quantity(names, field.field, field.value),
         "bits": filters.of_bits(names, field.value),
-        "value": value_data(field.value, field.order, field.swapped),
+        "value": data,
+        "show": filters.functions.number(data, field.field.reserved),
         "space": device.space_name(table.space),
         "count": table.count,
         "stride": table.stride,
@@ -116,13 +120,15 @@ def _entry(
     number = line_text(words.number_text(parameter.number))
     inner = f", {title_of(fact)}" if fact is not parameter and fact.name else ""
     title = title_of(parameter) if parameter.name else "Parameter"
+    data = value_data(value, "big", False)
     return {
         "name": names[0],
         "title": f"{number} {title}{inner}",
         "filter": filters.of_value(names, fact, value),
         "quantity": filters.of_quantity(names, fact, value),
         "bits": filters.of_bits(names, value),
-        "value": value_data(value, "big", False),
+        "value": data,
+        "show": filters.functions.number(data, fact.reserved),
         "reserved": fact.reserved,
         "errata": errata_data(device, parameter),
     }

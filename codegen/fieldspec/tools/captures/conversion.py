@@ -8,11 +8,11 @@ from typing import Any, BinaryIO
 
 from fieldspec.tools.captures.capture_files import CaptureError
 from fieldspec.tools.captures.decoding import MOST_TEXTS, Batch, DeviceDecoder, SourceDecoder
-from fieldspec.tools.captures.file_content import FileContent
+from fieldspec.tools.captures.file_content import FileContent, is_capture
 from fieldspec.tools.captures.network import NO_DATA
 from fieldspec.tools.captures.payloads import Names
 from fieldspec.tools.captures.register_rows import RegisterRows, columns_of
-from fieldspec.tools.captures.sources import Lines, LogSource, PacketSource, Source, is_capture
+from fieldspec.tools.captures.sources import Lines, LogSource, PacketSource, Source
 
 HEAD = 4096
 DAMAGE = "damage"

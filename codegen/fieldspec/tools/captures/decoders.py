@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from fieldspec.codec.explain.values import decode_value
 from fieldspec.codec.explain.values import number_of as number_of_bytes
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
@@ -25,41 +24,20 @@ from fieldspec.language.model.encoding import (
     number_of,
     sign_of,
 )
-from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.raw_numbers import bytes_of_number
 from fieldspec.language.model.text_form import decoded_text
 from fieldspec.language.model.value import Value
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Texts, number_at
+from fieldspec.tools.captures.meanings import Counts, Meanings
+from fieldspec.tools.captures.text_list import TextList
 from fieldspec.tools.captures.verdicts import (
     OK,
     OUT_OF_RANGE,
     UNKNOWN_VALUE,
-    UNLISTED_BITS,
-    UNLISTED_MEMBER,
-    VERDICT_NUMBERS,
-    WRONG_CONST,
 )
 
 UNSEEN = -2
 MOST_INDEXED = 16
 """The bits of the widest number whose meanings are in a table, by its bits."""
-MOST_REMEMBERED = 1 << 16
-
-
-class TextList:
-    """Texts, each with its place in the list."""
-
-    def __init__(self) -> None:
-        self.texts: list[str] = []
-        self._places: dict[str, int] = {}
-
-    def place(self, text: str) -> int:
-        """The place of a text, which is added where it is new."""
-        place = self._places.get(text)
-        if place is None:
-            place = self._places[text] = len(self.texts)
-            self.texts.append(text)
-        return place
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +92,7 @@ class Decoder:
         self.summand = offset[0] * scale[1]
         self.divisor = scale[1] * offset[1]
         self._table: tuple[Texts, npt.NDArray[np.int8], Mask] | None = None
-        self._remembered: dict[bytes, tuple[int, int, bool]] = {}
+        self._meanings = Meanings(device, value, texts)
 
     def decode(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
         """The values whose bytes begin at some places."""
@@ -151,10 +129,8 @@ class Decoder:
             result.has_raw[is_unsigned_high] = False
         if self.has_table:
             self._by_table(raw, result)
-        elif self.is_named:
-            self._by_memory(raw, result)
         elif not self.reserved:
-            self._by_bounds(raw, result)
+            self._by_number(raw, result)
         if is_unsigned_high is not None and is_unsigned_high.any():
             nameless = is_unsigned_high & (result.text < 0)
             result.text[nameless] = self._digits(raw[nameless])
@@ -173,16 +149,19 @@ class Decoder:
 
     def _by_table(self, raw: Numbers, result: ValueColumns) -> None:
         """Looks names and verdicts up by the raw value. The table is filled as values appear."""
+        size = 1 << 8 * self.value.size
         if self._table is None:
-            size = 1 << 8 * self.value.size
             self._table = np.full(size, UNSEEN, np.int32), np.zeros(size, np.int8), np.zeros(size, np.bool_)
         texts, verdicts, quantities = self._table
         places = self._bits(raw)
         numbers = texts[places]
-        if (numbers == UNSEEN).any():
-            for place in np.unique(places[numbers == UNSEEN]).tolist():
-                data = place.to_bytes(self.value.size, "big")
-                texts[place], verdicts[place], quantities[place] = self._meaning(data)
+        is_new = numbers == UNSEEN
+        if is_new.any():
+            new = np.zeros(size, np.bool_)
+            new[places[is_new]] = True
+            of_place = np.zeros(size, np.int64)
+            of_place[places[is_new]] = raw[is_new]
+            texts[new], verdicts[new], quantities[new] = self._meanings.of(of_place[new])
             numbers = texts[places]
         result.text[:] = numbers
         result.verdict[:] = verdicts[places]
@@ -199,56 +178,19 @@ class Decoder:
             case _:
                 assert_never(sign)
 
-    def _by_memory(self, raw: Numbers, result: ValueColumns) -> None:
-        """The same for wide values, each distinct one once."""
-        distinct, places = np.unique(raw, return_inverse=True)
-        rows = [self._recalled(number) for number in distinct.tolist()]
-        result.text[:] = np.array([row[0] for row in rows], np.int32)[places]
-        result.verdict[:] = np.array([row[1] for row in rows], np.int8)[places]
-        result.has_quantity[:] = np.array([row[2] for row in rows], np.bool_)[places]
-
-    def _recalled(self, number: int) -> tuple[int, int, bool]:
-        data = bytes_of_number(self.value, number % (1 << 64) if self.value.low == 0 else number)
-        if data not in self._remembered:
-            if len(self._remembered) > MOST_REMEMBERED:
-                self._remembered.clear()
-            self._remembered[data] = self._meaning(data)
-        return self._remembered[data]
-
-    def _meaning(self, data: bytes) -> tuple[int, int, bool]:
-        """The place of the text, the verdict, and whether there is a quantity, for the bytes of a value, big-endian."""
-        read = decode_value(self.device, self.value, data, "big", False)
-        number = read.number if isinstance(read.number, int) else 0
-        verdict = VERDICT_NUMBERS.get(read.reason, OK)
-        if self.value.const is None and self.value.sentinel(number) is not None:
-            return self.texts.place(read.meanings[0].name), verdict, False
+    def _by_number(self, raw: Numbers, result: ValueColumns) -> None:
+        """The same for wide values. Of words, each distinct one is named once."""
         if self.value.flags:
-            names = [meaning for meaning in read.meanings if meaning.kind != "state"]
-            if verdict == OK and any(not meaning.name for meaning in names):
-                verdict = UNLISTED_BITS
-            listing = "+".join(meaning.name or f"bit_{meaning.bits}" for meaning in names)
-            return self.texts.place(listing), verdict, False
-        if self.value.enum:
-            if verdict == OK and not read.meanings:
-                verdict = UNLISTED_MEMBER
-            return self.texts.place(read.meanings[0].name) if read.meanings else -1, verdict, False
-        return -1, verdict, True
+            distinct, places = np.unique(raw, return_inverse=True)
+            own = self._meanings.of(self._counts(np.asarray(distinct, np.int64)))
+            texts, verdicts, quantities = (column[places] for column in own)
+        else:
+            texts, verdicts, quantities = self._meanings.of(self._counts(raw))
+        result.text[:], result.verdict[:] = texts, verdicts
+        np.logical_and(result.has_quantity, quantities, out=result.has_quantity)
 
-    def _by_bounds(self, raw: Numbers, result: ValueColumns) -> None:
-        """Verdicts of values without names, and the names of those that stand for a state."""
-        value = self.value
-        unsigned = raw.view(np.uint64) if self.is_unsigned_wide else None
-        numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64] = raw if unsigned is None else unsigned
-        if value.ranges is not None:
-            result.verdict[~within(numbers, value.ranges)] = OUT_OF_RANGE
-        for sentinel in value.sentinels:
-            low, high = map(numbers.dtype.type, sentinel.interval)
-            is_sentinel = (numbers >= low) & (numbers <= high)
-            result.verdict[is_sentinel] = OK
-            result.text[is_sentinel] = self.texts.place(sentinel.name)
-            result.has_quantity[is_sentinel] = False
-        if value.const is not None:
-            result.verdict[:] = np.where(numbers == numbers.dtype.type(value.const), result.verdict, WRONG_CONST)
+    def _counts(self, raw: Numbers) -> Counts:
+        return raw.view(np.uint64) if self.is_unsigned_wide else raw
 
     def _floats(self, exact: npt.NDArray[np.float64]) -> ValueColumns:
         result = ValueColumns.empty(len(exact))
@@ -339,18 +281,6 @@ def reals_of(precision: Precision, bits: Numbers) -> npt.NDArray[np.float64]:
                 return bits.view(np.float64)
             case _:
                 assert_never(precision)
-
-
-def within(numbers: npt.NDArray[np.int64] | npt.NDArray[np.uint64], ranges: Ranges) -> Mask:
-    """Whether numbers are in any interval. Bounds that the type of the column cannot have are those of the type."""
-    limits = np.iinfo(numbers.dtype)
-    is_within = np.zeros(len(numbers), np.bool_)
-    for low, high in ranges.intervals:
-        if high < limits.min or low > limits.max:
-            continue
-        bounds = numbers.dtype.type(max(low, limits.min)), numbers.dtype.type(min(high, limits.max))
-        is_within |= (numbers >= bounds[0]) & (numbers <= bounds[1])
-    return is_within
 
 
 class Decoders:

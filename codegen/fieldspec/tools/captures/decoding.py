@@ -13,13 +13,14 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import BIT
 from fieldspec.tools.captures.columns import Numbers, Texts, gathered, numbers, runs
 from fieldspec.tools.captures.cutting import Cutter
-from fieldspec.tools.captures.decoders import Decoders, TextList, ValueColumns
+from fieldspec.tools.captures.decoders import Decoders, ValueColumns
 from fieldspec.tools.captures.detection import Detection
 from fieldspec.tools.captures.frame_reading import FrameReader
 from fieldspec.tools.captures.link_decoding import LinkDecoder, LinkFrames
 from fieldspec.tools.captures.pairing import NONE
 from fieldspec.tools.captures.payloads import DIRECTION_CODES, REQUEST, RESPONSE, UNKNOWN, Names, Payloads
 from fieldspec.tools.captures.register_columns import RegisterMap, spaces_of
+from fieldspec.tools.captures.text_list import TextList
 from fieldspec.tools.captures.verdicts import MISMATCH, OK
 
 DIRECTIONS = {REQUEST: "request", RESPONSE: "response"}

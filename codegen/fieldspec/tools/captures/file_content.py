@@ -8,7 +8,15 @@ import zlib
 from typing import Any, BinaryIO
 
 MAGIC = b"\x1f\x8b"
+CAPTURES = (b"\xd4\xc3\xb2\xa1", b"\xa1\xb2\xc3\xd4", b"\x4d\x3c\xb2\xa1", b"\xa1\xb2\x3c\x4d", b"\x0a\x0d\x0d\x0a")
+"""What captures begin with: pcap in both orders and units of time, and pcapng."""
+
 BUFFER = 1 << 16
+
+
+def is_capture(head: bytes) -> bool:
+    """Whether a file begins like a capture."""
+    return head[:4] in CAPTURES
 
 
 class _Unpacker(io.RawIOBase):

@@ -16,7 +16,8 @@ from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.tools.captures.bodies import BodyReader, FieldRows, blame
 from fieldspec.tools.captures.checksums import are_right
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, numbers, runs
-from fieldspec.tools.captures.decoders import Decoders, within
+from fieldspec.tools.captures.decoders import Decoders
+from fieldspec.tools.captures.meanings import is_in
 from fieldspec.tools.captures.part_numbers import lacks_digits, part_numbers
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
@@ -232,7 +233,7 @@ class FrameReader:
         if refusal.part:
             part = next(part for part in self.shape.header if part.name == refusal.part)
             number = part_numbers(part, frames.buffer, frames.at + part.offset)
-            return np.zeros(len(code), np.bool_) if refusal.normal is None else ~within(number, refusal.normal)
+            return np.zeros(len(code), np.bool_) if refusal.normal is None else ~is_in(number, refusal.normal.intervals)
         return np.not_equal(code & refusal.flag, 0) if refusal.code is None else np.equal(code, refusal.code)
 
     def _by_subcode(self, frames: ReadFrames, rows: Numbers, shared: Subcode, places: dict[str, int]) -> None:

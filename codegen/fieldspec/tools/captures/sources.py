@@ -22,8 +22,6 @@ LINES = 1 << 14
 
 LONGEST_LINE = 8192
 
-_MAGICS = (b"\xd4\xc3\xb2\xa1", b"\xa1\xb2\xc3\xd4", b"\x4d\x3c\xb2\xa1", b"\xa1\xb2\x3c\x4d", b"\x0a\x0d\x0d\x0a")
-
 
 class Source(Protocol):
     """What payloads come from. The counters say what is lost."""
@@ -62,11 +60,6 @@ class Lines:
             if len(line_rest) == BATCH and not line_rest.endswith(b"\n"):
                 self.losses[f"behind {BATCH} bytes without the end of a line"] += self.rest()
         return line
-
-
-def is_capture(head: bytes) -> bool:
-    """Whether a file begins like a capture."""
-    return head[:4] in _MAGICS
 
 
 class PacketSource:

@@ -127,8 +127,26 @@ def _numbers(numbers: Numbers) -> Any:
     return pa.array(numbers, mask=_mask(numbers == NONE))
 
 
+NEIGHBOURS = 4096
+"""The texts between the first and the last one of a column that are written without a look at which of them it has."""
+
+
 def _texts(places: Texts, words: Any) -> Any:
-    return pa.DictionaryArray.from_arrays(pa.array(places.astype(np.int32), mask=_mask(places < 0)), words)
+    """A column of texts with a dictionary of its own: writers write the whole dictionary of each column."""
+    highest = int(places.max(initial=-1))
+    if highest < 0:
+        return pa.nulls(len(places), TEXT)
+    is_absent = places < 0 if int(places.min()) < 0 else None
+    lowest = int(places.min() if is_absent is None else places[~is_absent].min())
+    if highest - lowest < NEIGHBOURS:
+        own = pa.array((places - lowest).astype(np.int32, copy=False), mask=is_absent)
+        return pa.DictionaryArray.from_arrays(own, words.slice(lowest, highest - lowest + 1))
+    is_used = np.zeros(highest + 2, np.bool_)
+    is_used[places] = True  # -1 is the place behind the last text
+    used = np.flatnonzero(is_used[:-1])
+    new_places = np.cumsum(is_used, dtype=np.int32)
+    own = pa.array(new_places[places] - 1, mask=is_absent)
+    return pa.DictionaryArray.from_arrays(own, words.take(pa.array(used)))
 
 
 def _binary(data: Any, offsets: Numbers, present: Any = None) -> Any:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache
 from importlib import import_module
 from importlib.abc import InspectLoader, MetaPathFinder
 from importlib.machinery import ModuleSpec
@@ -96,6 +97,11 @@ def _imported(layout: DeviceLayout) -> ModuleType:
 
 def framer(module: ModuleType, link: str, direction: str) -> Framer | None:
     """A framer of a link; None where the frames of the link come whole and need none."""
-    spoken = next((item for name, item in vars(module).items() if name.lower().strip("_") == link.lower()), None)
-    make = getattr(spoken, f"{direction}_framer", None)
+    make = _framer_class(module, link, direction)
     return make() if make is not None else None
+
+
+@cache
+def _framer_class(module: ModuleType, link: str, direction: str) -> Callable[[], Framer] | None:
+    spoken = next((item for name, item in vars(module).items() if name.lower().strip("_") == link.lower()), None)
+    return getattr(spoken, f"{direction}_framer", None)

@@ -25,8 +25,7 @@ local function reflected(high, low, width)
 end
 
 -- A CRC bit by bit. The register of one that is reflected begins at its lowest bit, else at the highest of 64.
-local function crc(kind, bytes)
-    local high, low = kind.initial[1], kind.initial[2]
+local function crc_of_bits(kind, bytes, high, low)
     for at = 1, #bytes do
         local byte = bytes:byte(at)
         if kind.reflect_in then
@@ -47,6 +46,40 @@ local function crc(kind, bytes)
                 high, low = numbers.bxor(high, kind.polynomial[1]), numbers.bxor(low, kind.polynomial[2])
             end
         end
+    end
+    return high, low
+end
+
+-- The register of a CRC of at most 32 bits behind each byte alone: the half of the 64 bits that it is in.
+local function table_of(kind)
+    local list = {}
+    for number = 0, 255 do
+        local high, low = crc_of_bits(kind, string.char(number), 0, 0)
+        list[number] = kind.reflect_in and low or high
+    end
+    return list
+end
+
+-- The same by a table, a byte at a time.
+local function crc_of_bytes(kind, bytes, high, low)
+    local list, band, bxor, lshift, rshift = kind.list, numbers.band, numbers.bxor, numbers.lshift, numbers.rshift
+    for at = 1, #bytes do
+        if kind.reflect_in then
+            low = bxor(list[band(bxor(low, bytes:byte(at)), 255)], rshift(low, 8))
+        else
+            high = bxor(list[bxor(rshift(high, 24), bytes:byte(at))], lshift(high, 8))
+        end
+    end
+    return high, low
+end
+
+local function crc(kind, bytes)
+    local high, low = kind.initial[1], kind.initial[2]
+    if kind.width <= 32 then
+        kind.list = kind.list or table_of(kind)
+        high, low = crc_of_bytes(kind, bytes, high, low)
+    else
+        high, low = crc_of_bits(kind, bytes, high, low)
     end
     if not kind.reflect_in then
         for _ = 1, 64 - kind.width do

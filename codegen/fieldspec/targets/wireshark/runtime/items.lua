@@ -5,7 +5,10 @@ Context.__index = Context
 
 -- Bytes of the parts in the packet; past the end, none.
 function Context:range(at, size)
-    local length = self.tvb:len()
+    local length = self.length
+    if at + self.skip >= 0 and at + self.skip + size <= length then
+        return self.tvb(at + self.skip, size)
+    end
     local first = math.max(0, math.min(at + self.skip, length))
     return self.tvb(first, math.max(0, math.min(size, length - first)))
 end
@@ -121,7 +124,7 @@ function frames.show(link, direction, tvb, tree, asked, message)
     local bytes = tvb:raw()
     local shape = link[direction]
     local context = setmetatable({
-        link = link, direction = direction, tree = tree, tvb = tvb, skip = #shape.start, values = {}, places = {},
+        link = link, direction = direction, tree = tree, tvb = tvb, length = tvb:len(), skip = #shape.start, values = {}, places = {},
         items = {}, open = asked, asked = asked and asked.values, message = message or asked and asked.message,
     }, Context)
     if #shape.start > 0 then
@@ -137,7 +140,7 @@ function frames.show(link, direction, tvb, tree, asked, message)
     context.bytes = parts
     if link.hex and #parts > 0 then
         local digits = parts:gsub(".", function(char) return string.format("%02x", char:byte()) end)
-        context.tvb, context.skip = ByteArray.new(digits):tvb("Decoded frame"), 0
+        context.tvb, context.length, context.skip = ByteArray.new(digits):tvb("Decoded frame"), #parts, 0
     end
     for _, part in ipairs(shape.parts) do
         if part.offset >= 0 then

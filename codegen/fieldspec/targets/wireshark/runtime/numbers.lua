@@ -28,6 +28,12 @@ function numbers.significant(bytes, value)
     return bytes
 end
 
+-- The hexadecimal digits of a value.
+function numbers.hexadecimal(bytes, value)
+    local ordered = numbers.significant(bytes, value)
+    return "0x" .. ordered:gsub(".", function(char) return string.format("%02x", char:byte()) end)
+end
+
 -- An unsigned number of up to six bytes, the most significant one first.
 function numbers.unsigned(bytes)
     local number = 0
@@ -106,20 +112,47 @@ local function is_real(value)
     return kind == "real"
 end
 
+local byte = string.byte
+
+-- The functions that read the commonest values, by their bytes and whether the most significant one comes first.
+local COMMON = {
+    [1] = { [true] = byte, [false] = byte },
+    [2] = {
+        [true] = function(bytes) local a, b = byte(bytes, 1, 2) return a * 256 + b end,
+        [false] = function(bytes) local a, b = byte(bytes, 1, 2) return b * 256 + a end,
+    },
+}
+
+-- The function that reads a value.
+local function reader_of(value)
+    local sign, common = sign_of(value), COMMON[value.size]
+    if is_real(value) then
+        return function(bytes) return real(numbers.significant(bytes, value)) end
+    end
+    if value.size > 6 then
+        return function(bytes) return long(numbers.significant(bytes, value), value) end
+    end
+    if common and sign == "none" then
+        return common[(value.order == "little") == (value.swapped == true)]
+    end
+    return function(bytes)
+        local ordered = numbers.significant(bytes, value)
+        local number = numbers.unsigned(ordered)
+        if sign ~= "none" and ordered:byte(1) > 127 then
+            return sign == true and number - 256 ^ #ordered or 256 ^ #ordered / 2 - number
+        end
+        return number
+    end
+end
+
 -- The number of a value: a Lua number, or an Int64 or UInt64 of Wireshark for more than six bytes.
 function numbers.of(bytes, value)
-    local ordered = numbers.significant(bytes, value)
-    if is_real(value) then
-        return real(ordered)
+    local read = value.read
+    if not read then
+        read = reader_of(value)
+        value.read = read
     end
-    if #ordered > 6 then
-        return long(ordered, value)
-    end
-    local number, sign = numbers.unsigned(ordered), sign_of(value)
-    if sign ~= "none" and ordered:byte(1) > 127 then
-        return sign == true and number - 256 ^ #ordered or 256 ^ #ordered / 2 - number
-    end
-    return number
+    return read(bytes)
 end
 
 -- The bytes of a number of at most six bytes, which its value can have, the most significant one first.

@@ -56,29 +56,21 @@ local function element(row, at)
     return row, at
 end
 
--- The bytes of a field as bytes of a parameter's value, and that value with their order; nil where they cannot be.
+-- The bytes of a field as bytes of a parameter's value, of a number the most significant first; nil where they cannot be.
 local function read_as(field, value, bytes)
     local own = field.value
     local counts = { integer = true, boolean = true }
     local alike = own.kind == value.kind or counts[own.kind] and counts[value.kind]
-    local function with_order(order, swapped)
-        local copy = {}
-        for key, entry in pairs(value) do
-            copy[key] = entry
-        end
-        copy.order, copy.swapped = order, swapped
-        return copy
-    end
     if value.size == field.size and (alike or own.kind ~= "float" and value.kind ~= "float") then
-        return bytes, with_order(own.order, own.swapped)
+        return numbers.is_number(value) and numbers.significant(bytes, own) or bytes
     end
     if alike and counts[own.kind] and field.size <= 6 and value.size <= 6 then
         local number = numbers.of(bytes, own)
         if number >= value.low and number <= value.high then
-            return numbers.bytes(number, value), with_order("big", nil)
+            return numbers.bytes(number, value)
         end
     end
-    return nil, nil
+    return nil
 end
 
 -- What the value of element `index` of a field is, if the frame or its request tells the parameter: an entry, the
@@ -110,22 +102,15 @@ function parameters.entry(context, field, index, bytes)
             return nil
         end
     end
-    local again, value = read_as(field, inner.value, bytes)
+    local again = read_as(field, inner.value, bytes)
     if not again then
         return nil
     end
-    local entry = {}
-    for key, content in pairs(inner) do
-        entry[key] = content
-    end
-    entry.value = value
     -- No codec refuses a frame for the value of a parameter, so whatever is wrong with it is a matter of its range.
     local options = { reason = "out_of_range", lenient = row.trigger and context.direction == "response" }
     options.index = (row.count > 1 and " " .. numbers.text(number) or "") .. (at and "[" .. numbers.text(at) .. "]" or "")
-    if context.direction == "request" and value.write_ranges then
-        options.ranges = value.write_ranges
-    end
-    return { entry = entry, bytes = again, options = options }
+    options.is_write = context.direction == "request"
+    return { entry = inner, bytes = again, options = options }
 end
 
 -- Appends the name of the parameter to the item of a field with its number or its subindex.

@@ -28,11 +28,24 @@ end
 
 local show_record
 
+local NONE = {}
+
+-- The options of an element of a list, made once.
+local function options_of(field, index)
+    field.options = field.options or {}
+    local options = field.options[index]
+    if not options then
+        options = { index = "[" .. index .. "]" }
+        field.options[index] = options
+    end
+    return options
+end
+
 local function show_value(context, tree, field, at, index, top)
     local bytes = context.bytes:sub(at + 1, at + field.size)
-    local entry, options = field, { index = field.is_list and "[" .. index .. "]" or "" }
+    local entry, options = field, field.is_list and options_of(field, index) or nil
     local range = context:range(at, field.size)
-    local described = parameters.entry(context, field, index, bytes, top)
+    local described = field.parameter and parameters.entry(context, field, index, bytes)
     if described then
         entry, bytes, options = described.entry, described.bytes, described.options
     end
@@ -44,8 +57,10 @@ local function show_value(context, tree, field, at, index, top)
         local inner = item:add(fields[field.filter], range, own and numbers.of_item(sent, field.value))
         inner:set_text("On the wire, " .. field.title .. ": " .. numbers.text(own))
     end
-    parameters.name(context, item, field, number)
-    for _, conversion in ipairs(field.percent or {}) do
+    if field.parameter then
+        parameters.name(context, item, field, number)
+    end
+    for _, conversion in ipairs(field.percent or NONE) do
         local text = numbers.fraction(numbers.double(number), conversion)
         item:append_text(", " .. text .. " % of " .. conversion.of)
     end

@@ -18,20 +18,7 @@ local function index_spaces()
     end
 end
 
--- What shares words with some addresses, by address, in the order of the spec.
-local function occupants(space, first, words)
-    local result = {}
-    for address = first - space.widest + 1, first + words - 1 do
-        for _, place in ipairs(space.at[address] or {}) do
-            if address + place.row.words > first then
-                result[#result + 1] = place
-            end
-        end
-    end
-    return result
-end
-
-local function heading(place, access)
+local function heading(place)
     local row = place.row
     local element = row.index_from and row.index_from + place.number
     return element and "[" .. numbers.text(element) .. "]" or ""
@@ -52,64 +39,96 @@ local function bit_at(span, index)
     return byte and numbers.band(numbers.rshift(byte, index % 8), 1)
 end
 
+-- What stands before the value of a register, and how it is judged, by operation; made once.
+local function options_of(place, operation)
+    local options = place[operation]
+    if not options then
+        local row, index, is_write = place.row, heading(place), operation == "write"
+        local before = string.format("0x%04X ", place.address)
+        options = {
+            index = index, name = row.name .. index, title = before .. row.title .. index, before = before,
+            lenient = row.trigger and not is_write, is_write = is_write,
+        }
+        if row.access == "ro" and is_write then
+            options.forbidden = row.name .. " can only be read"
+        elseif row.access == "wo" and not is_write then
+            options.forbidden = row.name .. " can only be written"
+        end
+        place[operation] = options
+    end
+    return options
+end
+
+local function show_gap(context, tree, span, first, last)
+    local start, size = span.unit_size * (first - span.address), span.unit_size * (last - first + 1)
+    if not span.is_bits and start >= 0 and start + size <= #span.bytes then
+        show_unlisted(tree, context:range(span.at + start, size), first, last)
+    else
+        show_unlisted(tree, context:range(span.at, 0), first, last)
+    end
+end
+
+-- Adds the item of a register whose bit, or whose bytes, the frame has; nil where it has not all of them.
+local function show_present(context, tree, span, place, options)
+    local row = place.row
+    if span.is_bits then
+        local index = place.address - span.address
+        local bit = bit_at(span, index)
+        if not bit then
+            return nil
+        end
+        local at = span.single ~= nil and 0 or math.floor(index / 8)
+        local range = context:range(span.at + at, span.single ~= nil and #span.bytes or 1)
+        return (values.show(tree, row, range, string.char(bit), options))
+    end
+    local start, size = span.unit_size * (place.address - span.address) + (row.skip or 0), row.value.size
+    if start < 0 or start + size > #span.bytes then
+        return nil
+    end
+    local range = context:range(span.at + start, size)
+    return (values.show(tree, row, range, span.bytes:sub(start + 1, start + size), options))
+end
+
+-- Adds the item of a register without its value.
+local function show_accessed(context, tree, span, place, options)
+    local row = place.row
+    local item = tree:add(fields[device.common.accessed], context:range(span.at, 0), row.name .. options.index)
+    item:set_text(options.title)
+    item:set_generated()
+    if place.address < span.address or place.address + row.words > span.address + span.words then
+        item:append_text(": only some of its words")
+    end
+    values.cite(item, row.errata)
+    return item
+end
+
 -- Adds the items of all registers of a span: `space`, `address`, `words`, and the `bytes` from `at` on. In a space of
 -- bits `is_bits` is set, and `single` is the value of the only bit where that is a number of its own.
 function registers.show(context, tree, span, operation)
     local space = spaces[span.space] or { widest = 1, at = {} }
-    local reached = span.address
-    local function unlisted(first, last)
-        local start = (span.unit_size or 2) * (first - span.address)
-        local size = (span.unit_size or 2) * (last - first + 1)
-        if not span.is_bits and start >= 0 and start + size <= #span.bytes then
-            show_unlisted(tree, context:range(span.at + start, size), first, last)
-        else
-            show_unlisted(tree, context:range(span.at, 0), first, last)
+    local reached, stop, names = span.address, span.address + span.words, {}
+    context.registers = names
+    for address = reached - space.widest + 1, stop - 1 do
+        local places = space.at[address]
+        for number = 1, places and #places or 0 do
+            local place = places[number]
+            local behind = address + place.row.words
+            if behind > span.address then
+                if address > reached then
+                    show_gap(context, tree, span, reached, address - 1)
+                end
+                reached = math.max(reached, behind)
+                local options = options_of(place, operation)
+                names[#names + 1] = options.name
+                local item = show_present(context, tree, span, place, options)
+                    or show_accessed(context, tree, span, place, options)
+                if options.forbidden then
+                    values.report(item, "forbidden", options.forbidden)
+                end
+            end
         end
     end
-    for _, place in ipairs(occupants(space, span.address, span.words)) do
-        local row = place.row
-        if place.address > reached then
-            unlisted(reached, place.address - 1)
-        end
-        reached = math.max(reached, place.address + row.words)
-        local options = { index = heading(place), lenient = row.trigger and operation == "read" }
-        if operation == "write" and row.value.write_ranges then
-            options.ranges = row.value.write_ranges
-        end
-        local item
-        local start = (span.unit_size or 2) * (place.address - span.address) + (row.skip or 0)
-        if span.is_bits then
-            local index = place.address - span.address
-            local bit = bit_at(span, index)
-            if bit then
-                local at = span.single ~= nil and 0 or math.floor(index / 8)
-                local range = context:range(span.at + at, span.single ~= nil and #span.bytes or 1)
-                item = values.show(tree, row, range, string.char(bit), options)
-            end
-        elseif start >= 0 and start + row.value.size <= #span.bytes then
-            local range = context:range(span.at + start, row.value.size)
-            item = values.show(tree, row, range, span.bytes:sub(start + 1, start + row.value.size), options)
-        end
-        local where = string.format("0x%04X", place.address)
-        if item then
-            item:prepend_text(where .. " ")
-        else
-            item = tree:add(fields[device.common.accessed], context:range(span.at, 0), row.name .. options.index)
-            item:set_text(where .. " " .. row.title .. options.index)
-            item:set_generated()
-            local inside = place.address >= span.address and place.address + row.words <= span.address + span.words
-            if not inside then
-                item:append_text(": only some of its words")
-            end
-            values.cite(item, row.errata)
-        end
-        if row.access == "ro" and operation == "write" then
-            values.report(item, "forbidden", row.name .. " can only be read")
-        elseif row.access == "wo" and operation == "read" then
-            values.report(item, "forbidden", row.name .. " can only be written")
-        end
-    end
-    if reached < span.address + span.words then
-        unlisted(reached, span.address + span.words - 1)
+    if reached < stop then
+        show_gap(context, tree, span, reached, stop - 1)
     end
 end

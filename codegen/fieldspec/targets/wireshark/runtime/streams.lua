@@ -12,8 +12,20 @@ protocol.init = reset
 
 local in_ranges = values.is_within
 
+local ranges_of = {}
+
 -- `1-16,20` or `0x8001` as ranges; nil for a text without numbers, which means every number.
 function streams.ranges(text)
+    local known = ranges_of[text]
+    if known == nil then
+        known = streams.parsed(text) or false
+        ranges_of[text] = known
+    end
+    return known or nil
+end
+
+-- The same for a text that is new.
+function streams.parsed(text)
     local ranges = {}
     for item in tostring(text):gsub("%s*%-%s*", "-"):gmatch("[^,%s]+") do
         local first, last = item:match("^(%w+)%-?(%w*)$")
@@ -199,6 +211,17 @@ local function show_pairing(tree, note)
     end
 end
 
+local MOST_NAMES = 3
+
+-- The names of the first registers that a frame accesses, for the column of information.
+local function registers_text(names)
+    if not names or #names == 0 then
+        return ""
+    end
+    local more = #names > MOST_NAMES and ", and " .. #names - MOST_NAMES .. " more" or ""
+    return ": " .. table.concat(names, ", ", 1, math.min(#names, MOST_NAMES)) .. more
+end
+
 -- Adds one frame to the tree and to the columns.
 local function show_frame(link, note, tvb, pinfo, root, message)
     local tree = root:add(protocol, tvb())
@@ -219,7 +242,7 @@ local function show_frame(link, note, tvb, pinfo, root, message)
     local text = (name or "unknown message") .. (context.is_refusal and " refused" or "") .. " " .. note.direction
     tree:append_text(": " .. text)
     pinfo.cols.protocol = device.id:upper()
-    return text
+    return text .. registers_text(context.registers)
 end
 
 -- Dissects a packet, which has whole frames, or with `is_stream` a piece of a stream. `other` dissects frames of units

@@ -62,7 +62,10 @@ end
 
 -- Adds the errata of a fact to its item, without those that concern only other links than `values.link`.
 function values.cite(item, errata)
-    for _, id in ipairs(errata or {}) do
+    if not errata then
+        return
+    end
+    for _, id in ipairs(errata) do
         local elsewhere = device.errata_elsewhere[id]
         if not (elsewhere and elsewhere[values.link]) then
             values.report(item, "misprint", id .. ": " .. device.errata[id])
@@ -111,37 +114,26 @@ local function state_of(value, number, key)
     return nil
 end
 
--- The name of a number, the reason for which a codec refuses it or people should look at it, and the details.
-local function judged(value, number, ranges)
+-- The reason for which a value is refused, nil where there is none.
+function values.reason(value, number, ranges)
     local key = numbers.text(number)
     if value.kind == "boolean" and key ~= "0" and key ~= "1" then
-        return nil, "unknown_value", "should be 0 or 1"
+        return "unknown_value"
     end
     if value.const and number ~= numbers.bound(value.const, value) then
-        return nil, "wrong_const", "should be " .. numbers.text(numbers.bound(value.const, value))
+        return "wrong_const"
     end
-    local state = state_of(value, number, key)
-    if state then
-        return state
+    if state_of(value, number, key) then
+        return nil
     end
     local enum = value.enum and device.enums[value.enum]
-    local name = enum and enum.names[tonumber(key)]
-    if enum and not enum.open and (not name or enum.unavailable[tonumber(key)]) then
-        return name, "unknown_value", "the closed enum " .. value.enum .. " does not permit it"
+    if enum and not enum.open and (not enum.names[tonumber(key)] or enum.unavailable[tonumber(key)]) then
+        return "unknown_value"
     end
-    if ranges and not is_within(number, ranges, value) then
-        return name, "out_of_range", "should be " .. ranges_text(ranges) .. (value.scale and " counts" or "")
-    end
-    return name
+    return ranges and not is_within(number, ranges, value) and "out_of_range" or nil
 end
 
 values.is_within = is_within
-
--- The reason for which a value is refused, nil where there is none.
-function values.reason(value, number, ranges)
-    local _, reason = judged(value, number, ranges)
-    return reason
-end
 
 -- The number of a field of bits, as Wireshark takes it.
 local function bits_number(ordered, bit)
@@ -160,110 +152,91 @@ local function bits_number(ordered, bit)
     return number
 end
 
--- The reason and the details where a field of bits of a word is out of its range; nil where none is.
-local function judged_bits(word, ordered)
-    for _, bit in ipairs(device.words[word]) do
-        if bit.ranges and not is_within(bits_number(ordered, bit), bit.ranges, bit) then
-            return "out_of_range", bit.name .. " should be " .. ranges_text(bit.ranges) .. (bit.scale and " counts" or "")
-        end
+-- The reason and the details where a field of bits of a word is out of its range; nil where it is not.
+function values.judged_bits(bit, ordered)
+    if is_within(bits_number(ordered, bit), bit.ranges, bit) then
+        return nil, nil
     end
-    return nil, nil
+    return "out_of_range", bit.name .. " should be " .. ranges_text(bit.ranges) .. (bit.scale and " counts" or "")
 end
 
--- The items of the bits of a word.
-local function show_bits(item, range, word, prefix, ordered)
-    for _, bit in ipairs(device.words[word]) do
-        local number = bits_number(ordered, bit)
-        local field = fields[prefix .. "." .. bit.name]
-        local inner
-        if bit.width == 1 then
-            inner = item:add(field, range, number == 1)
-        else
-            inner = item:add(field, range, number)
-        end
-        local last = bit.first + bit.width - 1
-        local head = bit.width == 1 and "Bit " .. bit.first or "Bits " .. bit.first .. ".." .. last
-        local digits = numbers.text(number)
-        local text = bit.enum and device.enums[bit.enum].names[tonumber(digits)]
-        if not text and bit.width == 1 then
-            text = number == 1 and bit.one or number == 0 and bit.zero or nil
-        end
-        text = text or values.quantity(number, bit)
-        inner:set_text(head .. ", " .. bit.title .. ": " .. (text and text .. " (" .. digits .. ")" or digits))
-        values.cite(inner, bit.errata)
+-- The item of a field of bits of a word.
+function values.show_bits(item, range, bit, field, ordered)
+    local number = bits_number(ordered, bit)
+    local inner
+    if bit.width == 1 then
+        inner = item:add(field, range, number == 1)
+    else
+        inner = item:add(field, range, number)
     end
+    local last = bit.first + bit.width - 1
+    local head = bit.width == 1 and "Bit " .. bit.first or "Bits " .. bit.first .. ".." .. last
+    local digits = numbers.text(number)
+    local text = bit.enum and device.enums[bit.enum].names[tonumber(digits)]
+    if not text and bit.width == 1 then
+        text = number == 1 and bit.one or number == 0 and bit.zero or nil
+    end
+    text = text or values.quantity(number, bit)
+    inner:set_text(head .. ", " .. bit.title .. ": " .. (text and text .. " (" .. digits .. ")" or digits))
+    values.cite(inner, bit.errata)
 end
 
--- Adds the item of a value. `entry` has its filter name, title and value; `range` are its bytes in the packet and
--- `bytes` those of the value. `options.ranges` take the place of the ranges of the value; `options.lenient` is set for
--- answers that need not be what was written, and `options.reason` takes the place of the reason of a finding. Returns the item, the number, and the reason of a finding.
-function values.show(tree, entry, range, bytes, options)
-    options = options or {}
-    local value, field, title = entry.value, fields[entry.filter], entry.title .. (options.index or "")
-    local item
-    if value.kind == "bytes" then
-        item = tree:add(field, range)
+-- The item of a quantity below that of its count.
+function values.show_quantity(item, entry, range, text, number)
+    local inner = item:add(fields[entry.quantity], range, number)
+    inner:set_text("Quantity: " .. text)
+    inner:set_generated()
+end
+
+-- What the manual says of a member of an enum.
+function values.remark(item, enum, key)
+    local text = enum.texts[key]
+    if text then
+        item:append_text(", " .. text)
+    end
+    values.cite(item, enum.errata[key])
+end
+
+-- The item of a text, or of bytes.
+local function show_characters(entry, tree, range, bytes, options)
+    if entry.value.kind == "bytes" then
+        local item = tree:add(entry.field, range)
+        if options.before then
+            item:prepend_text(options.before)
+        end
         values.cite(item, entry.errata)
         return item, nil, nil
     end
-    if value.kind == "text" then
-        local text = bytes:gsub("\0+$", "")
-        local is_ascii = not text:find("[\128-\255]")
-        text = text:gsub("[^\32-\126]", function(char) return string.format("\\x%02x", char:byte()) end)
-        item = tree:add(field, range, text)
-        item:set_text(title .. ": " .. text)
-        if not is_ascii and not entry.reserved then
-            values.report(item, "unknown_value", "the text is not ASCII")
-        end
-        values.cite(item, entry.errata)
-        return item, text, nil
-    end
-    local number = numbers.of(bytes, value)
-    item = tree:add(field, range, numbers.of_item(bytes, value))
-    local digits = numbers.text(number)
-    if value.word then
-        digits = "0x" .. numbers.significant(bytes, value):gsub(".", function(char)
-            return string.format("%02x", char:byte())
-        end)
-    end
-    if entry.reserved then
-        item:set_text(title .. ": " .. digits .. " (reserved)")
-        values.cite(item, entry.errata)
-        return item, number, nil
-    end
-    local name, reason, detail = judged(value, number, options.ranges or value.ranges)
-    local quantity, approximate
-    if not state_of(value, number, numbers.text(number)) then
-        quantity, approximate = values.quantity(number, value)
-    end
-    local meaning = name or quantity
-    item:set_text(title .. ": " .. (meaning and meaning .. " (" .. digits .. ")" or digits))
-    local enum = value.enum and device.enums[value.enum]
-    if enum and name then
-        local text = enum.texts[numbers.text(number)]
-        if text then
-            item:append_text(", " .. text)
-        end
-        values.cite(item, enum.errata[numbers.text(number)])
-    end
-    if approximate and entry.quantity then
-        local inner = item:add(fields[entry.quantity], range, approximate)
-        inner:set_text("Quantity: " .. quantity)
-        inner:set_generated()
-    end
-    if value.word then
-        local ordered = numbers.significant(bytes, value)
-        show_bits(item, range, value.word, entry.bits, ordered)
-        if not reason and not value.const then
-            reason, detail = judged_bits(value.word, ordered)
-        end
-    end
-    if reason and options.reason then
-        reason = options.reason
-    end
-    if reason and not options.lenient then
-        values.report(item, reason, entry.name .. (options.index or "") .. " is " .. digits .. ": " .. detail)
+    local text = bytes:gsub("\0+$", "")
+    local is_ascii = not text:find("[\128-\255]")
+    text = text:gsub("[^\32-\126]", function(char) return string.format("\\x%02x", char:byte()) end)
+    local item = tree:add(entry.field, range, text)
+    item:set_text((options.title or entry.title .. (options.index or "")) .. ": " .. text)
+    if not is_ascii and not entry.reserved then
+        values.report(item, "unknown_value", "the text is not ASCII")
     end
     values.cite(item, entry.errata)
-    return item, number, not options.lenient and reason or nil
+    return item, text, nil
+end
+
+-- Looks up once what the function of an entry needs.
+local function linked(entry)
+    entry.field = fields[entry.filter]
+    if entry.value.word then
+        entry.bit_fields = {}
+        for place, bit in ipairs(device.words[entry.value.word]) do
+            entry.bit_fields[place] = fields[entry.bits .. "." .. bit.name]
+        end
+    end
+    entry.shown = entry.show and values.shows[entry.show] or show_characters
+    return entry.shown
+end
+
+local NO_OPTIONS = {}
+
+-- Adds the item of a value. `entry` has its filter name, title and value; `range` are its bytes in the packet and
+-- `bytes` those of the value. Returns the item, the number, and the reason of a finding; the functions in
+-- `values.shows` say what `options` are.
+function values.show(tree, entry, range, bytes, options)
+    return (entry.shown or linked(entry))(entry, tree, range, bytes, options or NO_OPTIONS)
 end
