@@ -111,9 +111,7 @@ def explained(layout: DeviceLayout, example: Example) -> Iterator[Block]:
         open_request = OpenRequest(reading.explanation, True)
     options = FrameOptions(((example.link, example.direction),), example.message)
     reading = read(layout, example.frame, options, open_request=open_request)
-    yield from explanation_text.head_blocks(layout, reading, remarks(layout, reading, 0, options))
-    yield from explanation_text.body_blocks(layout, reading.explanation)
-    yield from map(Line, explanation_text.footnotes(layout, reading.explanation, all_errata=False))
+    yield from explanation_text.whole_blocks(layout, reading, remarks(layout, reading, 0, options))
 
 
 def _differing(

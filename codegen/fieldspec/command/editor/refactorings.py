@@ -16,7 +16,7 @@ from fieldspec.command.editor.entries import erratum_lines, identifiers, new_nam
 from fieldspec.command.editor.fixes import Action
 from fieldspec.command.files import regular_file
 from fieldspec.command.rendering import explanation_text
-from fieldspec.command.rendering.blocks import Line, bare_text
+from fieldspec.command.rendering.blocks import bare_text
 from fieldspec.foundation.source import SourceFile
 from fieldspec.language.reading.findings import LARGEST_FILE, VERSIONS
 from fieldspec.language.reading.memory import FileRead
@@ -148,9 +148,7 @@ def explained(layout: DeviceLayout, frame: bytes) -> str:
     """A frame as `decode` explains it."""
     options = FrameOptions()
     reading = read(layout, frame, options)
-    blocks = [*explanation_text.blocks(layout, reading, remarks(layout, reading, 0, options))]
-    blocks += map(Line, explanation_text.footnotes(layout, reading.explanation, all_errata=False))
-    return "".join(map(bare_text, blocks))
+    return "".join(map(bare_text, explanation_text.whole_blocks(layout, reading, remarks(layout, reading, 0, options))))
 
 
 def example_of(place: Cursor, layout: DeviceLayout, frame: bytes) -> Action | None:

@@ -131,6 +131,13 @@ def body_blocks(layout: DeviceLayout, explanation: Explanation) -> Iterator[Bloc
     yield from (Line(example, "dim") for example in examples(layout, explanation))
 
 
+def whole_blocks(layout: DeviceLayout, reading: ChosenReading, remarks: Iterable[str]) -> Iterator[Block]:
+    """All that is said of one frame by itself."""
+    yield from head_blocks(layout, reading, remarks)
+    yield from body_blocks(layout, reading.explanation)
+    yield from map(Line, footnotes(layout, reading.explanation, all_errata=False))
+
+
 def footnotes(layout: DeviceLayout, explanation: Explanation, all_errata: bool) -> Iterator[str]:
     """The notes and errata about the frame, each once: errata that concern a field on this link, or `all_errata`."""
     rows = (*explanation.rows, *explanation.registers)
