@@ -8,7 +8,6 @@ from fieldspec.targets.c.declarations import Function
 from fieldspec.targets.c.expressions import (
     IN,
     INDEX,
-    INT64,
     OUT,
     Call,
     Cast,
@@ -25,16 +24,13 @@ from fieldspec.targets.c.expressions import (
     all_of,
     any_of,
     at_most,
-    decimal,
     equal,
-    integer,
     multiply,
     negate,
-    string,
     subtract,
-    unsigned,
 )
 from fieldspec.targets.c.fields import INNER_LENGTH
+from fieldspec.targets.c.literals import INT64, decimal, integer, string, unsigned
 from fieldspec.targets.c.printer import Printer
 from fieldspec.targets.c.statements import CountUp, If, Return, Switch, assign, contains
 

@@ -22,8 +22,8 @@ from fieldspec.targets.c.expressions import (
     at_least,
     at_most,
     greater,
-    hexadecimal,
 )
+from fieldspec.targets.c.literals import hexadecimal
 from fieldspec.targets.c.machine import literal, macro_literal, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.runtime_files import all_records, is_bit

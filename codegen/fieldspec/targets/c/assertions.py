@@ -9,8 +9,6 @@ from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Octets, Real, Text, Truth, Whole, real_bits
 from fieldspec.targets.c.expressions import (
-    FALSE,
-    TRUE,
     Call,
     Element,
     Expression,
@@ -20,15 +18,10 @@ from fieldspec.targets.c.expressions import (
     SizeOf,
     Unary,
     all_of,
-    byte_string,
-    decimal,
     equal,
-    hexadecimal,
-    integer,
-    string,
-    unsigned,
 )
 from fieldspec.targets.c.fields import members
+from fieldspec.targets.c.literals import FALSE, TRUE, byte_string, decimal, hexadecimal, integer, string, unsigned
 from fieldspec.targets.c.machine import of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.sample_values import RecordForm, form_of_values

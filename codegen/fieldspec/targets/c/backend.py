@@ -15,10 +15,10 @@ from fieldspec.targets.c.conversions import declare_conversion
 from fieldspec.targets.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
 from fieldspec.targets.c.enums import code_tables, declare_code_texts, declare_enum
 from fieldspec.targets.c.escapes import declare_escapes
-from fieldspec.targets.c.expressions import hexadecimal, string, unsigned
 from fieldspec.targets.c.flags import declare_flags
 from fieldspec.targets.c.frames import declare_link
 from fieldspec.targets.c.fuzzing import write_fuzz_target
+from fieldspec.targets.c.literals import hexadecimal, string, unsigned
 from fieldspec.targets.c.messages import declare_messages
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.parameters import declare_parameters

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.record import RecordLayout
-from fieldspec.targets.c.expressions import Expression, Group, Operation, PointerMember, add, different, unsigned
+from fieldspec.targets.c.expressions import Expression, Group, Operation, PointerMember, add, different
 from fieldspec.targets.c.fields import count_member
+from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.statements import Body
 from fieldspec.targets.c.values import refuse

@@ -9,18 +9,8 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.language.model.checksums import DIGITS, SIMPLE, Checksum, checksum_named
 from fieldspec.targets.c.declarations import Declaration, Source
-from fieldspec.targets.c.expressions import (
-    Call,
-    Expression,
-    Identifier,
-    add,
-    add_size,
-    decimal,
-    different,
-    hexadecimal,
-    negate,
-    unsigned,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, add, add_size, different, negate
+from fieldspec.targets.c.literals import decimal, hexadecimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.runtime_files import copy_runtime
 from fieldspec.targets.c.statements import Evaluation, Statement

@@ -31,9 +31,6 @@ from fieldspec.language.model.encoding import (
 )
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.expressions import (
-    INT64,
-    TRUE,
-    UINT64,
     Call,
     Cast,
     Expression,
@@ -46,12 +43,10 @@ from fieldspec.targets.c.expressions import (
     different,
     equal,
     greater,
-    hexadecimal,
     less,
     negate,
-    real,
-    unsigned,
 )
+from fieldspec.targets.c.literals import INT64, TRUE, UINT64, hexadecimal, real, unsigned
 from fieldspec.targets.c.machine import literal, machine, machine_whole
 from fieldspec.targets.c.naming import Naming
 

@@ -22,14 +22,13 @@ from fieldspec.targets.c.expressions import (
     at_most,
     dereference,
     different,
-    double,
     greater,
     less,
     multiply,
     negate,
     subtract,
-    whole_double,
 )
+from fieldspec.targets.c.literals import double, whole_double
 from fieldspec.targets.c.machine import literal, machine
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Body, If, Return, Variable, Variables, assign

@@ -12,7 +12,6 @@ from fieldspec.targets.c.expressions import (
     OUT,
     OUTPUT_BYTES,
     SIZE_TYPE,
-    ZERO,
     Call,
     Cast,
     Element,
@@ -22,17 +21,14 @@ from fieldspec.targets.c.expressions import (
     Type,
     add,
     any_of,
-    decimal,
     dereference,
     different,
     greater,
-    hexadecimal,
-    hexadecimal_digits,
     less,
     multiply,
     subtract,
-    unsigned,
 )
+from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, hexadecimal_digits, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Assignment, Body, CountDown, CountUp, Statement, Variable, assign
 from fieldspec.targets.c.values import refuse, return_ok, status_type

@@ -5,7 +5,8 @@ from __future__ import annotations
 from fieldspec.language.model.digits import BCD, has_sign, is_complement
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.expressions import FALSE, TRUE, Call, Cast, Expression, unsigned
+from fieldspec.targets.c.expressions import Call, Cast, Expression
+from fieldspec.targets.c.literals import FALSE, TRUE, unsigned
 from fieldspec.targets.c.machine import machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fieldspec.language.model.text_form import UTF_16
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.expressions import FALSE, TRUE, Call, Expression, hexadecimal, unsigned
+from fieldspec.targets.c.expressions import Call, Expression
+from fieldspec.targets.c.literals import FALSE, TRUE, hexadecimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Evaluation, call
 

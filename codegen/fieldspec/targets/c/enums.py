@@ -20,15 +20,8 @@ from fieldspec.targets.c.declarations import (
     escape_comment,
 )
 from fieldspec.targets.c.expressions import (
-    FALSE,
     INDEX,
-    INT64,
-    NULL,
-    TRUE,
-    UINT32,
-    UINT64,
     VALUE,
-    ZERO,
     Call,
     Element,
     Expression,
@@ -42,12 +35,21 @@ from fieldspec.targets.c.expressions import (
     at_least,
     at_most,
     equal,
+)
+from fieldspec.targets.c.expressions import Member as StructMember
+from fieldspec.targets.c.literals import (
+    FALSE,
+    INT64,
+    NULL,
+    TRUE,
+    UINT32,
+    UINT64,
+    ZERO,
     hexadecimal,
     hexadecimal_digits,
     integer,
     string,
 )
-from fieldspec.targets.c.expressions import Member as StructMember
 from fieldspec.targets.c.machine import machine
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import CountUp, If, Return, Statement, Table, Variable, discard

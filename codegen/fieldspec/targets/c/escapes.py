@@ -6,7 +6,8 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.language.model.escape import Escape
 from fieldspec.targets.c.declarations import Source
-from fieldspec.targets.c.expressions import Call, Expression, unsigned
+from fieldspec.targets.c.expressions import Call, Expression
+from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.runtime_files import copy_runtime
 

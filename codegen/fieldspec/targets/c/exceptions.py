@@ -11,7 +11,6 @@ from fieldspec.targets.c.expressions import (
     IN,
     LENGTH,
     OUT,
-    ZERO,
     Cast,
     Element,
     Expression,
@@ -22,12 +21,11 @@ from fieldspec.targets.c.expressions import (
     Unary,
     all_of,
     at_least,
-    decimal,
     different,
     equal,
     negate,
-    unsigned,
 )
+from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, argument, frame_member
 from fieldspec.targets.c.statements import Assignment, Body, If, assign
 from fieldspec.targets.c.values import refuse

@@ -19,11 +19,10 @@ from fieldspec.targets.c.expressions import (
     PointerMember,
     Type,
     address_of,
-    decimal,
     different,
     multiply,
-    unsigned,
 )
+from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.statements import Assignment, Body, CountUp, If, Return, Statement, Switch, Variable

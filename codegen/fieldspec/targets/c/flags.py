@@ -21,7 +21,6 @@ from fieldspec.targets.c.declarations import (
 )
 from fieldspec.targets.c.expressions import (
     VALUE,
-    ZERO,
     Cast,
     Expression,
     Group,
@@ -29,13 +28,10 @@ from fieldspec.targets.c.expressions import (
     Operation,
     Type,
     Unary,
-    decimal,
     different,
     equal,
-    hexadecimal,
-    integer,
-    unsigned,
 )
+from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, integer, unsigned
 from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.scales import define_fractions

@@ -20,7 +20,6 @@ from fieldspec.targets.c.expressions import (
     OUT,
     OUTPUT_BYTES,
     SIZE_TYPE,
-    ZERO,
     Call,
     Expression,
     Identifier,
@@ -37,9 +36,9 @@ from fieldspec.targets.c.expressions import (
     less,
     multiply,
     negate,
-    unsigned,
 )
 from fieldspec.targets.c.fields import return_error
+from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming, argument, frame_member
 from fieldspec.targets.c.parts import TOTAL, check_digits, length_number, part_pointer, part_value, write_part
 from fieldspec.targets.c.statements import Body, Return, Statement, Variable, assign, discard

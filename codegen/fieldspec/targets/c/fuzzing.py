@@ -16,7 +16,6 @@ from fieldspec.targets.c.delimiters import is_wrapped
 from fieldspec.targets.c.expressions import (
     INPUT_BYTES,
     SIZE_TYPE,
-    ZERO,
     Call,
     Conditional,
     Element,
@@ -33,16 +32,15 @@ from fieldspec.targets.c.expressions import (
     all_of,
     at_least,
     at_most,
-    decimal,
     different,
     equal,
     less,
     multiply,
     subtract,
-    unsigned,
 )
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
+from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, Noun, frame_member
 from fieldspec.targets.c.packing import is_packed
 from fieldspec.targets.c.printer import Printer

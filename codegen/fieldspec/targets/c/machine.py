@@ -18,19 +18,8 @@ from fieldspec.language.model.encoding import (
     real_bits,
     whole_bits,
 )
-from fieldspec.targets.c.expressions import (
-    ZERO,
-    Call,
-    Cast,
-    Conditional,
-    Expression,
-    Group,
-    Literal,
-    decimal,
-    different,
-    integer,
-    real,
-)
+from fieldspec.targets.c.expressions import Call, Cast, Conditional, Expression, Group, Literal, different
+from fieldspec.targets.c.literals import ZERO, decimal, integer, real
 from fieldspec.targets.c.naming import Naming
 
 

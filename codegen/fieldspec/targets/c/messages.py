@@ -15,7 +15,6 @@ from fieldspec.targets.c.expressions import (
     LENGTH,
     OUT,
     SIZE_TYPE,
-    ZERO,
     Call,
     Expression,
     Identifier,
@@ -24,13 +23,12 @@ from fieldspec.targets.c.expressions import (
     add,
     add_size,
     address_of,
-    decimal,
     equal,
     less,
-    unsigned,
 )
 from fieldspec.targets.c.fields import members, return_error
 from fieldspec.targets.c.frames import CODE_TYPE, DIRECTIONS, OUTPUT_PARAMETERS, header_parameters
+from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, argument
 from fieldspec.targets.c.statements import Body, Return, Variable
 from fieldspec.targets.c.values import refuse, status_type

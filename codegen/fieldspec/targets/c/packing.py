@@ -15,7 +15,6 @@ from fieldspec.targets.c.expressions import (
     Type,
     address_of,
     different,
-    unsigned,
 )
 from fieldspec.targets.c.fields import (
     function_locals,
@@ -26,6 +25,7 @@ from fieldspec.targets.c.fields import (
     struct_argument,
     walk_elements,
 )
+from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Body, Variable, call
 from fieldspec.targets.c.values import (

@@ -36,10 +36,9 @@ from fieldspec.targets.c.expressions import (
     at_least,
     at_most,
     dereference,
-    hexadecimal_digits,
     negate,
-    unsigned,
 )
+from fieldspec.targets.c.literals import hexadecimal_digits, unsigned
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.registers import ACCESS, access_functions, define_constants

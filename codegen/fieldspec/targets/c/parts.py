@@ -14,7 +14,6 @@ from fieldspec.targets.c.expressions import (
     IN,
     LENGTH,
     OUT,
-    ZERO,
     Expression,
     Group,
     Identifier,
@@ -25,14 +24,13 @@ from fieldspec.targets.c.expressions import (
     any_of,
     at_least,
     at_most,
-    decimal,
     different,
     equal,
     greater,
     less,
     negate,
-    unsigned,
 )
+from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, argument
 from fieldspec.targets.c.statements import Body, CompileIf, Statement
 from fieldspec.targets.c.values import WireValue, check_stored, refuse, store_constant, store_number, store_whole

@@ -31,8 +31,8 @@ from fieldspec.targets.c.expressions import (
     multiply,
     negate,
     subtract,
-    whole_double,
 )
+from fieldspec.targets.c.literals import whole_double
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.statements import Body, Variable, assign

@@ -15,7 +15,6 @@ from fieldspec.targets.c.expressions import (
     OUT,
     OUTPUT_BYTES,
     SIZE_TYPE,
-    ZERO,
     Call,
     Conditional,
     Expression,
@@ -26,13 +25,11 @@ from fieldspec.targets.c.expressions import (
     add,
     address_of,
     any_of,
-    decimal,
     dereference,
     different,
     greater,
     less,
     multiply,
-    unsigned,
 )
 from fieldspec.targets.c.fields import (
     INNER_LENGTH,
@@ -53,6 +50,7 @@ from fieldspec.targets.c.fields import (
     walk_elements,
 )
 from fieldspec.targets.c.inner_lists import decode_inner_lists, encode_inner_lists
+from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.packing import check_members, check_unpacked, declare_packing, is_packed
 from fieldspec.targets.c.statements import (

@@ -25,7 +25,6 @@ from fieldspec.targets.c.expressions import (
     OUT,
     OUTPUT_BYTES,
     VALUE,
-    ZERO,
     Cast,
     Element,
     Expression,
@@ -33,14 +32,12 @@ from fieldspec.targets.c.expressions import (
     Type,
     add,
     at_least,
-    decimal,
     dereference,
     greater,
-    hexadecimal,
     multiply,
     subtract,
-    unsigned,
 )
+from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, unsigned
 from fieldspec.targets.c.machine import literal, macro_literal
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.runtime_files import is_bit

@@ -19,7 +19,7 @@ from fieldspec.language.model.encoding import Sign, Whole, is_odd, is_text
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import Source
 from fieldspec.targets.c.digits import digits_parts
-from fieldspec.targets.c.expressions import hexadecimal
+from fieldspec.targets.c.literals import hexadecimal
 from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.values import WireValue, access_name

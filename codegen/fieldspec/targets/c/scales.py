@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.targets.c.declarations import Declaration, Define
-from fieldspec.targets.c.expressions import INT64, integer
+from fieldspec.targets.c.literals import INT64, integer
 from fieldspec.targets.c.naming import Naming, Noun
 
 _GREATEST_FRACTION = 2**63 - 1

@@ -23,7 +23,6 @@ from fieldspec.targets.c.declarations import Function, escape_comment
 from fieldspec.targets.c.enums import code_tables
 from fieldspec.targets.c.expressions import (
     SIZE_TYPE,
-    ZERO,
     Call,
     Expression,
     Identifier,
@@ -31,12 +30,11 @@ from fieldspec.targets.c.expressions import (
     SizeOf,
     Type,
     address_of,
-    byte_initializer,
-    decimal,
     different,
     subtract,
 )
 from fieldspec.targets.c.fields import members
+from fieldspec.targets.c.literals import ZERO, byte_initializer, decimal
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.printer import Printer

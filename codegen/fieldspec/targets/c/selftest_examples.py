@@ -23,10 +23,7 @@ from fieldspec.targets.c.assertions import (
 )
 from fieldspec.targets.c.delimiters import is_wrapped
 from fieldspec.targets.c.expressions import (
-    FALSE,
     SIZE_TYPE,
-    TRUE,
-    ZERO,
     Call,
     Expression,
     Identifier,
@@ -35,13 +32,11 @@ from fieldspec.targets.c.expressions import (
     Type,
     add,
     address_of,
-    byte_initializer,
-    decimal,
     equal,
-    unsigned,
 )
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
+from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, byte_initializer, decimal, unsigned
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, frame_member
 from fieldspec.targets.c.parts import part_value

@@ -10,20 +10,8 @@ from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth,
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.assertions import expect, expect_equal
-from fieldspec.targets.c.expressions import (
-    FALSE,
-    TRUE,
-    ZERO,
-    Call,
-    Expression,
-    Identifier,
-    Type,
-    address_of,
-    at_least,
-    at_most,
-    double,
-    whole_double,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type, address_of, at_least, at_most
+from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, double, whole_double
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.quantities import ScaledValue, fixed_values, keeps_counts, scaled_values

@@ -16,12 +16,6 @@ from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal
 from fieldspec.targets.c.conversions import count_bounds, count_type
 from fieldspec.targets.c.enums import available_members, code_tables, enum_type
 from fieldspec.targets.c.expressions import (
-    FALSE,
-    INT64,
-    NULL,
-    TRUE,
-    UINT64,
-    ZERO,
     Call,
     Cast,
     Expression,
@@ -33,18 +27,26 @@ from fieldspec.targets.c.expressions import (
     all_of,
     at_least,
     at_most,
+    different,
+    equal,
+)
+from fieldspec.targets.c.flags import named_bits, number_of_bit
+from fieldspec.targets.c.literals import (
+    FALSE,
+    INT64,
+    NULL,
+    TRUE,
+    UINT64,
+    ZERO,
     byte_initializer,
     decimal,
-    different,
     double,
-    equal,
     hexadecimal,
     integer,
     string,
     unsigned,
     whole_double,
 )
-from fieldspec.targets.c.flags import named_bits, number_of_bit
 from fieldspec.targets.c.machine import literal, machine
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.parameters import wire_number_type

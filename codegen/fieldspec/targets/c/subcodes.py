@@ -24,13 +24,12 @@ from fieldspec.targets.c.expressions import (
     any_of,
     at_least,
     at_most,
-    decimal,
     different,
     equal,
     greater,
     less,
-    unsigned,
 )
+from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import If, Return, Statement, Variable, assign
 from fieldspec.targets.c.values import access_name, refuse

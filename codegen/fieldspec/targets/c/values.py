@@ -48,12 +48,11 @@ from fieldspec.targets.c.expressions import (
     Identifier,
     Literal,
     Type,
-    decimal,
     dereference,
     different,
     negate,
-    unsigned,
 )
+from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.machine import fixed_bits, literal, machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
