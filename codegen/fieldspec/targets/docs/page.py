@@ -10,6 +10,7 @@ from fieldspec.foundation.classes import replace
 from fieldspec.foundation.html_text import clean
 from fieldspec.language.model.fact import Citation
 from fieldspec.language.model.ranges import merged
+from fieldspec.targets.docs.bit_fields import words
 from fieldspec.targets.docs.context import Context, Holding
 from fieldspec.targets.docs.device import identity, version_title
 from fieldspec.targets.docs.document import (
@@ -24,7 +25,7 @@ from fieldspec.targets.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.targets.docs.enums import codes, enums, words
+from fieldspec.targets.docs.enums import codes, enums
 from fieldspec.targets.docs.errata import errata
 from fieldspec.targets.docs.examples import examples
 from fieldspec.targets.docs.links import links
