@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from fieldspec.codec.layout.accepted import OUT_OF_RANGE
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
@@ -136,7 +137,11 @@ def has_quantity(value: Value) -> bool:
 
 
 def quantity_text(number: float | str | None, state: str | None) -> str:
-    """A quantity as a text that does not depend on how a language writes numbers: None, a number, or a refusal."""
+    """A quantity as a text that does not depend on how a language writes numbers: None, a number, or a refusal.
+
+    `state` is that of a special value: what is out of range is a quantity, whose state other questions ask for.
+    """
+    state = None if state == OUT_OF_RANGE else state
     return f"{number if number is None or isinstance(number, str) else repr(float(number))} {state}"
 
 

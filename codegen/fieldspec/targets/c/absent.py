@@ -1,17 +1,21 @@
-"""Values that stand for a state and not for a quantity: their constants, and the functions that tell them apart."""
+"""States of values that are read: the constants of special values, and the functions that tell them, and values out of
+range, from others.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.codec.layout.accepted import Condition, told_conditions
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, infinity
 from fieldspec.language.model.value import Sentinel, Value
-from fieldspec.targets.c.conditions import among_test
+from fieldspec.targets.c.conditions import among_test, refused_number
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
 from fieldspec.targets.c.expressions import (
+    FALSE,
     VALUE,
     Expression,
     Group,
@@ -33,11 +37,15 @@ from fieldspec.targets.c.values import type_name
 
 @dataclass(frozen=True, slots=True)
 class AbsentValue:
-    """A value with sentinels, the noun under which `Naming` has it, and the words of its names."""
+    """A value that may be in a state, the noun under which `Naming` has it, and the words of its names.
+
+    `told` are the conditions without which it is out of range.
+    """
 
     noun: Noun
     names: tuple[str, ...]
     value: Value
+    told: tuple[Condition, ...] = ()
 
     @property
     def title(self) -> str:
@@ -52,31 +60,49 @@ class AbsentValue:
         """The name of the function that tells the sentinels apart: `gadget_reg_power_is_absent`"""
         return naming.function(self.noun, *self.names, "is_absent")
 
+    def outside(self, naming: Naming) -> str:
+        """The name of the function that tells numbers out of range apart: `gadget_reg_power_is_out_of_range`"""
+        return naming.function(self.noun, *self.names, "is_out_of_range")
+
 
 def absent_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
     """All values with sentinels: signals, fields and their cases, registers, parameters."""
     return (absent for absent in _every_value(layout) if absent.value.sentinels)
 
 
+def told_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
+    """All values that may be out of range where they are read, in the same places."""
+    return (told for told in _every_value(layout) if told.told)
+
+
 def _every_value(layout: DeviceLayout) -> Iterator[AbsentValue]:
-    for signal in layout.device.signals.values():
-        yield AbsentValue("signal", (signal.name,), signal.value)
+    device = layout.device
+
+    def of(noun: Noun, names: tuple[str, ...], value: Value) -> AbsentValue:
+        return AbsentValue(noun, names, value, told_conditions(device, value))
+
+    def of_answer(noun: Noun, names: tuple[str, ...], value: Value, trigger: bool) -> AbsentValue:
+        return AbsentValue(noun, names, value, told_conditions(device, value.as_answer(trigger), trigger))
+
+    for signal in device.signals.values():
+        yield of("signal", (signal.name,), signal.value)
     for record in all_records(layout):
         for field in record.fields:
             if field.value is not None and not field.field.reserved:
-                yield AbsentValue("record", (record.name, field.name), field.value)
+                yield of("record", (record.name, field.name), field.value)
             for case in field.cases:
-                yield AbsentValue("record", (record.name, field.name, case.name), case.value)
+                yield of("record", (record.name, field.name, case.name), case.value)
     for row in layout.registers:
         if not is_bit(row) and not row.register.reserved:
-            yield AbsentValue("register", (row.name,), row.register.value)
-    for parameters in layout.device.parameters.values():
+            yield of_answer("register", (row.name,), row.register.value, row.register.trigger)
+    for parameters in device.parameters.values():
         for parameter in parameters.parameters:
             if not parameter.reserved:
-                yield AbsentValue("parameter", (parameters.name, parameter.name), parameter.value)
+                names = (parameters.name, parameter.name)
+                yield of_answer("parameter", names, parameter.value, parameter.trigger)
                 for inner in parameter.subindices:
                     if not inner.reserved:
-                        yield AbsentValue("parameter", (parameters.name, parameter.name, inner.name), inner.value)
+                        yield of_answer("parameter", (*names, inner.name), inner.value, parameter.trigger)
 
 
 def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
@@ -108,6 +134,25 @@ def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
             absent.function(naming),
             (Variable(Type(type_name(value)), "value"),),
             (Return(_absent_test(naming, value)),),
+        ),
+    ]
+
+
+def declare_told(naming: Naming, told: AbsentValue) -> list[Declaration]:
+    """The function that says whether a value that is read is out of range.
+
+    `bool gadget_reg_power_is_out_of_range(int16_t value)`
+    """
+    value = told.value
+    tests = [refused_number(naming, value.encoding, condition.test, VALUE) for condition in told.told]
+    outside = [Group(test) for test in tests if test is not None]
+    return [
+        comment(f"Whether {told.title} is outside of what is stated of it. It is a quantity all the same."),
+        Function(
+            Type("bool"),
+            told.outside(naming),
+            (Variable(Type(type_name(value)), "value"),),
+            (Return(any_of(outside) if outside else FALSE),),
         ),
     ]
 
