@@ -15,7 +15,9 @@ from random_devices.agreement import layouts_of
 
 CASE = Path(__file__).parent / "random_devices" / "cases" / "out_of_range.yaml"
 
-USUAL = bytes.fromhex("01 0000 00 01 00 00 0000000000000000 000001 00000000 0000000000000000 10 00 00 0005 0005 01 0001")
+USUAL = bytes.fromhex(
+    "01 0000 00 01 00 00 0000000000000000 000001 00000000 0000000000000000 10 00 00 0005 0005 01 0001"
+)
 """A record whose values are all as stated."""
 
 REALS = ((0.0, None), (300.0, None), (-0.5, "out_of_range"), (float("inf"), "out_of_range"))

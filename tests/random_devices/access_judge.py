@@ -244,7 +244,8 @@ class Access(Python):
             if value is None or not (is_count(value.encoding) or is_real(value.encoding)) or value.const is not None:
                 continue
             if not hasattr(own, f"{field.name}_state"):
-                assert not value.sentinels and stated_numbers(self.layout.device, value) is None, field.name
+                assert not value.sentinels, field.name
+                assert stated_numbers(self.layout.device, value) is None, field.name
                 continue
             items = values[field.name] if field.is_list else [values[field.name]]
             wanted: Any = [state_name(self.layout.device, value, item) or None for item in items]

@@ -78,13 +78,15 @@ class Told:
 
 
 def told_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], Told]]:
-    """The numbers that may be in a state, by their kind and names: registers, parameters, fields, and cases of fields."""
+    """The numbers that may be in a state, by kind and names: registers, parameters, fields, and cases of fields."""
     device = layout.device
     reserved = {row.name for row in layout.registers if row.register.reserved}
     for kind, path, (value, _, _, trigger, size) in shapes(layout):
         if kind == "register" and path[0] in reserved:
             continue
-        if kind == "parameter" and any(row.subindices for row in device.parameters[path[0]].parameters if row.name == path[1]):
+        if kind == "parameter" and any(
+            row.subindices for row in device.parameters[path[0]].parameters if row.name == path[1]
+        ):
             continue  # its states are those of its elements
         answer = Told(device, value.as_answer(trigger), size, trigger)
         yield from _told(("parameter" if kind == "subindex" else kind, *path), answer)
@@ -96,7 +98,9 @@ def told_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], Told]]:
             if field.value is not None:
                 yield from _told(("record", record.name, field.name), Told(device, field.value, field.size))
             for case in field.cases:
-                yield from _told(("record", record.name, field.name, case.name), Told(device, case.value, case.value.size))
+                yield from _told(
+                    ("record", record.name, field.name, case.name), Told(device, case.value, case.value.size)
+                )
 
 
 def _told(path: tuple[str, ...], told: Told) -> Iterator[tuple[tuple[str, ...], Told]]:
@@ -107,11 +111,11 @@ def _told(path: tuple[str, ...], told: Told) -> Iterator[tuple[tuple[str, ...], 
 
 def state_queries(layout: DeviceLayout, dice: random.Random) -> list[Query]:
     """Questions about the states of numbers at the ends of what is stated of them, beside these, and anywhere."""
-    drawn = []
-    for path, told in told_values(layout):
-        for raw in _readable(layout, told.value, dice):
-            drawn.append(Query("state", path, values={"raw": raw}, shape=told))
-    return drawn
+    return [
+        Query("state", path, values={"raw": raw}, shape=told)
+        for path, told in told_values(layout)
+        for raw in _readable(layout, told.value, dice)
+    ]
 
 
 def _readable(layout: DeviceLayout, value: Value, dice: random.Random) -> list[Any]:
@@ -125,7 +129,9 @@ def _readable(layout: DeviceLayout, value: Value, dice: random.Random) -> list[A
     word = layout.device.flags.get(value.flags)
     fields = [] if word is None else [dice.getrandbits(8 * word.type.size) for _ in word.bits]
     near = {end + step for end in ends for step in (-1, 0, 1)}
-    numbers = {number for number in (*_counts(layout, value, dice), *near, *fields) if value.low <= number <= value.high}
+    numbers = {
+        number for number in (*_counts(layout, value, dice), *near, *fields) if value.low <= number <= value.high
+    }
     enum = layout.device.enums.get(value.enum)
     if enum is None or enum.open:
         return sorted(numbers)

@@ -9,13 +9,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from fieldspec.codec.layout.accepted import OUT_OF_RANGE
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.reference import CodecError, DeviceCodec, codec
 from fieldspec.language.model.encoding import is_count, is_octets, is_real, is_text
-from fieldspec.language.model.value import Value
+from fieldspec.language.model.value import OUT_OF_RANGE, Value
 from random_devices.inputs import (
     delimited,
     header_values,

@@ -275,11 +275,8 @@ class Trigger(Open[E]):
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
         absent: Absent = (),
-        stated: Stated = (),
     ) -> None:
-        super().__init__(
-            letters, enum, members, swapped=swapped, ranges=ranges, absent=absent, closed=True, stated=stated
-        )
+        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, absent=absent, closed=True, stated=())
 
     def of_raw(self, name: str, raw: int) -> E | int:
         return self.members.get(raw, raw)

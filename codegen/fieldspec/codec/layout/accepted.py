@@ -22,6 +22,7 @@ from fieldspec.language.model.encoding import (
     real_bits,
 )
 from fieldspec.language.model.ranges import merged
+from fieldspec.language.model.value import OUT_OF_RANGE
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -35,9 +36,6 @@ if TYPE_CHECKING:
 
 REASONS: tuple[Reason, ...] = ("wrong_const", "unknown_value", "out_of_range")
 """Why a value is refused."""
-
-OUT_OF_RANGE: Reason = "out_of_range"
-"""The state of a value that is read and that a condition remarks; no special value has this name."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -43,10 +43,10 @@ def special_name(value: Value, raw: float) -> str:
 def state_name(device: Device, value: Value, raw: float) -> str:
     """The name of the state that a number which is read stands for, or `out_of_range`; empty for any other number."""
     special = special_name(value, raw)
-    word = device.flags.get(value.flags)
     is_within = value.ranges is None or any(low <= raw <= high for low, high in value.ranges.intervals)
-    for bit in word.bits if word is not None else ():
-        is_within &= bit.ranges is None or number_of_bits(word, bit, int(raw)) in bit.ranges
+    if value.flags:
+        word = device.flags[value.flags]
+        is_within &= all(bit.ranges is None or number_of_bits(word, bit, int(raw)) in bit.ranges for bit in word.bits)
     return special if special or is_within else "out_of_range"
 
 

@@ -1,4 +1,6 @@
-"""What self-tests expect of absent values and of those out of range, and of quantities that may be absent or have their scale elsewhere."""
+"""What self-tests expect of absent values, of those out of range, and of quantities that may be absent or have their
+scale elsewhere.
+"""
 
 from __future__ import annotations
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.layout.accepted import OUT_OF_RANGE
 from fieldspec.codec.layout.exponents import exponent_of
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.classes import dataclass
@@ -10,7 +9,7 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Conversion, Value
+from fieldspec.language.model.value import OUT_OF_RANGE, Conversion, Value
 from fieldspec.targets.fact_texts import described, sentence, unit_word
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.registers import absent_states, stated_arguments, value_expression
@@ -137,7 +136,9 @@ def state_views(stored: list[Slots], scope: Scope, selector: Slots | None) -> li
         if not told:
             continue
         states = ", ".join(told[0]) if field.field.value is not None else _decided_states(field, selector)
-        read = f"_state_of({', '.join(['item' if field.is_list else f'self.{field.name}', *([states] * bool(states))])})"
+        read = (
+            f"_state_of({', '.join(['item' if field.is_list else f'self.{field.name}', *([states] * bool(states))])})"
+        )
         views.append(
             StateView(
                 scope.take(f"{field.title}_state"),

@@ -10521,7 +10521,7 @@ def _drive_parameters_rows() -> dict[str, _Any]:
         ),
         "GANTRY_PARAMETER_COMMAND": _Parameter(
             "gantry_parameter_command", 0x3083,
-            _Trigger(">H", "gantry_parameter_command", _GANTRY_PARAMETER_COMMAND_MEMBERS, ranges=((0, 3),), stated=()),
+            _Trigger(">H", "gantry_parameter_command", _GANTRY_PARAMETER_COMMAND_MEMBERS, ranges=((0, 3),)),
             "rw", type="u16", printed_name="3083h", source="4.2 L1087-1094", set="drive_parameters",
         ),
         "GANTRY_PARAMETER_STATUS": _Parameter(
@@ -10567,7 +10567,7 @@ def _drive_parameters_rows() -> dict[str, _Any]:
         ),
         "ABSOLUTE_ENCODER_INITIALIZATION": _Parameter(
             "absolute_encoder_initialization", 0x3200,
-            _Trigger(">i", "absolute_encoder_initialization", _ABSOLUTE_ENCODER_INITIALIZATION_MEMBERS, ranges=((0, 1),), stated=()),
+            _Trigger(">i", "absolute_encoder_initialization", _ABSOLUTE_ENCODER_INITIALIZATION_MEMBERS, ranges=((0, 1),)),
             "rw", type="i32", printed_name="3200h", source="4.2 L1167-1175, 1228", set="drive_parameters",
         ),
         "GENERAL_INTEGER_1": _Parameter(
@@ -10627,14 +10627,13 @@ def _drive_parameters_rows() -> dict[str, _Any]:
             source="4.2 L1204-1205", set="drive_parameters",
         ),
         "DRIVE_RESET": _Parameter(
-            "drive_reset", 0x3215,
-            _Trigger(">h", "drive_reset", _DRIVE_RESET_MEMBERS, ranges=((-1, 2),), stated=()), "rw",
-            type="i16", printed_name="3215h", source="4.2 L1206-1213", set="drive_parameters",
+            "drive_reset", 0x3215, _Trigger(">h", "drive_reset", _DRIVE_RESET_MEMBERS, ranges=((-1, 2),)),
+            "rw", type="i16", printed_name="3215h", source="4.2 L1206-1213", set="drive_parameters",
         ),
         "PARAMETER_SAVE": _Parameter(
             "parameter_save", 0x3216,
-            _Trigger(">h", "parameter_save", _PARAMETER_SAVE_MEMBERS, ranges=((0, 1),), stated=()), "rw",
-            type="i16", printed_name="3216h", source="4.2 L1216-1217", set="drive_parameters",
+            _Trigger(">h", "parameter_save", _PARAMETER_SAVE_MEMBERS, ranges=((0, 1),)), "rw", type="i16",
+            printed_name="3216h", source="4.2 L1216-1217", set="drive_parameters",
         ),
         "MASTERSHIP": _Parameter(
             "mastership", 0x3217, _Closed(">h", "mastership", _MASTERSHIP_MEMBERS, ranges=((0, 1),)),

@@ -3692,7 +3692,7 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1623.
 """
-MOTION_COMMAND: _Final = _Register("motion_command", 0x201E, 1, _Trigger(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),), stated=()), "", trigger=True)
+MOTION_COMMAND: _Final = _Register("motion_command", 0x201E, 1, _Trigger(">H", "motion_command", _MOTION_COMMAND_MEMBERS, ranges=((0, 12),)), "", trigger=True)
 """Motion command (MovType, 移動類型).
 
 Writing a value starts the action that it names.
@@ -3735,7 +3735,7 @@ Inferred (access): It sets what then stays set, so it is written and kept. Readi
 
 Source: 8.2 L1626-1632, 1636-1642.
 """
-PARAMETER_STORAGE: _Final = _Register("parameter_storage", 0x9999, 1, _Trigger(">H", "parameter_storage", _PARAMETER_STORAGE_MEMBERS, ranges=((0, 1),), stated=()), "", trigger=True)
+PARAMETER_STORAGE: _Final = _Register("parameter_storage", 0x9999, 1, _Trigger(">H", "parameter_storage", _PARAMETER_STORAGE_MEMBERS, ranges=((0, 1),)), "", trigger=True)
 """Parameter storage (參數儲存).
 
 Stores the parameters.

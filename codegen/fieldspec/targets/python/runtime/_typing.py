@@ -33,4 +33,17 @@ else:
             return cls
 
 
-__all__ = ["TYPE_CHECKING", "Absent", "Any", "Data", "Generic", "M", "Others", "Quantity", "R", "Stated", "T", "overload"]
+__all__ = [
+    "TYPE_CHECKING",
+    "Absent",
+    "Any",
+    "Data",
+    "Generic",
+    "M",
+    "Others",
+    "Quantity",
+    "R",
+    "Stated",
+    "T",
+    "overload",
+]
