@@ -76,7 +76,7 @@ class Access(Python):
             self._assert_quantities(record)
             self._assert_states(record)
         for query in state_queries(self.layout, random.Random(len(queries))):
-            self._assert_told(query)
+            self._assert_state(query)
         for query in queries:
             if query.kind in ("register", "parameter") and query.values is None:
                 self._assert_quantity(query)
@@ -220,7 +220,7 @@ class Access(Python):
                 with pytest.raises(self.error):
                     holder.from_unit(Fraction(number) * scale_of(value) + Fraction(value.offset))
 
-    def _assert_told(self, query: Query) -> None:
+    def _assert_state(self, query: Query) -> None:
         """A register, and a parameter or an element of it, has the state of each number that may be read."""
         kind, *names = query.path
         if kind == "record" or query.values is None:

@@ -12,7 +12,7 @@ from fieldspec.targets.c.conversions import count_type
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.quantities import fixed_values, scaled_values
 from fieldspec.targets.c.values import type_name
-from random_devices.quantities import Measured, Told, measured_values, told_values
+from random_devices.quantities import Measured, StatedValue, measured_values, stated_values
 
 FUNCTIONS = """
 static double double_of(const uint8_t *bytes)
@@ -55,8 +55,8 @@ class QuantityCases:
                 yield self._case("quantity", path, self._quantity(path, measured, has_function))
             if has_function:
                 yield self._case("count", path, self._count(path, measured))
-        for path, told in told_values(self.layout):
-            yield self._case("state", path, self._told(path, told))
+        for path, stated in stated_values(self.layout):
+            yield self._case("state", path, self._state_of_number(path, stated))
         for conversion in self.layout.device.conversions.values():
             yield self._case("share", ("conversion", conversion.name), self._share(conversion))
 
@@ -78,13 +78,13 @@ class QuantityCases:
         show = f'if (refusal) {{ printf("!%d", refusal); }} else {{ {_SHOW} }}'
         return f'{begin} {quantity} {show} printf(" "); {self._state(path, value)}'
 
-    def _told(self, path: tuple[str, ...], told: Told) -> str:
+    def _state_of_number(self, path: tuple[str, ...], stated: StatedValue) -> str:
         """The state of a number, by the functions that the header has for it."""
-        value, kind = told.value, type_name(told.value)
+        value, kind = stated.value, type_name(stated.value)
         number = "double_of(data)" if is_real(value.encoding) else "whole_of(data)"
         begin = f"{kind} raw = ({kind}){number};"
         special = self._state(path, value)
-        outside = AbsentValue(path[0], path[1:], value).outside(self.naming)  # type: ignore[arg-type]
+        outside = AbsentValue(path[0], path[1:], value).range_function(self.naming)  # type: ignore[arg-type]
         if f" {outside}(" not in self.header:
             return f"{begin} {special}"
         state = f'printf("%s", {outside}(raw) ? "out_of_range" : "None");'

@@ -20,7 +20,7 @@ from fieldspec.targets.js.backend import shared
 from fieldspec.targets.js.links import WIDE
 from fieldspec.targets.js.members import Member, members_of
 from fieldspec.targets.js.module import module_texts
-from random_devices.quantities import Measured, Told
+from random_devices.quantities import Measured, StatedValue
 from random_devices.queries import (
     ABSENT_OFFSET,
     EXPONENT,
@@ -65,10 +65,10 @@ class JavaScript:
             raw = _number(query.values["raw"], query.shape.type.size)
             return {**job, "path": [Name.of(names[0]).camel()], "raw": raw}
         if query.kind == "state":
-            told: Told = query.shape
+            stated: StatedValue = query.shape
             if kind == "record":
                 job["key"] = next(member.key for member in self._members[names[0]] if member.field.name == names[1])
-            return {**job, "raw": _element(told.value, query.values["raw"], told.size)}
+            return {**job, "raw": _element(stated.value, query.values["raw"], stated.size)}
         measured: Measured = query.shape
         if kind == "record":
             job["key"] = next(member.key for member in self._members[names[0]] if member.field.name == names[1])

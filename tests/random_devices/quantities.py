@@ -28,7 +28,7 @@ DRAWS = 2
 _MOST_REAL = 1e30
 """Reals up to it are tried, as each precision but half has them."""
 _DOUBLE_BITS = 50
-"""Counts of so many bits are told apart after some roundings of doubles."""
+"""Counts of so many bits are stated apart after some roundings of doubles."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ def measured_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], Mea
 
 
 @dataclass(frozen=True)
-class Told:
+class StatedValue:
     """A number in `size` bytes that may be in a state where it is read."""
 
     device: Device
@@ -77,7 +77,7 @@ class Told:
         return None if not name or (self.trigger and not special_name(self.value, raw)) else name
 
 
-def told_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], Told]]:
+def stated_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], StatedValue]]:
     """The numbers that may be in a state, by kind and names: registers, parameters, fields, and cases of fields."""
     device = layout.device
     reserved = {row.name for row in layout.registers if row.register.reserved}
@@ -88,33 +88,33 @@ def told_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], Told]]:
             row.subindices for row in device.parameters[path[0]].parameters if row.name == path[1]
         ):
             continue  # its states are those of its elements
-        answer = Told(device, value.as_answer(trigger), size, trigger)
-        yield from _told(("parameter" if kind == "subindex" else kind, *path), answer)
+        answer = StatedValue(device, value.as_answer(trigger), size, trigger)
+        yield from _if_number(("parameter" if kind == "subindex" else kind, *path), answer)
     bodies = (body for message in layout.messages.values() for body in message.bodies)
     for record in {record.name: record for record in (*layout.records.values(), *bodies)}.values():
         for field in record.fields:
             if field.field.reserved or is_computed(field):
                 continue
             if field.value is not None:
-                yield from _told(("record", record.name, field.name), Told(device, field.value, field.size))
+                yield from _if_number(("record", record.name, field.name), StatedValue(device, field.value, field.size))
             for case in field.cases:
-                yield from _told(
-                    ("record", record.name, field.name, case.name), Told(device, case.value, case.value.size)
+                yield from _if_number(
+                    ("record", record.name, field.name, case.name), StatedValue(device, case.value, case.value.size)
                 )
 
 
-def _told(path: tuple[str, ...], told: Told) -> Iterator[tuple[tuple[str, ...], Told]]:
-    value = told.value
+def _if_number(path: tuple[str, ...], stated: StatedValue) -> Iterator[tuple[tuple[str, ...], StatedValue]]:
+    value = stated.value
     if value.const is None and value.parameter is None and (is_count(value.encoding) or is_real(value.encoding)):
-        yield path, told
+        yield path, stated
 
 
 def state_queries(layout: DeviceLayout, dice: random.Random) -> list[Query]:
     """Questions about the states of numbers at the ends of what is stated of them, beside these, and anywhere."""
     return [
-        Query("state", path, values={"raw": raw}, shape=told)
-        for path, told in told_values(layout)
-        for raw in _readable(layout, told.value, dice)
+        Query("state", path, values={"raw": raw}, shape=stated)
+        for path, stated in stated_values(layout)
+        for raw in _readable(layout, stated.value, dice)
     ]
 
 

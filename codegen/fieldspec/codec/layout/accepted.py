@@ -206,7 +206,7 @@ class StatedNumbers:
     bits: tuple[Bit, ...]
 
 
-def told_conditions(device: Device, value: Value, trigger: bool = False) -> tuple[Condition, ...]:
+def range_conditions(device: Device, value: Value, trigger: bool = False) -> tuple[Condition, ...]:
     """The conditions without which a value that is read is out of range. A register or parameter is read as its answer.
 
     What is read of a `trigger` is not what was written, so nothing is stated of it.
@@ -218,14 +218,14 @@ def stated_numbers(device: Device, value: Value, trigger: bool = False) -> State
     """The numbers beside which a value that is read is out of range; None where no number is."""
     intervals: tuple[tuple[float, float], ...] = ()
     bits: list[Bit] = []
-    for condition in told_conditions(device, value, trigger):
+    for condition in range_conditions(device, value, trigger):
         match condition.test:
             case Within() | RealWithin():
                 intervals = value.ranges.intervals if value.ranges is not None else ()
             case PartWithin():
                 bits.append(condition.test.bit)
             case Equals() | IsBit() | HasDigits() | HasCharacters() | Known() | Fits():
-                raise AssertionError("what does not pass is refused")
+                continue  # readers refuse what does not pass
             case _:
                 assert_never(condition.test)
     return StatedNumbers(intervals, tuple(bits)) if intervals or bits else None

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.codec.layout.accepted import Condition, told_conditions
+from fieldspec.codec.layout.accepted import Condition, range_conditions
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
@@ -39,13 +39,13 @@ from fieldspec.targets.c.values import type_name
 class AbsentValue:
     """A value that may be in a state, the noun under which `Naming` has it, and the words of its names.
 
-    `told` are the conditions without which it is out of range.
+    `conditions` are those without which it is out of range.
     """
 
     noun: Noun
     names: tuple[str, ...]
     value: Value
-    told: tuple[Condition, ...] = ()
+    conditions: tuple[Condition, ...] = ()
 
     @property
     def title(self) -> str:
@@ -60,7 +60,7 @@ class AbsentValue:
         """The name of the function that tells the sentinels apart: `gadget_reg_power_is_absent`"""
         return naming.function(self.noun, *self.names, "is_absent")
 
-    def outside(self, naming: Naming) -> str:
+    def range_function(self, naming: Naming) -> str:
         """The name of the function that tells numbers out of range apart: `gadget_reg_power_is_out_of_range`"""
         return naming.function(self.noun, *self.names, "is_out_of_range")
 
@@ -70,39 +70,39 @@ def absent_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
     return (absent for absent in _every_value(layout) if absent.value.sentinels)
 
 
-def told_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
+def ranged_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
     """All values that may be out of range where they are read, in the same places."""
-    return (told for told in _every_value(layout) if told.told)
+    return (ranged for ranged in _every_value(layout) if ranged.conditions)
 
 
 def _every_value(layout: DeviceLayout) -> Iterator[AbsentValue]:
     device = layout.device
 
-    def of(noun: Noun, names: tuple[str, ...], value: Value) -> AbsentValue:
-        return AbsentValue(noun, names, value, told_conditions(device, value))
+    def field_value(noun: Noun, names: tuple[str, ...], value: Value) -> AbsentValue:
+        return AbsentValue(noun, names, value, range_conditions(device, value))
 
-    def of_answer(noun: Noun, names: tuple[str, ...], value: Value, trigger: bool) -> AbsentValue:
-        return AbsentValue(noun, names, value, told_conditions(device, value.as_answer(trigger), trigger))
+    def answer_value(noun: Noun, names: tuple[str, ...], value: Value, trigger: bool) -> AbsentValue:
+        return AbsentValue(noun, names, value, range_conditions(device, value.as_answer(trigger), trigger))
 
     for signal in device.signals.values():
-        yield of("signal", (signal.name,), signal.value)
+        yield field_value("signal", (signal.name,), signal.value)
     for record in all_records(layout):
         for field in record.fields:
             if field.value is not None and not field.field.reserved:
-                yield of("record", (record.name, field.name), field.value)
+                yield field_value("record", (record.name, field.name), field.value)
             for case in field.cases:
-                yield of("record", (record.name, field.name, case.name), case.value)
+                yield field_value("record", (record.name, field.name, case.name), case.value)
     for row in layout.registers:
         if not is_bit(row) and not row.register.reserved:
-            yield of_answer("register", (row.name,), row.register.value, row.register.trigger)
+            yield answer_value("register", (row.name,), row.register.value, row.register.trigger)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
             if not parameter.reserved:
                 names = (parameters.name, parameter.name)
-                yield of_answer("parameter", names, parameter.value, parameter.trigger)
+                yield answer_value("parameter", names, parameter.value, parameter.trigger)
                 for inner in parameter.subindices:
                     if not inner.reserved:
-                        yield of_answer("parameter", (*names, inner.name), inner.value, parameter.trigger)
+                        yield answer_value("parameter", (*names, inner.name), inner.value, parameter.trigger)
 
 
 def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
@@ -138,21 +138,21 @@ def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
     ]
 
 
-def declare_told(naming: Naming, told: AbsentValue) -> list[Declaration]:
+def declare_out_of_range(naming: Naming, ranged: AbsentValue) -> list[Declaration]:
     """The function that says whether a value that is read is out of range.
 
     `bool gadget_reg_power_is_out_of_range(int16_t value)`
     """
-    value = told.value
-    tests = [refused_number(naming, value.encoding, condition.test, VALUE) for condition in told.told]
-    outside = [Group(test) for test in tests if test is not None]
+    value = ranged.value
+    tests = [refused_number(naming, value.encoding, condition.test, VALUE) for condition in ranged.conditions]
+    refusals = [Group(test) for test in tests if test is not None]
     return [
-        comment(f"Whether {told.title} is outside of what is stated of it. It is a quantity all the same."),
+        comment(f"Whether {ranged.title} is outside of what is stated of it. It is a quantity all the same."),
         Function(
             Type("bool"),
-            told.outside(naming),
+            ranged.range_function(naming),
             (Variable(Type(type_name(value)), "value"),),
-            (Return(any_of(outside) if outside else FALSE),),
+            (Return(any_of(refusals) if refusals else FALSE),),
         ),
     ]
 

@@ -50,7 +50,7 @@ from fieldspec.targets.c.sample_values import (
     record_value,
 )
 from fieldspec.targets.c.selftest_examples import test_example
-from fieldspec.targets.c.selftest_quantities import test_absent, test_quantities, test_told
+from fieldspec.targets.c.selftest_quantities import test_absent, test_out_of_range, test_quantities
 from fieldspec.targets.c.selftest_values import test_constants, test_conversions, test_values
 from fieldspec.targets.c.statements import Statement, Variable, Variables, assign, call
 from fieldspec.targets.templates import fill, text
@@ -77,7 +77,7 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
         test_quantities(layout, naming),
         (test_example(layout, naming, example) for example in layout.device.examples.values()),
         test_absent(layout, naming),
-        test_told(layout, naming),
+        test_out_of_range(layout, naming),
     )
     printer = Printer()
     tests = [_print_test(printer, number, body) for number, body in enumerate(bodies)]

@@ -12,7 +12,7 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.absent import AbsentValue, absent_values, told_values
+from fieldspec.targets.c.absent import AbsentValue, absent_values, ranged_values
 from fieldspec.targets.c.assertions import expect, expect_equal
 from fieldspec.targets.c.expressions import (
     FALSE,
@@ -84,10 +84,10 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
             yield [CompileIf("ifndef", naming.own_macro("without_double"), body)]
 
 
-def test_told(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+def test_out_of_range(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
     """Tests at the ends of what is stated of values, and beside them, which numbers are out of range."""
-    for told in told_values(layout):
-        value, function = told.value, told.outside(naming)
+    for ranged in ranged_values(layout):
+        value, function = ranged.value, ranged.range_function(naming)
         low, high = _neighbour_bounds(value)
         intervals = value.ranges.intervals if value.ranges is not None else ()
         ends = {end for interval in (*intervals, *value.special_intervals) for end in interval}
@@ -97,7 +97,7 @@ def test_told(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]
             expect_equal(f"{function} {number}", Call(function, (literal(value.encoding, number),)), expected)
             for number in numbers
             if low <= number <= high
-            and (expected := FALSE if all(passes(own.test, number) for own in told.told) else TRUE)
+            and (expected := FALSE if all(passes(own.test, number) for own in ranged.conditions) else TRUE)
         ]
 
 

@@ -99,7 +99,7 @@ def _of_float(field: Slots, scope: Scope) -> ScaledView:
     )
 
 
-def _told(field: Slots, value: Value) -> list[str]:
+def _state_arguments(field: Slots, value: Value) -> list[str]:
     """What `state_of` takes of a value: its sentinels, its intervals, the fields of its bits; none where none is."""
     stated = stated_arguments(field.words, value)
     return [absent_states(value), *stated] if value.sentinels or stated else []
@@ -110,11 +110,11 @@ def _decided_states(field: Slots, selector: Slots | None) -> str:
     assert selector is not None
     if not selector.stored:  # a constant
         chosen = next((case.value for case in field.field.cases if selector.constant in case.numbers), None)
-        return ", ".join(_told(field, chosen)) if chosen is not None else ""
+        return ", ".join(_state_arguments(field, chosen)) if chosen is not None else ""
     rows = [
-        f"{number}: {tuple_of(told)}"
+        f"{number}: {tuple_of(arguments)}"
         for case in field.field.cases
-        if (told := _told(field, case.value))
+        if (arguments := _state_arguments(field, case.value))
         for number in sorted(case.numbers)
     ]
     return f"*{{{', '.join(rows)}}}.get(self.{selector.name}, ())"
@@ -132,10 +132,10 @@ def state_views(stored: list[Slots], scope: Scope, selector: Slots | None) -> li
     """The properties with the names of states, of all fields with sentinels, and of those that may be out of range."""
     views = []
     for field in stored:
-        told = [own for _, value in _values(field) if (own := _told(field, value))]
-        if not told:
+        arguments = [own for _, value in _values(field) if (own := _state_arguments(field, value))]
+        if not arguments:
             continue
-        states = ", ".join(told[0]) if field.field.value is not None else _decided_states(field, selector)
+        states = ", ".join(arguments[0]) if field.field.value is not None else _decided_states(field, selector)
         read = (
             f"_state_of({', '.join(['item' if field.is_list else f'self.{field.name}', *([states] * bool(states))])})"
         )

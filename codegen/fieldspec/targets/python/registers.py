@@ -40,8 +40,8 @@ def register_value(value: Value, order: str, swapped: bool, words: Words, trigge
     Only writing is limited to a constant, or, where it starts an action, to the members of a closed enum.
     """
     answer = value.as_answer(trigger)
-    is_as_written = value.write_ranges is None and value.const is None and not trigger
-    stated = "" if is_as_written else f"stated={tuple_of(stated_arguments(words, answer, trigger))}"
+    is_default = value.write_ranges is None and value.const is None and not trigger
+    stated = "" if is_default else f"stated={tuple_of(stated_arguments(words, answer, trigger))}"
     return _value(value, order, swapped, words, answer != value, stated)
 
 

@@ -18,7 +18,7 @@ from fieldspec.codec.layout.accepted import (
     RealWithin,
     Test,
     Within,
-    told_conditions,
+    range_conditions,
 )
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
@@ -120,7 +120,7 @@ class ValueQuery:
                 yield from self._number_columns()
             case _:
                 assert_never(encoding)
-        if value.sentinels or told_conditions(self.device, value, self.trigger):
+        if value.sentinels or range_conditions(self.device, value, self.trigger):
             yield ValueColumn("state", self._state)
 
     def _count_columns(self) -> Iterator[ValueColumn]:
@@ -187,18 +187,18 @@ class ValueQuery:
             return
         if enum is not None and enum.open:
             yield ValueRule("unlisted_value", lambda data, offset: dialect.negated(self._is_known(data, offset, True)))
-        told = told_conditions(self.device, value)
-        if told:
-            yield ValueRule(OUT_OF_RANGE, lambda data, offset: self._out_of_range(told, data, offset))
+        conditions = range_conditions(self.device, value)
+        if conditions:
+            yield ValueRule(OUT_OF_RANGE, lambda data, offset: self._out_of_range(conditions, data, offset))
         if flags is not None:
             used = sum(bit.mask for bit in flags.bits if not bit.reserved)
             spare = ((1 << 8 * value.size) - 1) & ~used
             if spare:
                 yield ValueRule("reserved_bits", lambda data, offset: dialect.mask(self.word(data, offset), spare))
 
-    def _out_of_range(self, told: tuple[Condition, ...], data: str, offset: int) -> str:
+    def _out_of_range(self, conditions: tuple[Condition, ...], data: str, offset: int) -> str:
         """Whether a number is out of range; empty where none can be."""
-        tests = [self._refused(condition.test, data, offset) for condition in told]
+        tests = [self._refused(condition.test, data, offset) for condition in conditions]
         return self.dialect.either(*tests) if len(tests) > 1 else "".join(tests)
 
     def _refused(self, test: Test, data: str, offset: int) -> str:
@@ -241,8 +241,10 @@ class ValueQuery:
     def _state(self, data: str, offset: int) -> str:
         names = {sentinel.interval: sentinel.name for sentinel in self.value.sentinels if not sentinel.is_nan}
         nan = next((sentinel.name for sentinel in self.value.sentinels if sentinel.is_nan), "")
-        outside = self._out_of_range(told_conditions(self.device, self.value, self.trigger), data, offset)
-        return self.dialect.cases(self.number(data, offset), names, nan, (outside, OUT_OF_RANGE) if outside else None)
+        condition = self._out_of_range(range_conditions(self.device, self.value, self.trigger), data, offset)
+        return self.dialect.cases(
+            self.number(data, offset), names, nan, (condition, OUT_OF_RANGE) if condition else None
+        )
 
     def _quantity(self, data: str, offset: int) -> str:
         value, number = self.value, self.number(data, offset)
