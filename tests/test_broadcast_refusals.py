@@ -225,7 +225,7 @@ class Silence:
 
 def test_a_client_sends_nothing_to_all_stations_that_cannot_be_broadcast() -> None:
     transport = Silence()
-    client = tc100_client.Client(transport, pause=0.0)
+    client = tc100_client.Client(transport, link="rtu", pause=0.0)
     with pytest.raises(errors.InvalidValueError, match="station is 0: read_registers cannot be broadcast"):
         client.send(tc100.ReadRegistersRequest(0x1000, 1), unit_address=0)
     assert transport.sent == []

@@ -206,7 +206,7 @@ def test_an_entry_of_the_wrong_shape_is_made_again(
         monkeypatch.setattr(plugins, "_known", {})
         verb(tmp_path / "out")
         assert files(cache / kind) == before, shape[:60]
-    assert capsys.readouterr().err == ""
+    assert [line for line in capsys.readouterr().err.split("\n") if line and "is up to date" not in line] == []
 
 
 def test_the_record_of_a_build_with_a_part_of_the_wrong_shape_is_made_again(cache: Path, tmp_path: Path) -> None:

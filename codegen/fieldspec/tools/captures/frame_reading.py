@@ -105,7 +105,7 @@ class FrameReader:
             buffer, offsets, size, sent_parts, verdict, columns[0], columns[1], np.zeros(len(offsets), np.bool_),
             columns[2], offsets + self.shape.header_size, np.maximum(size - self.least, 0), [],
         )  # fmt: skip
-        blame(verdict, size < self.least, INCOMPLETE)
+        blame(verdict, sent_parts.length < self.least, INCOMPLETE)
         for part in self.shape.digits:
             place, short = self._place(part, frames)
             blame(verdict, ~short & lacks_digits(part, buffer, place), UNKNOWN_VALUE)
@@ -146,10 +146,12 @@ class FrameReader:
         """Judges a part, and copies its number to the column that the table has for it."""
         offsets, length, verdict = frames.at, frames.length, frames.verdict
         place, short = self._place(part, frames)
+        blame(verdict, short, INCOMPLETE)
         if part.role == "checksum":
+            covered = frames.sent if not part.before_escape else Spans(frames.buffer, offsets, length)
+            blame(verdict, covered.length < self.least, INCOMPLETE)
             rows = np.flatnonzero(verdict == OK)
             if len(rows):
-                covered = frames.sent if not part.before_escape else Spans(frames.buffer, offsets, length)
                 right = are_right(part, covered.buffer, covered.at[rows], covered.length[rows])
                 verdict[rows[~right]] = WRONG_CHECK
             return
