@@ -78,7 +78,7 @@ function alone(codec, { data, encodes, values, exponent }) {
 /** The value in its unit, or the refusal of it, and the name of the state that it stands for. */
 function quantity({ units, absent }, value, exponent) {
   const state = absent?.nameOf(value) ?? null;
-  let number = state === null ? value : null;
+  let number = state === null || state === "out_of_range" ? value : null;
   try {
     if (units) number = units.inUnit(value, ...exponent);
   } catch (error) {
