@@ -27,7 +27,7 @@ def sample(**values: Any) -> Any:
 def test_a_register_has_its_states_by_name() -> None:
     assert METER.VOLTAGE.absent == {"not_measured": -0x8000}
     assert (METER.VOLTAGE.state_of(-0x8000), METER.VOLTAGE.state_of(230)) == ("not_measured", None)
-    assert (METER.POWER.state_of(9999.0), METER.POWER.state_of(math.nan)) == ("overflow", None)
+    assert (METER.POWER.state_of(9999.0), METER.POWER.state_of(math.nan)) == ("overflow", "out_of_range")
     assert PROBE.DISTANCE.state_of(math.nan) == "not_measured"
 
 

@@ -51,7 +51,8 @@ def test_each_number_of_an_interval_is_explained_by_its_state(layout: DeviceLayo
 @pytest.mark.parametrize("number", NUMBERS)
 def test_a_record_has_the_state_of_each_number_of_an_interval_and_no_quantity(module: Any, number: int) -> None:
     record = module.ThrottleRequest.decode(image(module, number))
-    assert record.percent_state == j1939(number)
+    is_reserved = 0xFAFF < number < 0xFE00  # by SAE J1939-71 neither a quantity that is stated nor a state
+    assert record.percent_state == ("out_of_range" if is_reserved else j1939(number))
     assert record.percent_percent == (None if j1939(number) else pytest.approx(number * 0.0025))
     if number != 0xFDFF:  # it is outside of the range, and means nothing
         assert bytes(record.encode()) == image(module, number)

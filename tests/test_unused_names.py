@@ -19,7 +19,7 @@ USED_ELSEWHERE = {
     "add_redact": "cli.py joins the name of each verb behind `add_`",
     "add_simulate": "cli.py joins the name of each verb behind `add_`",
     **dict.fromkeys(
-        ("Framing", "count_of_quantity", "printed_number", "special_number"),
+        ("Framing", "count_of_quantity", "printed_number", "special_number", "state_name"),
         "the judges of random devices ask the reference",
     ),
     "changes_page": "a test writes docs/changes.md with it and keeps it fresh",

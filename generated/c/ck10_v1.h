@@ -10333,4 +10333,348 @@ static inline bool ck10_point_push_mode_is_absent(uint16_t value)
     return value == 0u;
 }
 
+/* ---- Values out of range ---- */
+
+/** Whether point.low_speed is outside of its stated range. */
+static inline bool ck10_point_low_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 35000u);
+}
+
+/** Whether point.high_speed is outside of its stated range. */
+static inline bool ck10_point_high_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 500000u);
+}
+
+/** Whether point.acceleration_time is outside of its stated range. */
+static inline bool ck10_point_acceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether point.deceleration_time is outside of its stated range. */
+static inline bool ck10_point_deceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether point.waiting_time is outside of its stated range. */
+static inline bool ck10_point_waiting_time_is_out_of_range(uint16_t value)
+{
+    return !(value <= 60000u);
+}
+
+/** Whether point.jump_point is outside of its stated range. */
+static inline bool ck10_point_jump_point_is_out_of_range(uint16_t value)
+{
+    return !((value <= 127u) || (value >= 10000u && value <= 10127u) || (value == 65535u));
+}
+
+/** Whether point.jump_point_of_input_0 is outside of its stated range. */
+static inline bool ck10_point_jump_point_of_input_0_is_out_of_range(uint16_t value)
+{
+    return !((value <= 127u) || (value >= 10000u && value <= 10127u) || (value == 65535u));
+}
+
+/** Whether point.jump_point_of_input_1 is outside of its stated range. */
+static inline bool ck10_point_jump_point_of_input_1_is_out_of_range(uint16_t value)
+{
+    return !((value <= 127u) || (value >= 10000u && value <= 10127u) || (value == 65535u));
+}
+
+/** Whether point.jump_point_of_input_2 is outside of its stated range. */
+static inline bool ck10_point_jump_point_of_input_2_is_out_of_range(uint16_t value)
+{
+    return !((value <= 127u) || (value >= 10000u && value <= 10127u) || (value == 65535u));
+}
+
+/** Whether point.loop_count is outside of its stated range. */
+static inline bool ck10_point_loop_count_is_out_of_range(uint16_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether point.loop_jump_point is outside of its stated range. */
+static inline bool ck10_point_loop_jump_point_is_out_of_range(uint16_t value)
+{
+    return !((value <= 127u) || (value >= 10000u && value <= 10127u));
+}
+
+/** Whether point.output_setting is outside of its stated range. */
+static inline bool ck10_point_output_setting_is_out_of_range(uint16_t value)
+{
+    return !(value <= 23u);
+}
+
+/** Whether point.clear_loop_counter_of is outside of its stated range. */
+static inline bool ck10_point_clear_loop_counter_of_is_out_of_range(uint16_t value)
+{
+    return !((value <= 127u) || (value == 65535u));
+}
+
+/** Whether point.push_torque_ratio is outside of its stated range. */
+static inline bool ck10_point_push_torque_ratio_is_out_of_range(uint16_t value)
+{
+    return !(value >= 20u && value <= 90u);
+}
+
+/** Whether point.push_speed is outside of its stated range. */
+static inline bool ck10_point_push_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 33333u);
+}
+
+/** Whether point.push_mode is outside of its stated range. */
+static inline bool ck10_point_push_mode_is_out_of_range(uint16_t value)
+{
+    return !((value <= 10000u) || (value == 0u));
+}
+
+/** Whether read_registers_request.word_count is outside of its stated range. */
+static inline bool ck10_read_registers_request_word_count_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 125u);
+}
+
+/** Whether write_registers_request.word_count is outside of its stated range. */
+static inline bool ck10_write_registers_request_word_count_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 123u);
+}
+
+/** Whether compare_pulse_width is outside of its stated range. */
+static inline bool ck10_reg_compare_pulse_width_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 1000u);
+}
+
+/** Whether resolution is outside of its stated range. */
+static inline bool ck10_reg_resolution_is_out_of_range(uint32_t value)
+{
+    return !(value <= 50000u);
+}
+
+/** Whether maximum_speed is outside of its stated range. */
+static inline bool ck10_reg_maximum_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 800000u);
+}
+
+/** Whether start_speed is outside of its stated range. */
+static inline bool ck10_reg_start_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 35000u);
+}
+
+/** Whether acceleration_time is outside of its stated range. */
+static inline bool ck10_reg_acceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether deceleration_time is outside of its stated range. */
+static inline bool ck10_reg_deceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether jog_speed is outside of its stated range. */
+static inline bool ck10_reg_jog_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 800000u);
+}
+
+/** Whether jog_start_speed is outside of its stated range. */
+static inline bool ck10_reg_jog_start_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 35000u);
+}
+
+/** Whether jog_acceleration_time is outside of its stated range. */
+static inline bool ck10_reg_jog_acceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether homing_speed is outside of its stated range. */
+static inline bool ck10_reg_homing_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 800000u);
+}
+
+/** Whether homing_search_speed is outside of its stated range. */
+static inline bool ck10_reg_homing_search_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 80000u);
+}
+
+/** Whether homing_acceleration_time is outside of its stated range. */
+static inline bool ck10_reg_homing_acceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether position_loop_gain is outside of its stated range. */
+static inline bool ck10_reg_position_loop_gain_is_out_of_range(uint32_t value)
+{
+    return !(value <= 63u);
+}
+
+/** Whether in_position_range is outside of its stated range. */
+static inline bool ck10_reg_in_position_range_is_out_of_range(uint32_t value)
+{
+    return !(value <= 127u);
+}
+
+/** Whether tracking_limit is outside of its stated range. */
+static inline bool ck10_reg_tracking_limit_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 134217727u);
+}
+
+/** Whether homing_torque_ratio is outside of its stated range. */
+static inline bool ck10_reg_homing_torque_ratio_is_out_of_range(uint32_t value)
+{
+    return !(value >= 20u && value <= 90u);
+}
+
+/** Whether position_overflow_limit is outside of its stated range. */
+static inline bool ck10_reg_position_overflow_limit_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 134217727u);
+}
+
+/** Whether run_current is outside of its stated range. */
+static inline bool ck10_reg_run_current_is_out_of_range(uint32_t value)
+{
+    return !(value >= 5u && value <= 15u);
+}
+
+/** Whether boost_current is outside of its stated range. */
+static inline bool ck10_reg_boost_current_is_out_of_range(uint32_t value)
+{
+    return !(value <= 7u);
+}
+
+/** Whether stop_current is outside of its stated range. */
+static inline bool ck10_reg_stop_current_is_out_of_range(uint32_t value)
+{
+    return !(value >= 2u && value <= 10u);
+}
+
+/** Whether flash_resolution is outside of its stated range. */
+static inline bool ck10_reg_flash_resolution_is_out_of_range(uint32_t value)
+{
+    return !(value <= 50000u);
+}
+
+/** Whether flash_maximum_speed is outside of its stated range. */
+static inline bool ck10_reg_flash_maximum_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 800000u);
+}
+
+/** Whether flash_start_speed is outside of its stated range. */
+static inline bool ck10_reg_flash_start_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 35000u);
+}
+
+/** Whether flash_acceleration_time is outside of its stated range. */
+static inline bool ck10_reg_flash_acceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether flash_deceleration_time is outside of its stated range. */
+static inline bool ck10_reg_flash_deceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether flash_jog_speed is outside of its stated range. */
+static inline bool ck10_reg_flash_jog_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 800000u);
+}
+
+/** Whether flash_jog_start_speed is outside of its stated range. */
+static inline bool ck10_reg_flash_jog_start_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 35000u);
+}
+
+/** Whether flash_jog_acceleration_time is outside of its stated range. */
+static inline bool ck10_reg_flash_jog_acceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether flash_homing_speed is outside of its stated range. */
+static inline bool ck10_reg_flash_homing_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 800000u);
+}
+
+/** Whether flash_homing_search_speed is outside of its stated range. */
+static inline bool ck10_reg_flash_homing_search_speed_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 80000u);
+}
+
+/** Whether flash_homing_acceleration_time is outside of its stated range. */
+static inline bool ck10_reg_flash_homing_acceleration_time_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether flash_position_loop_gain is outside of its stated range. */
+static inline bool ck10_reg_flash_position_loop_gain_is_out_of_range(uint32_t value)
+{
+    return !(value <= 63u);
+}
+
+/** Whether flash_in_position_range is outside of its stated range. */
+static inline bool ck10_reg_flash_in_position_range_is_out_of_range(uint32_t value)
+{
+    return !(value <= 127u);
+}
+
+/** Whether flash_tracking_limit is outside of its stated range. */
+static inline bool ck10_reg_flash_tracking_limit_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 134217727u);
+}
+
+/** Whether flash_homing_torque_ratio is outside of its stated range. */
+static inline bool ck10_reg_flash_homing_torque_ratio_is_out_of_range(uint32_t value)
+{
+    return !(value >= 20u && value <= 90u);
+}
+
+/** Whether flash_position_overflow_limit is outside of its stated range. */
+static inline bool ck10_reg_flash_position_overflow_limit_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 134217727u);
+}
+
+/** Whether flash_run_current is outside of its stated range. */
+static inline bool ck10_reg_flash_run_current_is_out_of_range(uint32_t value)
+{
+    return !(value >= 5u && value <= 15u);
+}
+
+/** Whether flash_boost_current is outside of its stated range. */
+static inline bool ck10_reg_flash_boost_current_is_out_of_range(uint32_t value)
+{
+    return !(value <= 7u);
+}
+
+/** Whether flash_stop_current is outside of its stated range. */
+static inline bool ck10_reg_flash_stop_current_is_out_of_range(uint32_t value)
+{
+    return !(value >= 2u && value <= 10u);
+}
+
 #endif

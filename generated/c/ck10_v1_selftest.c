@@ -11077,6 +11077,598 @@ static void test_411(void)
     expect(ck10_point_push_mode_is_absent(1u) == false, "ck10_point_push_mode_is_absent 1");
 }
 
+static void test_412(void)
+{
+    expect(ck10_point_low_speed_is_out_of_range(0u) == true, "ck10_point_low_speed_is_out_of_range 0");
+    expect(ck10_point_low_speed_is_out_of_range(1u) == false, "ck10_point_low_speed_is_out_of_range 1");
+    expect(ck10_point_low_speed_is_out_of_range(2u) == false, "ck10_point_low_speed_is_out_of_range 2");
+    expect(ck10_point_low_speed_is_out_of_range(34999u) == false, "ck10_point_low_speed_is_out_of_range 34999");
+    expect(ck10_point_low_speed_is_out_of_range(35000u) == false, "ck10_point_low_speed_is_out_of_range 35000");
+    expect(ck10_point_low_speed_is_out_of_range(35001u) == true, "ck10_point_low_speed_is_out_of_range 35001");
+}
+
+static void test_413(void)
+{
+    expect(ck10_point_high_speed_is_out_of_range(0u) == true, "ck10_point_high_speed_is_out_of_range 0");
+    expect(ck10_point_high_speed_is_out_of_range(1u) == false, "ck10_point_high_speed_is_out_of_range 1");
+    expect(ck10_point_high_speed_is_out_of_range(2u) == false, "ck10_point_high_speed_is_out_of_range 2");
+    expect(ck10_point_high_speed_is_out_of_range(499999u) == false, "ck10_point_high_speed_is_out_of_range 499999");
+    expect(ck10_point_high_speed_is_out_of_range(500000u) == false, "ck10_point_high_speed_is_out_of_range 500000");
+    expect(ck10_point_high_speed_is_out_of_range(500001u) == true, "ck10_point_high_speed_is_out_of_range 500001");
+}
+
+static void test_414(void)
+{
+    expect(ck10_point_acceleration_time_is_out_of_range(0u) == true, "ck10_point_acceleration_time_is_out_of_range 0");
+    expect(ck10_point_acceleration_time_is_out_of_range(1u) == false, "ck10_point_acceleration_time_is_out_of_range 1");
+    expect(ck10_point_acceleration_time_is_out_of_range(2u) == false, "ck10_point_acceleration_time_is_out_of_range 2");
+    expect(ck10_point_acceleration_time_is_out_of_range(9998u) == false, "ck10_point_acceleration_time_is_out_of_range 9998");
+    expect(ck10_point_acceleration_time_is_out_of_range(9999u) == false, "ck10_point_acceleration_time_is_out_of_range 9999");
+    expect(ck10_point_acceleration_time_is_out_of_range(10000u) == true, "ck10_point_acceleration_time_is_out_of_range 10000");
+}
+
+static void test_415(void)
+{
+    expect(ck10_point_deceleration_time_is_out_of_range(0u) == true, "ck10_point_deceleration_time_is_out_of_range 0");
+    expect(ck10_point_deceleration_time_is_out_of_range(1u) == false, "ck10_point_deceleration_time_is_out_of_range 1");
+    expect(ck10_point_deceleration_time_is_out_of_range(2u) == false, "ck10_point_deceleration_time_is_out_of_range 2");
+    expect(ck10_point_deceleration_time_is_out_of_range(9998u) == false, "ck10_point_deceleration_time_is_out_of_range 9998");
+    expect(ck10_point_deceleration_time_is_out_of_range(9999u) == false, "ck10_point_deceleration_time_is_out_of_range 9999");
+    expect(ck10_point_deceleration_time_is_out_of_range(10000u) == true, "ck10_point_deceleration_time_is_out_of_range 10000");
+}
+
+static void test_416(void)
+{
+    expect(ck10_point_waiting_time_is_out_of_range(0u) == false, "ck10_point_waiting_time_is_out_of_range 0");
+    expect(ck10_point_waiting_time_is_out_of_range(1u) == false, "ck10_point_waiting_time_is_out_of_range 1");
+    expect(ck10_point_waiting_time_is_out_of_range(59999u) == false, "ck10_point_waiting_time_is_out_of_range 59999");
+    expect(ck10_point_waiting_time_is_out_of_range(60000u) == false, "ck10_point_waiting_time_is_out_of_range 60000");
+    expect(ck10_point_waiting_time_is_out_of_range(60001u) == true, "ck10_point_waiting_time_is_out_of_range 60001");
+}
+
+static void test_417(void)
+{
+    expect(ck10_point_jump_point_is_out_of_range(0u) == false, "ck10_point_jump_point_is_out_of_range 0");
+    expect(ck10_point_jump_point_is_out_of_range(1u) == false, "ck10_point_jump_point_is_out_of_range 1");
+    expect(ck10_point_jump_point_is_out_of_range(126u) == false, "ck10_point_jump_point_is_out_of_range 126");
+    expect(ck10_point_jump_point_is_out_of_range(127u) == false, "ck10_point_jump_point_is_out_of_range 127");
+    expect(ck10_point_jump_point_is_out_of_range(128u) == true, "ck10_point_jump_point_is_out_of_range 128");
+    expect(ck10_point_jump_point_is_out_of_range(9999u) == true, "ck10_point_jump_point_is_out_of_range 9999");
+    expect(ck10_point_jump_point_is_out_of_range(10000u) == false, "ck10_point_jump_point_is_out_of_range 10000");
+    expect(ck10_point_jump_point_is_out_of_range(10001u) == false, "ck10_point_jump_point_is_out_of_range 10001");
+    expect(ck10_point_jump_point_is_out_of_range(10126u) == false, "ck10_point_jump_point_is_out_of_range 10126");
+    expect(ck10_point_jump_point_is_out_of_range(10127u) == false, "ck10_point_jump_point_is_out_of_range 10127");
+    expect(ck10_point_jump_point_is_out_of_range(10128u) == true, "ck10_point_jump_point_is_out_of_range 10128");
+    expect(ck10_point_jump_point_is_out_of_range(65534u) == true, "ck10_point_jump_point_is_out_of_range 65534");
+    expect(ck10_point_jump_point_is_out_of_range(65535u) == false, "ck10_point_jump_point_is_out_of_range 65535");
+}
+
+static void test_418(void)
+{
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(0u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 0");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(1u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 1");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(126u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 126");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(127u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 127");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(128u) == true, "ck10_point_jump_point_of_input_0_is_out_of_range 128");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(9999u) == true, "ck10_point_jump_point_of_input_0_is_out_of_range 9999");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(10000u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 10000");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(10001u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 10001");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(10126u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 10126");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(10127u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 10127");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(10128u) == true, "ck10_point_jump_point_of_input_0_is_out_of_range 10128");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(65534u) == true, "ck10_point_jump_point_of_input_0_is_out_of_range 65534");
+    expect(ck10_point_jump_point_of_input_0_is_out_of_range(65535u) == false, "ck10_point_jump_point_of_input_0_is_out_of_range 65535");
+}
+
+static void test_419(void)
+{
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(0u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 0");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(1u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 1");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(126u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 126");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(127u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 127");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(128u) == true, "ck10_point_jump_point_of_input_1_is_out_of_range 128");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(9999u) == true, "ck10_point_jump_point_of_input_1_is_out_of_range 9999");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(10000u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 10000");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(10001u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 10001");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(10126u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 10126");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(10127u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 10127");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(10128u) == true, "ck10_point_jump_point_of_input_1_is_out_of_range 10128");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(65534u) == true, "ck10_point_jump_point_of_input_1_is_out_of_range 65534");
+    expect(ck10_point_jump_point_of_input_1_is_out_of_range(65535u) == false, "ck10_point_jump_point_of_input_1_is_out_of_range 65535");
+}
+
+static void test_420(void)
+{
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(0u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 0");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(1u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 1");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(126u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 126");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(127u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 127");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(128u) == true, "ck10_point_jump_point_of_input_2_is_out_of_range 128");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(9999u) == true, "ck10_point_jump_point_of_input_2_is_out_of_range 9999");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(10000u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 10000");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(10001u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 10001");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(10126u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 10126");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(10127u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 10127");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(10128u) == true, "ck10_point_jump_point_of_input_2_is_out_of_range 10128");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(65534u) == true, "ck10_point_jump_point_of_input_2_is_out_of_range 65534");
+    expect(ck10_point_jump_point_of_input_2_is_out_of_range(65535u) == false, "ck10_point_jump_point_of_input_2_is_out_of_range 65535");
+}
+
+static void test_421(void)
+{
+    expect(ck10_point_loop_count_is_out_of_range(0u) == false, "ck10_point_loop_count_is_out_of_range 0");
+    expect(ck10_point_loop_count_is_out_of_range(1u) == false, "ck10_point_loop_count_is_out_of_range 1");
+    expect(ck10_point_loop_count_is_out_of_range(99u) == false, "ck10_point_loop_count_is_out_of_range 99");
+    expect(ck10_point_loop_count_is_out_of_range(100u) == false, "ck10_point_loop_count_is_out_of_range 100");
+    expect(ck10_point_loop_count_is_out_of_range(101u) == true, "ck10_point_loop_count_is_out_of_range 101");
+}
+
+static void test_422(void)
+{
+    expect(ck10_point_loop_jump_point_is_out_of_range(0u) == false, "ck10_point_loop_jump_point_is_out_of_range 0");
+    expect(ck10_point_loop_jump_point_is_out_of_range(1u) == false, "ck10_point_loop_jump_point_is_out_of_range 1");
+    expect(ck10_point_loop_jump_point_is_out_of_range(126u) == false, "ck10_point_loop_jump_point_is_out_of_range 126");
+    expect(ck10_point_loop_jump_point_is_out_of_range(127u) == false, "ck10_point_loop_jump_point_is_out_of_range 127");
+    expect(ck10_point_loop_jump_point_is_out_of_range(128u) == true, "ck10_point_loop_jump_point_is_out_of_range 128");
+    expect(ck10_point_loop_jump_point_is_out_of_range(9999u) == true, "ck10_point_loop_jump_point_is_out_of_range 9999");
+    expect(ck10_point_loop_jump_point_is_out_of_range(10000u) == false, "ck10_point_loop_jump_point_is_out_of_range 10000");
+    expect(ck10_point_loop_jump_point_is_out_of_range(10001u) == false, "ck10_point_loop_jump_point_is_out_of_range 10001");
+    expect(ck10_point_loop_jump_point_is_out_of_range(10126u) == false, "ck10_point_loop_jump_point_is_out_of_range 10126");
+    expect(ck10_point_loop_jump_point_is_out_of_range(10127u) == false, "ck10_point_loop_jump_point_is_out_of_range 10127");
+    expect(ck10_point_loop_jump_point_is_out_of_range(10128u) == true, "ck10_point_loop_jump_point_is_out_of_range 10128");
+}
+
+static void test_423(void)
+{
+    expect(ck10_point_output_setting_is_out_of_range(0u) == false, "ck10_point_output_setting_is_out_of_range 0");
+    expect(ck10_point_output_setting_is_out_of_range(1u) == false, "ck10_point_output_setting_is_out_of_range 1");
+    expect(ck10_point_output_setting_is_out_of_range(22u) == false, "ck10_point_output_setting_is_out_of_range 22");
+    expect(ck10_point_output_setting_is_out_of_range(23u) == false, "ck10_point_output_setting_is_out_of_range 23");
+    expect(ck10_point_output_setting_is_out_of_range(24u) == true, "ck10_point_output_setting_is_out_of_range 24");
+}
+
+static void test_424(void)
+{
+    expect(ck10_point_clear_loop_counter_of_is_out_of_range(0u) == false, "ck10_point_clear_loop_counter_of_is_out_of_range 0");
+    expect(ck10_point_clear_loop_counter_of_is_out_of_range(1u) == false, "ck10_point_clear_loop_counter_of_is_out_of_range 1");
+    expect(ck10_point_clear_loop_counter_of_is_out_of_range(126u) == false, "ck10_point_clear_loop_counter_of_is_out_of_range 126");
+    expect(ck10_point_clear_loop_counter_of_is_out_of_range(127u) == false, "ck10_point_clear_loop_counter_of_is_out_of_range 127");
+    expect(ck10_point_clear_loop_counter_of_is_out_of_range(128u) == true, "ck10_point_clear_loop_counter_of_is_out_of_range 128");
+    expect(ck10_point_clear_loop_counter_of_is_out_of_range(65534u) == true, "ck10_point_clear_loop_counter_of_is_out_of_range 65534");
+    expect(ck10_point_clear_loop_counter_of_is_out_of_range(65535u) == false, "ck10_point_clear_loop_counter_of_is_out_of_range 65535");
+}
+
+static void test_425(void)
+{
+    expect(ck10_point_push_torque_ratio_is_out_of_range(19u) == true, "ck10_point_push_torque_ratio_is_out_of_range 19");
+    expect(ck10_point_push_torque_ratio_is_out_of_range(20u) == false, "ck10_point_push_torque_ratio_is_out_of_range 20");
+    expect(ck10_point_push_torque_ratio_is_out_of_range(21u) == false, "ck10_point_push_torque_ratio_is_out_of_range 21");
+    expect(ck10_point_push_torque_ratio_is_out_of_range(89u) == false, "ck10_point_push_torque_ratio_is_out_of_range 89");
+    expect(ck10_point_push_torque_ratio_is_out_of_range(90u) == false, "ck10_point_push_torque_ratio_is_out_of_range 90");
+    expect(ck10_point_push_torque_ratio_is_out_of_range(91u) == true, "ck10_point_push_torque_ratio_is_out_of_range 91");
+}
+
+static void test_426(void)
+{
+    expect(ck10_point_push_speed_is_out_of_range(0u) == true, "ck10_point_push_speed_is_out_of_range 0");
+    expect(ck10_point_push_speed_is_out_of_range(1u) == false, "ck10_point_push_speed_is_out_of_range 1");
+    expect(ck10_point_push_speed_is_out_of_range(2u) == false, "ck10_point_push_speed_is_out_of_range 2");
+    expect(ck10_point_push_speed_is_out_of_range(33332u) == false, "ck10_point_push_speed_is_out_of_range 33332");
+    expect(ck10_point_push_speed_is_out_of_range(33333u) == false, "ck10_point_push_speed_is_out_of_range 33333");
+    expect(ck10_point_push_speed_is_out_of_range(33334u) == true, "ck10_point_push_speed_is_out_of_range 33334");
+}
+
+static void test_427(void)
+{
+    expect(ck10_point_push_mode_is_out_of_range(0u) == false, "ck10_point_push_mode_is_out_of_range 0");
+    expect(ck10_point_push_mode_is_out_of_range(1u) == false, "ck10_point_push_mode_is_out_of_range 1");
+    expect(ck10_point_push_mode_is_out_of_range(9999u) == false, "ck10_point_push_mode_is_out_of_range 9999");
+    expect(ck10_point_push_mode_is_out_of_range(10000u) == false, "ck10_point_push_mode_is_out_of_range 10000");
+    expect(ck10_point_push_mode_is_out_of_range(10001u) == true, "ck10_point_push_mode_is_out_of_range 10001");
+}
+
+static void test_428(void)
+{
+    expect(ck10_read_registers_request_word_count_is_out_of_range(0u) == true, "ck10_read_registers_request_word_count_is_out_of_range 0");
+    expect(ck10_read_registers_request_word_count_is_out_of_range(1u) == false, "ck10_read_registers_request_word_count_is_out_of_range 1");
+    expect(ck10_read_registers_request_word_count_is_out_of_range(2u) == false, "ck10_read_registers_request_word_count_is_out_of_range 2");
+    expect(ck10_read_registers_request_word_count_is_out_of_range(124u) == false, "ck10_read_registers_request_word_count_is_out_of_range 124");
+    expect(ck10_read_registers_request_word_count_is_out_of_range(125u) == false, "ck10_read_registers_request_word_count_is_out_of_range 125");
+    expect(ck10_read_registers_request_word_count_is_out_of_range(126u) == true, "ck10_read_registers_request_word_count_is_out_of_range 126");
+}
+
+static void test_429(void)
+{
+    expect(ck10_write_registers_request_word_count_is_out_of_range(0u) == true, "ck10_write_registers_request_word_count_is_out_of_range 0");
+    expect(ck10_write_registers_request_word_count_is_out_of_range(1u) == false, "ck10_write_registers_request_word_count_is_out_of_range 1");
+    expect(ck10_write_registers_request_word_count_is_out_of_range(2u) == false, "ck10_write_registers_request_word_count_is_out_of_range 2");
+    expect(ck10_write_registers_request_word_count_is_out_of_range(122u) == false, "ck10_write_registers_request_word_count_is_out_of_range 122");
+    expect(ck10_write_registers_request_word_count_is_out_of_range(123u) == false, "ck10_write_registers_request_word_count_is_out_of_range 123");
+    expect(ck10_write_registers_request_word_count_is_out_of_range(124u) == true, "ck10_write_registers_request_word_count_is_out_of_range 124");
+}
+
+static void test_430(void)
+{
+    expect(ck10_reg_compare_pulse_width_is_out_of_range(0u) == true, "ck10_reg_compare_pulse_width_is_out_of_range 0");
+    expect(ck10_reg_compare_pulse_width_is_out_of_range(1u) == false, "ck10_reg_compare_pulse_width_is_out_of_range 1");
+    expect(ck10_reg_compare_pulse_width_is_out_of_range(2u) == false, "ck10_reg_compare_pulse_width_is_out_of_range 2");
+    expect(ck10_reg_compare_pulse_width_is_out_of_range(999u) == false, "ck10_reg_compare_pulse_width_is_out_of_range 999");
+    expect(ck10_reg_compare_pulse_width_is_out_of_range(1000u) == false, "ck10_reg_compare_pulse_width_is_out_of_range 1000");
+    expect(ck10_reg_compare_pulse_width_is_out_of_range(1001u) == true, "ck10_reg_compare_pulse_width_is_out_of_range 1001");
+}
+
+static void test_431(void)
+{
+    expect(ck10_reg_resolution_is_out_of_range(0u) == false, "ck10_reg_resolution_is_out_of_range 0");
+    expect(ck10_reg_resolution_is_out_of_range(1u) == false, "ck10_reg_resolution_is_out_of_range 1");
+    expect(ck10_reg_resolution_is_out_of_range(49999u) == false, "ck10_reg_resolution_is_out_of_range 49999");
+    expect(ck10_reg_resolution_is_out_of_range(50000u) == false, "ck10_reg_resolution_is_out_of_range 50000");
+    expect(ck10_reg_resolution_is_out_of_range(50001u) == true, "ck10_reg_resolution_is_out_of_range 50001");
+}
+
+static void test_432(void)
+{
+    expect(ck10_reg_maximum_speed_is_out_of_range(0u) == true, "ck10_reg_maximum_speed_is_out_of_range 0");
+    expect(ck10_reg_maximum_speed_is_out_of_range(1u) == false, "ck10_reg_maximum_speed_is_out_of_range 1");
+    expect(ck10_reg_maximum_speed_is_out_of_range(2u) == false, "ck10_reg_maximum_speed_is_out_of_range 2");
+    expect(ck10_reg_maximum_speed_is_out_of_range(799999u) == false, "ck10_reg_maximum_speed_is_out_of_range 799999");
+    expect(ck10_reg_maximum_speed_is_out_of_range(800000u) == false, "ck10_reg_maximum_speed_is_out_of_range 800000");
+    expect(ck10_reg_maximum_speed_is_out_of_range(800001u) == true, "ck10_reg_maximum_speed_is_out_of_range 800001");
+}
+
+static void test_433(void)
+{
+    expect(ck10_reg_start_speed_is_out_of_range(0u) == true, "ck10_reg_start_speed_is_out_of_range 0");
+    expect(ck10_reg_start_speed_is_out_of_range(1u) == false, "ck10_reg_start_speed_is_out_of_range 1");
+    expect(ck10_reg_start_speed_is_out_of_range(2u) == false, "ck10_reg_start_speed_is_out_of_range 2");
+    expect(ck10_reg_start_speed_is_out_of_range(34999u) == false, "ck10_reg_start_speed_is_out_of_range 34999");
+    expect(ck10_reg_start_speed_is_out_of_range(35000u) == false, "ck10_reg_start_speed_is_out_of_range 35000");
+    expect(ck10_reg_start_speed_is_out_of_range(35001u) == true, "ck10_reg_start_speed_is_out_of_range 35001");
+}
+
+static void test_434(void)
+{
+    expect(ck10_reg_acceleration_time_is_out_of_range(0u) == true, "ck10_reg_acceleration_time_is_out_of_range 0");
+    expect(ck10_reg_acceleration_time_is_out_of_range(1u) == false, "ck10_reg_acceleration_time_is_out_of_range 1");
+    expect(ck10_reg_acceleration_time_is_out_of_range(2u) == false, "ck10_reg_acceleration_time_is_out_of_range 2");
+    expect(ck10_reg_acceleration_time_is_out_of_range(9998u) == false, "ck10_reg_acceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_acceleration_time_is_out_of_range(9999u) == false, "ck10_reg_acceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_acceleration_time_is_out_of_range(10000u) == true, "ck10_reg_acceleration_time_is_out_of_range 10000");
+}
+
+static void test_435(void)
+{
+    expect(ck10_reg_deceleration_time_is_out_of_range(0u) == true, "ck10_reg_deceleration_time_is_out_of_range 0");
+    expect(ck10_reg_deceleration_time_is_out_of_range(1u) == false, "ck10_reg_deceleration_time_is_out_of_range 1");
+    expect(ck10_reg_deceleration_time_is_out_of_range(2u) == false, "ck10_reg_deceleration_time_is_out_of_range 2");
+    expect(ck10_reg_deceleration_time_is_out_of_range(9998u) == false, "ck10_reg_deceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_deceleration_time_is_out_of_range(9999u) == false, "ck10_reg_deceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_deceleration_time_is_out_of_range(10000u) == true, "ck10_reg_deceleration_time_is_out_of_range 10000");
+}
+
+static void test_436(void)
+{
+    expect(ck10_reg_jog_speed_is_out_of_range(0u) == true, "ck10_reg_jog_speed_is_out_of_range 0");
+    expect(ck10_reg_jog_speed_is_out_of_range(1u) == false, "ck10_reg_jog_speed_is_out_of_range 1");
+    expect(ck10_reg_jog_speed_is_out_of_range(2u) == false, "ck10_reg_jog_speed_is_out_of_range 2");
+    expect(ck10_reg_jog_speed_is_out_of_range(799999u) == false, "ck10_reg_jog_speed_is_out_of_range 799999");
+    expect(ck10_reg_jog_speed_is_out_of_range(800000u) == false, "ck10_reg_jog_speed_is_out_of_range 800000");
+    expect(ck10_reg_jog_speed_is_out_of_range(800001u) == true, "ck10_reg_jog_speed_is_out_of_range 800001");
+}
+
+static void test_437(void)
+{
+    expect(ck10_reg_jog_start_speed_is_out_of_range(0u) == true, "ck10_reg_jog_start_speed_is_out_of_range 0");
+    expect(ck10_reg_jog_start_speed_is_out_of_range(1u) == false, "ck10_reg_jog_start_speed_is_out_of_range 1");
+    expect(ck10_reg_jog_start_speed_is_out_of_range(2u) == false, "ck10_reg_jog_start_speed_is_out_of_range 2");
+    expect(ck10_reg_jog_start_speed_is_out_of_range(34999u) == false, "ck10_reg_jog_start_speed_is_out_of_range 34999");
+    expect(ck10_reg_jog_start_speed_is_out_of_range(35000u) == false, "ck10_reg_jog_start_speed_is_out_of_range 35000");
+    expect(ck10_reg_jog_start_speed_is_out_of_range(35001u) == true, "ck10_reg_jog_start_speed_is_out_of_range 35001");
+}
+
+static void test_438(void)
+{
+    expect(ck10_reg_jog_acceleration_time_is_out_of_range(0u) == true, "ck10_reg_jog_acceleration_time_is_out_of_range 0");
+    expect(ck10_reg_jog_acceleration_time_is_out_of_range(1u) == false, "ck10_reg_jog_acceleration_time_is_out_of_range 1");
+    expect(ck10_reg_jog_acceleration_time_is_out_of_range(2u) == false, "ck10_reg_jog_acceleration_time_is_out_of_range 2");
+    expect(ck10_reg_jog_acceleration_time_is_out_of_range(9998u) == false, "ck10_reg_jog_acceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_jog_acceleration_time_is_out_of_range(9999u) == false, "ck10_reg_jog_acceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_jog_acceleration_time_is_out_of_range(10000u) == true, "ck10_reg_jog_acceleration_time_is_out_of_range 10000");
+}
+
+static void test_439(void)
+{
+    expect(ck10_reg_homing_speed_is_out_of_range(0u) == true, "ck10_reg_homing_speed_is_out_of_range 0");
+    expect(ck10_reg_homing_speed_is_out_of_range(1u) == false, "ck10_reg_homing_speed_is_out_of_range 1");
+    expect(ck10_reg_homing_speed_is_out_of_range(2u) == false, "ck10_reg_homing_speed_is_out_of_range 2");
+    expect(ck10_reg_homing_speed_is_out_of_range(799999u) == false, "ck10_reg_homing_speed_is_out_of_range 799999");
+    expect(ck10_reg_homing_speed_is_out_of_range(800000u) == false, "ck10_reg_homing_speed_is_out_of_range 800000");
+    expect(ck10_reg_homing_speed_is_out_of_range(800001u) == true, "ck10_reg_homing_speed_is_out_of_range 800001");
+}
+
+static void test_440(void)
+{
+    expect(ck10_reg_homing_search_speed_is_out_of_range(0u) == true, "ck10_reg_homing_search_speed_is_out_of_range 0");
+    expect(ck10_reg_homing_search_speed_is_out_of_range(1u) == false, "ck10_reg_homing_search_speed_is_out_of_range 1");
+    expect(ck10_reg_homing_search_speed_is_out_of_range(2u) == false, "ck10_reg_homing_search_speed_is_out_of_range 2");
+    expect(ck10_reg_homing_search_speed_is_out_of_range(79999u) == false, "ck10_reg_homing_search_speed_is_out_of_range 79999");
+    expect(ck10_reg_homing_search_speed_is_out_of_range(80000u) == false, "ck10_reg_homing_search_speed_is_out_of_range 80000");
+    expect(ck10_reg_homing_search_speed_is_out_of_range(80001u) == true, "ck10_reg_homing_search_speed_is_out_of_range 80001");
+}
+
+static void test_441(void)
+{
+    expect(ck10_reg_homing_acceleration_time_is_out_of_range(0u) == true, "ck10_reg_homing_acceleration_time_is_out_of_range 0");
+    expect(ck10_reg_homing_acceleration_time_is_out_of_range(1u) == false, "ck10_reg_homing_acceleration_time_is_out_of_range 1");
+    expect(ck10_reg_homing_acceleration_time_is_out_of_range(2u) == false, "ck10_reg_homing_acceleration_time_is_out_of_range 2");
+    expect(ck10_reg_homing_acceleration_time_is_out_of_range(9998u) == false, "ck10_reg_homing_acceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_homing_acceleration_time_is_out_of_range(9999u) == false, "ck10_reg_homing_acceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_homing_acceleration_time_is_out_of_range(10000u) == true, "ck10_reg_homing_acceleration_time_is_out_of_range 10000");
+}
+
+static void test_442(void)
+{
+    expect(ck10_reg_position_loop_gain_is_out_of_range(0u) == false, "ck10_reg_position_loop_gain_is_out_of_range 0");
+    expect(ck10_reg_position_loop_gain_is_out_of_range(1u) == false, "ck10_reg_position_loop_gain_is_out_of_range 1");
+    expect(ck10_reg_position_loop_gain_is_out_of_range(62u) == false, "ck10_reg_position_loop_gain_is_out_of_range 62");
+    expect(ck10_reg_position_loop_gain_is_out_of_range(63u) == false, "ck10_reg_position_loop_gain_is_out_of_range 63");
+    expect(ck10_reg_position_loop_gain_is_out_of_range(64u) == true, "ck10_reg_position_loop_gain_is_out_of_range 64");
+}
+
+static void test_443(void)
+{
+    expect(ck10_reg_in_position_range_is_out_of_range(0u) == false, "ck10_reg_in_position_range_is_out_of_range 0");
+    expect(ck10_reg_in_position_range_is_out_of_range(1u) == false, "ck10_reg_in_position_range_is_out_of_range 1");
+    expect(ck10_reg_in_position_range_is_out_of_range(126u) == false, "ck10_reg_in_position_range_is_out_of_range 126");
+    expect(ck10_reg_in_position_range_is_out_of_range(127u) == false, "ck10_reg_in_position_range_is_out_of_range 127");
+    expect(ck10_reg_in_position_range_is_out_of_range(128u) == true, "ck10_reg_in_position_range_is_out_of_range 128");
+}
+
+static void test_444(void)
+{
+    expect(ck10_reg_tracking_limit_is_out_of_range(0u) == true, "ck10_reg_tracking_limit_is_out_of_range 0");
+    expect(ck10_reg_tracking_limit_is_out_of_range(1u) == false, "ck10_reg_tracking_limit_is_out_of_range 1");
+    expect(ck10_reg_tracking_limit_is_out_of_range(2u) == false, "ck10_reg_tracking_limit_is_out_of_range 2");
+    expect(ck10_reg_tracking_limit_is_out_of_range(134217726u) == false, "ck10_reg_tracking_limit_is_out_of_range 134217726");
+    expect(ck10_reg_tracking_limit_is_out_of_range(134217727u) == false, "ck10_reg_tracking_limit_is_out_of_range 134217727");
+    expect(ck10_reg_tracking_limit_is_out_of_range(134217728u) == true, "ck10_reg_tracking_limit_is_out_of_range 134217728");
+}
+
+static void test_445(void)
+{
+    expect(ck10_reg_homing_torque_ratio_is_out_of_range(19u) == true, "ck10_reg_homing_torque_ratio_is_out_of_range 19");
+    expect(ck10_reg_homing_torque_ratio_is_out_of_range(20u) == false, "ck10_reg_homing_torque_ratio_is_out_of_range 20");
+    expect(ck10_reg_homing_torque_ratio_is_out_of_range(21u) == false, "ck10_reg_homing_torque_ratio_is_out_of_range 21");
+    expect(ck10_reg_homing_torque_ratio_is_out_of_range(89u) == false, "ck10_reg_homing_torque_ratio_is_out_of_range 89");
+    expect(ck10_reg_homing_torque_ratio_is_out_of_range(90u) == false, "ck10_reg_homing_torque_ratio_is_out_of_range 90");
+    expect(ck10_reg_homing_torque_ratio_is_out_of_range(91u) == true, "ck10_reg_homing_torque_ratio_is_out_of_range 91");
+}
+
+static void test_446(void)
+{
+    expect(ck10_reg_position_overflow_limit_is_out_of_range(0u) == true, "ck10_reg_position_overflow_limit_is_out_of_range 0");
+    expect(ck10_reg_position_overflow_limit_is_out_of_range(1u) == false, "ck10_reg_position_overflow_limit_is_out_of_range 1");
+    expect(ck10_reg_position_overflow_limit_is_out_of_range(2u) == false, "ck10_reg_position_overflow_limit_is_out_of_range 2");
+    expect(ck10_reg_position_overflow_limit_is_out_of_range(134217726u) == false, "ck10_reg_position_overflow_limit_is_out_of_range 134217726");
+    expect(ck10_reg_position_overflow_limit_is_out_of_range(134217727u) == false, "ck10_reg_position_overflow_limit_is_out_of_range 134217727");
+    expect(ck10_reg_position_overflow_limit_is_out_of_range(134217728u) == true, "ck10_reg_position_overflow_limit_is_out_of_range 134217728");
+}
+
+static void test_447(void)
+{
+    expect(ck10_reg_run_current_is_out_of_range(4u) == true, "ck10_reg_run_current_is_out_of_range 4");
+    expect(ck10_reg_run_current_is_out_of_range(5u) == false, "ck10_reg_run_current_is_out_of_range 5");
+    expect(ck10_reg_run_current_is_out_of_range(6u) == false, "ck10_reg_run_current_is_out_of_range 6");
+    expect(ck10_reg_run_current_is_out_of_range(14u) == false, "ck10_reg_run_current_is_out_of_range 14");
+    expect(ck10_reg_run_current_is_out_of_range(15u) == false, "ck10_reg_run_current_is_out_of_range 15");
+    expect(ck10_reg_run_current_is_out_of_range(16u) == true, "ck10_reg_run_current_is_out_of_range 16");
+}
+
+static void test_448(void)
+{
+    expect(ck10_reg_boost_current_is_out_of_range(0u) == false, "ck10_reg_boost_current_is_out_of_range 0");
+    expect(ck10_reg_boost_current_is_out_of_range(1u) == false, "ck10_reg_boost_current_is_out_of_range 1");
+    expect(ck10_reg_boost_current_is_out_of_range(6u) == false, "ck10_reg_boost_current_is_out_of_range 6");
+    expect(ck10_reg_boost_current_is_out_of_range(7u) == false, "ck10_reg_boost_current_is_out_of_range 7");
+    expect(ck10_reg_boost_current_is_out_of_range(8u) == true, "ck10_reg_boost_current_is_out_of_range 8");
+}
+
+static void test_449(void)
+{
+    expect(ck10_reg_stop_current_is_out_of_range(1u) == true, "ck10_reg_stop_current_is_out_of_range 1");
+    expect(ck10_reg_stop_current_is_out_of_range(2u) == false, "ck10_reg_stop_current_is_out_of_range 2");
+    expect(ck10_reg_stop_current_is_out_of_range(3u) == false, "ck10_reg_stop_current_is_out_of_range 3");
+    expect(ck10_reg_stop_current_is_out_of_range(9u) == false, "ck10_reg_stop_current_is_out_of_range 9");
+    expect(ck10_reg_stop_current_is_out_of_range(10u) == false, "ck10_reg_stop_current_is_out_of_range 10");
+    expect(ck10_reg_stop_current_is_out_of_range(11u) == true, "ck10_reg_stop_current_is_out_of_range 11");
+}
+
+static void test_450(void)
+{
+    expect(ck10_reg_flash_resolution_is_out_of_range(0u) == false, "ck10_reg_flash_resolution_is_out_of_range 0");
+    expect(ck10_reg_flash_resolution_is_out_of_range(1u) == false, "ck10_reg_flash_resolution_is_out_of_range 1");
+    expect(ck10_reg_flash_resolution_is_out_of_range(49999u) == false, "ck10_reg_flash_resolution_is_out_of_range 49999");
+    expect(ck10_reg_flash_resolution_is_out_of_range(50000u) == false, "ck10_reg_flash_resolution_is_out_of_range 50000");
+    expect(ck10_reg_flash_resolution_is_out_of_range(50001u) == true, "ck10_reg_flash_resolution_is_out_of_range 50001");
+}
+
+static void test_451(void)
+{
+    expect(ck10_reg_flash_maximum_speed_is_out_of_range(0u) == true, "ck10_reg_flash_maximum_speed_is_out_of_range 0");
+    expect(ck10_reg_flash_maximum_speed_is_out_of_range(1u) == false, "ck10_reg_flash_maximum_speed_is_out_of_range 1");
+    expect(ck10_reg_flash_maximum_speed_is_out_of_range(2u) == false, "ck10_reg_flash_maximum_speed_is_out_of_range 2");
+    expect(ck10_reg_flash_maximum_speed_is_out_of_range(799999u) == false, "ck10_reg_flash_maximum_speed_is_out_of_range 799999");
+    expect(ck10_reg_flash_maximum_speed_is_out_of_range(800000u) == false, "ck10_reg_flash_maximum_speed_is_out_of_range 800000");
+    expect(ck10_reg_flash_maximum_speed_is_out_of_range(800001u) == true, "ck10_reg_flash_maximum_speed_is_out_of_range 800001");
+}
+
+static void test_452(void)
+{
+    expect(ck10_reg_flash_start_speed_is_out_of_range(0u) == true, "ck10_reg_flash_start_speed_is_out_of_range 0");
+    expect(ck10_reg_flash_start_speed_is_out_of_range(1u) == false, "ck10_reg_flash_start_speed_is_out_of_range 1");
+    expect(ck10_reg_flash_start_speed_is_out_of_range(2u) == false, "ck10_reg_flash_start_speed_is_out_of_range 2");
+    expect(ck10_reg_flash_start_speed_is_out_of_range(34999u) == false, "ck10_reg_flash_start_speed_is_out_of_range 34999");
+    expect(ck10_reg_flash_start_speed_is_out_of_range(35000u) == false, "ck10_reg_flash_start_speed_is_out_of_range 35000");
+    expect(ck10_reg_flash_start_speed_is_out_of_range(35001u) == true, "ck10_reg_flash_start_speed_is_out_of_range 35001");
+}
+
+static void test_453(void)
+{
+    expect(ck10_reg_flash_acceleration_time_is_out_of_range(0u) == true, "ck10_reg_flash_acceleration_time_is_out_of_range 0");
+    expect(ck10_reg_flash_acceleration_time_is_out_of_range(1u) == false, "ck10_reg_flash_acceleration_time_is_out_of_range 1");
+    expect(ck10_reg_flash_acceleration_time_is_out_of_range(2u) == false, "ck10_reg_flash_acceleration_time_is_out_of_range 2");
+    expect(ck10_reg_flash_acceleration_time_is_out_of_range(9998u) == false, "ck10_reg_flash_acceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_flash_acceleration_time_is_out_of_range(9999u) == false, "ck10_reg_flash_acceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_flash_acceleration_time_is_out_of_range(10000u) == true, "ck10_reg_flash_acceleration_time_is_out_of_range 10000");
+}
+
+static void test_454(void)
+{
+    expect(ck10_reg_flash_deceleration_time_is_out_of_range(0u) == true, "ck10_reg_flash_deceleration_time_is_out_of_range 0");
+    expect(ck10_reg_flash_deceleration_time_is_out_of_range(1u) == false, "ck10_reg_flash_deceleration_time_is_out_of_range 1");
+    expect(ck10_reg_flash_deceleration_time_is_out_of_range(2u) == false, "ck10_reg_flash_deceleration_time_is_out_of_range 2");
+    expect(ck10_reg_flash_deceleration_time_is_out_of_range(9998u) == false, "ck10_reg_flash_deceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_flash_deceleration_time_is_out_of_range(9999u) == false, "ck10_reg_flash_deceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_flash_deceleration_time_is_out_of_range(10000u) == true, "ck10_reg_flash_deceleration_time_is_out_of_range 10000");
+}
+
+static void test_455(void)
+{
+    expect(ck10_reg_flash_jog_speed_is_out_of_range(0u) == true, "ck10_reg_flash_jog_speed_is_out_of_range 0");
+    expect(ck10_reg_flash_jog_speed_is_out_of_range(1u) == false, "ck10_reg_flash_jog_speed_is_out_of_range 1");
+    expect(ck10_reg_flash_jog_speed_is_out_of_range(2u) == false, "ck10_reg_flash_jog_speed_is_out_of_range 2");
+    expect(ck10_reg_flash_jog_speed_is_out_of_range(799999u) == false, "ck10_reg_flash_jog_speed_is_out_of_range 799999");
+    expect(ck10_reg_flash_jog_speed_is_out_of_range(800000u) == false, "ck10_reg_flash_jog_speed_is_out_of_range 800000");
+    expect(ck10_reg_flash_jog_speed_is_out_of_range(800001u) == true, "ck10_reg_flash_jog_speed_is_out_of_range 800001");
+}
+
+static void test_456(void)
+{
+    expect(ck10_reg_flash_jog_start_speed_is_out_of_range(0u) == true, "ck10_reg_flash_jog_start_speed_is_out_of_range 0");
+    expect(ck10_reg_flash_jog_start_speed_is_out_of_range(1u) == false, "ck10_reg_flash_jog_start_speed_is_out_of_range 1");
+    expect(ck10_reg_flash_jog_start_speed_is_out_of_range(2u) == false, "ck10_reg_flash_jog_start_speed_is_out_of_range 2");
+    expect(ck10_reg_flash_jog_start_speed_is_out_of_range(34999u) == false, "ck10_reg_flash_jog_start_speed_is_out_of_range 34999");
+    expect(ck10_reg_flash_jog_start_speed_is_out_of_range(35000u) == false, "ck10_reg_flash_jog_start_speed_is_out_of_range 35000");
+    expect(ck10_reg_flash_jog_start_speed_is_out_of_range(35001u) == true, "ck10_reg_flash_jog_start_speed_is_out_of_range 35001");
+}
+
+static void test_457(void)
+{
+    expect(ck10_reg_flash_jog_acceleration_time_is_out_of_range(0u) == true, "ck10_reg_flash_jog_acceleration_time_is_out_of_range 0");
+    expect(ck10_reg_flash_jog_acceleration_time_is_out_of_range(1u) == false, "ck10_reg_flash_jog_acceleration_time_is_out_of_range 1");
+    expect(ck10_reg_flash_jog_acceleration_time_is_out_of_range(2u) == false, "ck10_reg_flash_jog_acceleration_time_is_out_of_range 2");
+    expect(ck10_reg_flash_jog_acceleration_time_is_out_of_range(9998u) == false, "ck10_reg_flash_jog_acceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_flash_jog_acceleration_time_is_out_of_range(9999u) == false, "ck10_reg_flash_jog_acceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_flash_jog_acceleration_time_is_out_of_range(10000u) == true, "ck10_reg_flash_jog_acceleration_time_is_out_of_range 10000");
+}
+
+static void test_458(void)
+{
+    expect(ck10_reg_flash_homing_speed_is_out_of_range(0u) == true, "ck10_reg_flash_homing_speed_is_out_of_range 0");
+    expect(ck10_reg_flash_homing_speed_is_out_of_range(1u) == false, "ck10_reg_flash_homing_speed_is_out_of_range 1");
+    expect(ck10_reg_flash_homing_speed_is_out_of_range(2u) == false, "ck10_reg_flash_homing_speed_is_out_of_range 2");
+    expect(ck10_reg_flash_homing_speed_is_out_of_range(799999u) == false, "ck10_reg_flash_homing_speed_is_out_of_range 799999");
+    expect(ck10_reg_flash_homing_speed_is_out_of_range(800000u) == false, "ck10_reg_flash_homing_speed_is_out_of_range 800000");
+    expect(ck10_reg_flash_homing_speed_is_out_of_range(800001u) == true, "ck10_reg_flash_homing_speed_is_out_of_range 800001");
+}
+
+static void test_459(void)
+{
+    expect(ck10_reg_flash_homing_search_speed_is_out_of_range(0u) == true, "ck10_reg_flash_homing_search_speed_is_out_of_range 0");
+    expect(ck10_reg_flash_homing_search_speed_is_out_of_range(1u) == false, "ck10_reg_flash_homing_search_speed_is_out_of_range 1");
+    expect(ck10_reg_flash_homing_search_speed_is_out_of_range(2u) == false, "ck10_reg_flash_homing_search_speed_is_out_of_range 2");
+    expect(ck10_reg_flash_homing_search_speed_is_out_of_range(79999u) == false, "ck10_reg_flash_homing_search_speed_is_out_of_range 79999");
+    expect(ck10_reg_flash_homing_search_speed_is_out_of_range(80000u) == false, "ck10_reg_flash_homing_search_speed_is_out_of_range 80000");
+    expect(ck10_reg_flash_homing_search_speed_is_out_of_range(80001u) == true, "ck10_reg_flash_homing_search_speed_is_out_of_range 80001");
+}
+
+static void test_460(void)
+{
+    expect(ck10_reg_flash_homing_acceleration_time_is_out_of_range(0u) == true, "ck10_reg_flash_homing_acceleration_time_is_out_of_range 0");
+    expect(ck10_reg_flash_homing_acceleration_time_is_out_of_range(1u) == false, "ck10_reg_flash_homing_acceleration_time_is_out_of_range 1");
+    expect(ck10_reg_flash_homing_acceleration_time_is_out_of_range(2u) == false, "ck10_reg_flash_homing_acceleration_time_is_out_of_range 2");
+    expect(ck10_reg_flash_homing_acceleration_time_is_out_of_range(9998u) == false, "ck10_reg_flash_homing_acceleration_time_is_out_of_range 9998");
+    expect(ck10_reg_flash_homing_acceleration_time_is_out_of_range(9999u) == false, "ck10_reg_flash_homing_acceleration_time_is_out_of_range 9999");
+    expect(ck10_reg_flash_homing_acceleration_time_is_out_of_range(10000u) == true, "ck10_reg_flash_homing_acceleration_time_is_out_of_range 10000");
+}
+
+static void test_461(void)
+{
+    expect(ck10_reg_flash_position_loop_gain_is_out_of_range(0u) == false, "ck10_reg_flash_position_loop_gain_is_out_of_range 0");
+    expect(ck10_reg_flash_position_loop_gain_is_out_of_range(1u) == false, "ck10_reg_flash_position_loop_gain_is_out_of_range 1");
+    expect(ck10_reg_flash_position_loop_gain_is_out_of_range(62u) == false, "ck10_reg_flash_position_loop_gain_is_out_of_range 62");
+    expect(ck10_reg_flash_position_loop_gain_is_out_of_range(63u) == false, "ck10_reg_flash_position_loop_gain_is_out_of_range 63");
+    expect(ck10_reg_flash_position_loop_gain_is_out_of_range(64u) == true, "ck10_reg_flash_position_loop_gain_is_out_of_range 64");
+}
+
+static void test_462(void)
+{
+    expect(ck10_reg_flash_in_position_range_is_out_of_range(0u) == false, "ck10_reg_flash_in_position_range_is_out_of_range 0");
+    expect(ck10_reg_flash_in_position_range_is_out_of_range(1u) == false, "ck10_reg_flash_in_position_range_is_out_of_range 1");
+    expect(ck10_reg_flash_in_position_range_is_out_of_range(126u) == false, "ck10_reg_flash_in_position_range_is_out_of_range 126");
+    expect(ck10_reg_flash_in_position_range_is_out_of_range(127u) == false, "ck10_reg_flash_in_position_range_is_out_of_range 127");
+    expect(ck10_reg_flash_in_position_range_is_out_of_range(128u) == true, "ck10_reg_flash_in_position_range_is_out_of_range 128");
+}
+
+static void test_463(void)
+{
+    expect(ck10_reg_flash_tracking_limit_is_out_of_range(0u) == true, "ck10_reg_flash_tracking_limit_is_out_of_range 0");
+    expect(ck10_reg_flash_tracking_limit_is_out_of_range(1u) == false, "ck10_reg_flash_tracking_limit_is_out_of_range 1");
+    expect(ck10_reg_flash_tracking_limit_is_out_of_range(2u) == false, "ck10_reg_flash_tracking_limit_is_out_of_range 2");
+    expect(ck10_reg_flash_tracking_limit_is_out_of_range(134217726u) == false, "ck10_reg_flash_tracking_limit_is_out_of_range 134217726");
+    expect(ck10_reg_flash_tracking_limit_is_out_of_range(134217727u) == false, "ck10_reg_flash_tracking_limit_is_out_of_range 134217727");
+    expect(ck10_reg_flash_tracking_limit_is_out_of_range(134217728u) == true, "ck10_reg_flash_tracking_limit_is_out_of_range 134217728");
+}
+
+static void test_464(void)
+{
+    expect(ck10_reg_flash_homing_torque_ratio_is_out_of_range(19u) == true, "ck10_reg_flash_homing_torque_ratio_is_out_of_range 19");
+    expect(ck10_reg_flash_homing_torque_ratio_is_out_of_range(20u) == false, "ck10_reg_flash_homing_torque_ratio_is_out_of_range 20");
+    expect(ck10_reg_flash_homing_torque_ratio_is_out_of_range(21u) == false, "ck10_reg_flash_homing_torque_ratio_is_out_of_range 21");
+    expect(ck10_reg_flash_homing_torque_ratio_is_out_of_range(89u) == false, "ck10_reg_flash_homing_torque_ratio_is_out_of_range 89");
+    expect(ck10_reg_flash_homing_torque_ratio_is_out_of_range(90u) == false, "ck10_reg_flash_homing_torque_ratio_is_out_of_range 90");
+    expect(ck10_reg_flash_homing_torque_ratio_is_out_of_range(91u) == true, "ck10_reg_flash_homing_torque_ratio_is_out_of_range 91");
+}
+
+static void test_465(void)
+{
+    expect(ck10_reg_flash_position_overflow_limit_is_out_of_range(0u) == true, "ck10_reg_flash_position_overflow_limit_is_out_of_range 0");
+    expect(ck10_reg_flash_position_overflow_limit_is_out_of_range(1u) == false, "ck10_reg_flash_position_overflow_limit_is_out_of_range 1");
+    expect(ck10_reg_flash_position_overflow_limit_is_out_of_range(2u) == false, "ck10_reg_flash_position_overflow_limit_is_out_of_range 2");
+    expect(ck10_reg_flash_position_overflow_limit_is_out_of_range(134217726u) == false, "ck10_reg_flash_position_overflow_limit_is_out_of_range 134217726");
+    expect(ck10_reg_flash_position_overflow_limit_is_out_of_range(134217727u) == false, "ck10_reg_flash_position_overflow_limit_is_out_of_range 134217727");
+    expect(ck10_reg_flash_position_overflow_limit_is_out_of_range(134217728u) == true, "ck10_reg_flash_position_overflow_limit_is_out_of_range 134217728");
+}
+
+static void test_466(void)
+{
+    expect(ck10_reg_flash_run_current_is_out_of_range(4u) == true, "ck10_reg_flash_run_current_is_out_of_range 4");
+    expect(ck10_reg_flash_run_current_is_out_of_range(5u) == false, "ck10_reg_flash_run_current_is_out_of_range 5");
+    expect(ck10_reg_flash_run_current_is_out_of_range(6u) == false, "ck10_reg_flash_run_current_is_out_of_range 6");
+    expect(ck10_reg_flash_run_current_is_out_of_range(14u) == false, "ck10_reg_flash_run_current_is_out_of_range 14");
+    expect(ck10_reg_flash_run_current_is_out_of_range(15u) == false, "ck10_reg_flash_run_current_is_out_of_range 15");
+    expect(ck10_reg_flash_run_current_is_out_of_range(16u) == true, "ck10_reg_flash_run_current_is_out_of_range 16");
+}
+
+static void test_467(void)
+{
+    expect(ck10_reg_flash_boost_current_is_out_of_range(0u) == false, "ck10_reg_flash_boost_current_is_out_of_range 0");
+    expect(ck10_reg_flash_boost_current_is_out_of_range(1u) == false, "ck10_reg_flash_boost_current_is_out_of_range 1");
+    expect(ck10_reg_flash_boost_current_is_out_of_range(6u) == false, "ck10_reg_flash_boost_current_is_out_of_range 6");
+    expect(ck10_reg_flash_boost_current_is_out_of_range(7u) == false, "ck10_reg_flash_boost_current_is_out_of_range 7");
+    expect(ck10_reg_flash_boost_current_is_out_of_range(8u) == true, "ck10_reg_flash_boost_current_is_out_of_range 8");
+}
+
+static void test_468(void)
+{
+    expect(ck10_reg_flash_stop_current_is_out_of_range(1u) == true, "ck10_reg_flash_stop_current_is_out_of_range 1");
+    expect(ck10_reg_flash_stop_current_is_out_of_range(2u) == false, "ck10_reg_flash_stop_current_is_out_of_range 2");
+    expect(ck10_reg_flash_stop_current_is_out_of_range(3u) == false, "ck10_reg_flash_stop_current_is_out_of_range 3");
+    expect(ck10_reg_flash_stop_current_is_out_of_range(9u) == false, "ck10_reg_flash_stop_current_is_out_of_range 9");
+    expect(ck10_reg_flash_stop_current_is_out_of_range(10u) == false, "ck10_reg_flash_stop_current_is_out_of_range 10");
+    expect(ck10_reg_flash_stop_current_is_out_of_range(11u) == true, "ck10_reg_flash_stop_current_is_out_of_range 11");
+}
+
 unsigned long ck10_selftest(void (*tell)(const char *what))
 {
     (void)same_bytes;
@@ -11498,6 +12090,63 @@ unsigned long ck10_selftest(void (*tell)(const char *what))
     test_409();
     test_410();
     test_411();
+    test_412();
+    test_413();
+    test_414();
+    test_415();
+    test_416();
+    test_417();
+    test_418();
+    test_419();
+    test_420();
+    test_421();
+    test_422();
+    test_423();
+    test_424();
+    test_425();
+    test_426();
+    test_427();
+    test_428();
+    test_429();
+    test_430();
+    test_431();
+    test_432();
+    test_433();
+    test_434();
+    test_435();
+    test_436();
+    test_437();
+    test_438();
+    test_439();
+    test_440();
+    test_441();
+    test_442();
+    test_443();
+    test_444();
+    test_445();
+    test_446();
+    test_447();
+    test_448();
+    test_449();
+    test_450();
+    test_451();
+    test_452();
+    test_453();
+    test_454();
+    test_455();
+    test_456();
+    test_457();
+    test_458();
+    test_459();
+    test_460();
+    test_461();
+    test_462();
+    test_463();
+    test_464();
+    test_465();
+    test_466();
+    test_467();
+    test_468();
     return failed;
 }
 

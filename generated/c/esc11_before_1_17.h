@@ -6513,4 +6513,390 @@ static inline const esc11_code_text *esc11_alarm_code_text(int64_t code)
 }
 #endif
 
+/* ---- Values out of range ---- */
+
+/** Whether alarm_history_entry.minutes is outside of its stated range. */
+static inline bool esc11_alarm_history_entry_minutes_is_out_of_range(uint8_t value)
+{
+    return !(value <= 60u);
+}
+
+/** Whether point.number is outside of its stated range. */
+static inline bool esc11_point_number_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 31u);
+}
+
+/** Whether point.distance is outside of its stated range. */
+static inline bool esc11_point_distance_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether point.speed is outside of its stated range. */
+static inline bool esc11_point_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether point.force is outside of its stated range. */
+static inline bool esc11_point_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether point.zone_limit_1 is outside of its stated range. */
+static inline bool esc11_point_zone_limit_1_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether point.zone_limit_2 is outside of its stated range. */
+static inline bool esc11_point_zone_limit_2_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether temporary_point.distance is outside of its stated range. */
+static inline bool esc11_temporary_point_distance_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether temporary_point.speed is outside of its stated range. */
+static inline bool esc11_temporary_point_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether temporary_point.force is outside of its stated range. */
+static inline bool esc11_temporary_point_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether temporary_point.zone_limit_1 is outside of its stated range. */
+static inline bool esc11_temporary_point_zone_limit_1_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether temporary_point.zone_limit_2 is outside of its stated range. */
+static inline bool esc11_temporary_point_zone_limit_2_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether read_points_request.first_point is outside of its stated range. */
+static inline bool esc11_read_points_request_first_point_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 31u);
+}
+
+/** Whether write_parameter_request.parameter_number is outside of its stated range. */
+static inline bool esc11_write_parameter_request_parameter_number_is_out_of_range(uint8_t value)
+{
+    return !(value <= 31u);
+}
+
+/** Whether clear_points_request.first_point is outside of its stated range. */
+static inline bool esc11_clear_points_request_first_point_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 31u);
+}
+
+/** Whether clear_points_request.point_count is outside of its stated range. */
+static inline bool esc11_clear_points_request_point_count_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 31u);
+}
+
+/** Whether move_positive_distance_request.distance is outside of its stated range. */
+static inline bool esc11_move_positive_distance_request_distance_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u);
+}
+
+/** Whether move_positive_distance_request.speed is outside of its stated range. */
+static inline bool esc11_move_positive_distance_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether move_positive_distance_request.force is outside of its stated range. */
+static inline bool esc11_move_positive_distance_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether move_negative_distance_request.distance is outside of its stated range. */
+static inline bool esc11_move_negative_distance_request_distance_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u);
+}
+
+/** Whether move_negative_distance_request.speed is outside of its stated range. */
+static inline bool esc11_move_negative_distance_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether move_negative_distance_request.force is outside of its stated range. */
+static inline bool esc11_move_negative_distance_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether move_open_request.speed is outside of its stated range. */
+static inline bool esc11_move_open_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether move_close_request.speed is outside of its stated range. */
+static inline bool esc11_move_close_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether move_relative_request.distance is outside of its stated range. */
+static inline bool esc11_move_relative_request_distance_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether move_relative_request.speed is outside of its stated range. */
+static inline bool esc11_move_relative_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether move_absolute_request.position is outside of its stated range. */
+static inline bool esc11_move_absolute_request_position_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether move_absolute_request.speed is outside of its stated range. */
+static inline bool esc11_move_absolute_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether move_to_point_request.point_number is outside of its stated range. */
+static inline bool esc11_move_to_point_request_point_number_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 31u);
+}
+
+/** Whether move_to_point_request.speed is outside of its stated range. */
+static inline bool esc11_move_to_point_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_open_request.speed is outside of its stated range. */
+static inline bool esc11_grip_open_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_open_request.force is outside of its stated range. */
+static inline bool esc11_grip_open_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_close_request.speed is outside of its stated range. */
+static inline bool esc11_grip_close_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_close_request.force is outside of its stated range. */
+static inline bool esc11_grip_close_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_relative_request.distance is outside of its stated range. */
+static inline bool esc11_grip_relative_request_distance_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether grip_relative_request.speed is outside of its stated range. */
+static inline bool esc11_grip_relative_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_relative_request.force is outside of its stated range. */
+static inline bool esc11_grip_relative_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_absolute_request.position is outside of its stated range. */
+static inline bool esc11_grip_absolute_request_position_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether grip_absolute_request.speed is outside of its stated range. */
+static inline bool esc11_grip_absolute_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_absolute_request.force is outside of its stated range. */
+static inline bool esc11_grip_absolute_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_open_with_zone_request.zone_limit_1 is outside of its stated range. */
+static inline bool esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether grip_open_with_zone_request.zone_limit_2 is outside of its stated range. */
+static inline bool esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether grip_open_with_zone_request.speed is outside of its stated range. */
+static inline bool esc11_grip_open_with_zone_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_open_with_zone_request.force is outside of its stated range. */
+static inline bool esc11_grip_open_with_zone_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_close_with_zone_request.zone_limit_1 is outside of its stated range. */
+static inline bool esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether grip_close_with_zone_request.zone_limit_2 is outside of its stated range. */
+static inline bool esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether grip_close_with_zone_request.speed is outside of its stated range. */
+static inline bool esc11_grip_close_with_zone_request_speed_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether grip_close_with_zone_request.force is outside of its stated range. */
+static inline bool esc11_grip_close_with_zone_request_force_is_out_of_range(uint8_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether read_current_position_response.position is outside of its stated range. */
+static inline bool esc11_read_current_position_response_position_is_out_of_range(int32_t value)
+{
+    return !(value >= (-134217727) && value <= 134217727);
+}
+
+/** Whether read_current_point_number_response.point_number is outside of its stated range. */
+static inline bool esc11_read_current_point_number_response_point_number_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 31u);
+}
+
+/** Whether read_parameter_request.parameter_number is outside of its stated range. */
+static inline bool esc11_read_parameter_request_parameter_number_is_out_of_range(uint8_t value)
+{
+    return !(value <= 31u);
+}
+
+/** Whether read_point_request.point_number is outside of its stated range. */
+static inline bool esc11_read_point_request_point_number_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 31u);
+}
+
+/** Whether read_accumulated_time_response.minutes is outside of its stated range. */
+static inline bool esc11_read_accumulated_time_response_minutes_is_out_of_range(uint8_t value)
+{
+    return !(value <= 60u);
+}
+
+/** Whether parameters.positive_soft_limit is outside of its stated range. */
+static inline bool esc11_par_parameters_positive_soft_limit_is_out_of_range(uint16_t value)
+{
+    return !(value <= 9999u);
+}
+
+/** Whether parameters.negative_soft_limit is outside of its stated range. */
+static inline bool esc11_par_parameters_negative_soft_limit_is_out_of_range(int16_t value)
+{
+    return !(value >= (-9999) && value <= 0);
+}
+
+/** Whether parameters.stroke is outside of its stated range. */
+static inline bool esc11_par_parameters_stroke_is_out_of_range(uint16_t value)
+{
+    return !(value <= 9999u);
+}
+
+/** Whether parameters.homing_speed is outside of its stated range. */
+static inline bool esc11_par_parameters_homing_speed_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 50u);
+}
+
+/** Whether parameters.home_offset is outside of its stated range. */
+static inline bool esc11_par_parameters_home_offset_is_out_of_range(int16_t value)
+{
+    return !(value >= (-9999) && value <= 9999);
+}
+
+/** Whether parameters.acceleration is outside of its stated range. */
+static inline bool esc11_par_parameters_acceleration_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether parameters.maximum_program_speed is outside of its stated range. */
+static inline bool esc11_par_parameters_maximum_program_speed_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether parameters.gripping_speed is outside of its stated range. */
+static inline bool esc11_par_parameters_gripping_speed_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether parameters.constant_speed_distance is outside of its stated range. */
+static inline bool esc11_par_parameters_constant_speed_distance_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether parameters.limit_width is outside of its stated range. */
+static inline bool esc11_par_parameters_limit_width_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 9999u);
+}
+
+/** Whether parameters.positioning_complete_pulses is outside of its stated range. */
+static inline bool esc11_par_parameters_positioning_complete_pulses_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 4000u);
+}
+
 #endif

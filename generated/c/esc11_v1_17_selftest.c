@@ -4264,6 +4264,617 @@ static void test_176(void)
     expect(length == sizeof frame && same_bytes(again, frame, length), "example reset-alarm-response bytes");
 }
 
+static void test_177(void)
+{
+    expect(esc11_alarm_history_entry_minutes_is_out_of_range(0u) == false, "esc11_alarm_history_entry_minutes_is_out_of_range 0");
+    expect(esc11_alarm_history_entry_minutes_is_out_of_range(1u) == false, "esc11_alarm_history_entry_minutes_is_out_of_range 1");
+    expect(esc11_alarm_history_entry_minutes_is_out_of_range(59u) == false, "esc11_alarm_history_entry_minutes_is_out_of_range 59");
+    expect(esc11_alarm_history_entry_minutes_is_out_of_range(60u) == false, "esc11_alarm_history_entry_minutes_is_out_of_range 60");
+    expect(esc11_alarm_history_entry_minutes_is_out_of_range(61u) == true, "esc11_alarm_history_entry_minutes_is_out_of_range 61");
+}
+
+static void test_178(void)
+{
+    expect(esc11_point_number_is_out_of_range(0u) == true, "esc11_point_number_is_out_of_range 0");
+    expect(esc11_point_number_is_out_of_range(1u) == false, "esc11_point_number_is_out_of_range 1");
+    expect(esc11_point_number_is_out_of_range(2u) == false, "esc11_point_number_is_out_of_range 2");
+    expect(esc11_point_number_is_out_of_range(30u) == false, "esc11_point_number_is_out_of_range 30");
+    expect(esc11_point_number_is_out_of_range(31u) == false, "esc11_point_number_is_out_of_range 31");
+    expect(esc11_point_number_is_out_of_range(32u) == true, "esc11_point_number_is_out_of_range 32");
+}
+
+static void test_179(void)
+{
+    expect(esc11_point_distance_is_out_of_range((-134217728)) == true, "esc11_point_distance_is_out_of_range -134217728");
+    expect(esc11_point_distance_is_out_of_range((-134217727)) == false, "esc11_point_distance_is_out_of_range -134217727");
+    expect(esc11_point_distance_is_out_of_range((-134217726)) == false, "esc11_point_distance_is_out_of_range -134217726");
+    expect(esc11_point_distance_is_out_of_range(134217726) == false, "esc11_point_distance_is_out_of_range 134217726");
+    expect(esc11_point_distance_is_out_of_range(134217727) == false, "esc11_point_distance_is_out_of_range 134217727");
+    expect(esc11_point_distance_is_out_of_range(134217728) == true, "esc11_point_distance_is_out_of_range 134217728");
+}
+
+static void test_180(void)
+{
+    expect(esc11_point_speed_is_out_of_range(0u) == false, "esc11_point_speed_is_out_of_range 0");
+    expect(esc11_point_speed_is_out_of_range(1u) == false, "esc11_point_speed_is_out_of_range 1");
+    expect(esc11_point_speed_is_out_of_range(99u) == false, "esc11_point_speed_is_out_of_range 99");
+    expect(esc11_point_speed_is_out_of_range(100u) == false, "esc11_point_speed_is_out_of_range 100");
+    expect(esc11_point_speed_is_out_of_range(101u) == true, "esc11_point_speed_is_out_of_range 101");
+}
+
+static void test_181(void)
+{
+    expect(esc11_point_force_is_out_of_range(0u) == false, "esc11_point_force_is_out_of_range 0");
+    expect(esc11_point_force_is_out_of_range(1u) == false, "esc11_point_force_is_out_of_range 1");
+    expect(esc11_point_force_is_out_of_range(99u) == false, "esc11_point_force_is_out_of_range 99");
+    expect(esc11_point_force_is_out_of_range(100u) == false, "esc11_point_force_is_out_of_range 100");
+    expect(esc11_point_force_is_out_of_range(101u) == true, "esc11_point_force_is_out_of_range 101");
+}
+
+static void test_182(void)
+{
+    expect(esc11_point_zone_limit_1_is_out_of_range((-134217728)) == true, "esc11_point_zone_limit_1_is_out_of_range -134217728");
+    expect(esc11_point_zone_limit_1_is_out_of_range((-134217727)) == false, "esc11_point_zone_limit_1_is_out_of_range -134217727");
+    expect(esc11_point_zone_limit_1_is_out_of_range((-134217726)) == false, "esc11_point_zone_limit_1_is_out_of_range -134217726");
+    expect(esc11_point_zone_limit_1_is_out_of_range(134217726) == false, "esc11_point_zone_limit_1_is_out_of_range 134217726");
+    expect(esc11_point_zone_limit_1_is_out_of_range(134217727) == false, "esc11_point_zone_limit_1_is_out_of_range 134217727");
+    expect(esc11_point_zone_limit_1_is_out_of_range(134217728) == true, "esc11_point_zone_limit_1_is_out_of_range 134217728");
+}
+
+static void test_183(void)
+{
+    expect(esc11_point_zone_limit_2_is_out_of_range((-134217728)) == true, "esc11_point_zone_limit_2_is_out_of_range -134217728");
+    expect(esc11_point_zone_limit_2_is_out_of_range((-134217727)) == false, "esc11_point_zone_limit_2_is_out_of_range -134217727");
+    expect(esc11_point_zone_limit_2_is_out_of_range((-134217726)) == false, "esc11_point_zone_limit_2_is_out_of_range -134217726");
+    expect(esc11_point_zone_limit_2_is_out_of_range(134217726) == false, "esc11_point_zone_limit_2_is_out_of_range 134217726");
+    expect(esc11_point_zone_limit_2_is_out_of_range(134217727) == false, "esc11_point_zone_limit_2_is_out_of_range 134217727");
+    expect(esc11_point_zone_limit_2_is_out_of_range(134217728) == true, "esc11_point_zone_limit_2_is_out_of_range 134217728");
+}
+
+static void test_184(void)
+{
+    expect(esc11_temporary_point_distance_is_out_of_range((-134217728)) == true, "esc11_temporary_point_distance_is_out_of_range -134217728");
+    expect(esc11_temporary_point_distance_is_out_of_range((-134217727)) == false, "esc11_temporary_point_distance_is_out_of_range -134217727");
+    expect(esc11_temporary_point_distance_is_out_of_range((-134217726)) == false, "esc11_temporary_point_distance_is_out_of_range -134217726");
+    expect(esc11_temporary_point_distance_is_out_of_range(134217726) == false, "esc11_temporary_point_distance_is_out_of_range 134217726");
+    expect(esc11_temporary_point_distance_is_out_of_range(134217727) == false, "esc11_temporary_point_distance_is_out_of_range 134217727");
+    expect(esc11_temporary_point_distance_is_out_of_range(134217728) == true, "esc11_temporary_point_distance_is_out_of_range 134217728");
+}
+
+static void test_185(void)
+{
+    expect(esc11_temporary_point_speed_is_out_of_range(0u) == false, "esc11_temporary_point_speed_is_out_of_range 0");
+    expect(esc11_temporary_point_speed_is_out_of_range(1u) == false, "esc11_temporary_point_speed_is_out_of_range 1");
+    expect(esc11_temporary_point_speed_is_out_of_range(99u) == false, "esc11_temporary_point_speed_is_out_of_range 99");
+    expect(esc11_temporary_point_speed_is_out_of_range(100u) == false, "esc11_temporary_point_speed_is_out_of_range 100");
+    expect(esc11_temporary_point_speed_is_out_of_range(101u) == true, "esc11_temporary_point_speed_is_out_of_range 101");
+}
+
+static void test_186(void)
+{
+    expect(esc11_temporary_point_force_is_out_of_range(0u) == false, "esc11_temporary_point_force_is_out_of_range 0");
+    expect(esc11_temporary_point_force_is_out_of_range(1u) == false, "esc11_temporary_point_force_is_out_of_range 1");
+    expect(esc11_temporary_point_force_is_out_of_range(99u) == false, "esc11_temporary_point_force_is_out_of_range 99");
+    expect(esc11_temporary_point_force_is_out_of_range(100u) == false, "esc11_temporary_point_force_is_out_of_range 100");
+    expect(esc11_temporary_point_force_is_out_of_range(101u) == true, "esc11_temporary_point_force_is_out_of_range 101");
+}
+
+static void test_187(void)
+{
+    expect(esc11_temporary_point_zone_limit_1_is_out_of_range((-134217728)) == true, "esc11_temporary_point_zone_limit_1_is_out_of_range -134217728");
+    expect(esc11_temporary_point_zone_limit_1_is_out_of_range((-134217727)) == false, "esc11_temporary_point_zone_limit_1_is_out_of_range -134217727");
+    expect(esc11_temporary_point_zone_limit_1_is_out_of_range((-134217726)) == false, "esc11_temporary_point_zone_limit_1_is_out_of_range -134217726");
+    expect(esc11_temporary_point_zone_limit_1_is_out_of_range(134217726) == false, "esc11_temporary_point_zone_limit_1_is_out_of_range 134217726");
+    expect(esc11_temporary_point_zone_limit_1_is_out_of_range(134217727) == false, "esc11_temporary_point_zone_limit_1_is_out_of_range 134217727");
+    expect(esc11_temporary_point_zone_limit_1_is_out_of_range(134217728) == true, "esc11_temporary_point_zone_limit_1_is_out_of_range 134217728");
+}
+
+static void test_188(void)
+{
+    expect(esc11_temporary_point_zone_limit_2_is_out_of_range((-134217728)) == true, "esc11_temporary_point_zone_limit_2_is_out_of_range -134217728");
+    expect(esc11_temporary_point_zone_limit_2_is_out_of_range((-134217727)) == false, "esc11_temporary_point_zone_limit_2_is_out_of_range -134217727");
+    expect(esc11_temporary_point_zone_limit_2_is_out_of_range((-134217726)) == false, "esc11_temporary_point_zone_limit_2_is_out_of_range -134217726");
+    expect(esc11_temporary_point_zone_limit_2_is_out_of_range(134217726) == false, "esc11_temporary_point_zone_limit_2_is_out_of_range 134217726");
+    expect(esc11_temporary_point_zone_limit_2_is_out_of_range(134217727) == false, "esc11_temporary_point_zone_limit_2_is_out_of_range 134217727");
+    expect(esc11_temporary_point_zone_limit_2_is_out_of_range(134217728) == true, "esc11_temporary_point_zone_limit_2_is_out_of_range 134217728");
+}
+
+static void test_189(void)
+{
+    expect(esc11_read_points_request_first_point_is_out_of_range(0u) == true, "esc11_read_points_request_first_point_is_out_of_range 0");
+    expect(esc11_read_points_request_first_point_is_out_of_range(1u) == false, "esc11_read_points_request_first_point_is_out_of_range 1");
+    expect(esc11_read_points_request_first_point_is_out_of_range(2u) == false, "esc11_read_points_request_first_point_is_out_of_range 2");
+    expect(esc11_read_points_request_first_point_is_out_of_range(30u) == false, "esc11_read_points_request_first_point_is_out_of_range 30");
+    expect(esc11_read_points_request_first_point_is_out_of_range(31u) == false, "esc11_read_points_request_first_point_is_out_of_range 31");
+    expect(esc11_read_points_request_first_point_is_out_of_range(32u) == true, "esc11_read_points_request_first_point_is_out_of_range 32");
+}
+
+static void test_190(void)
+{
+    expect(esc11_write_parameter_request_parameter_number_is_out_of_range(0u) == false, "esc11_write_parameter_request_parameter_number_is_out_of_range 0");
+    expect(esc11_write_parameter_request_parameter_number_is_out_of_range(1u) == false, "esc11_write_parameter_request_parameter_number_is_out_of_range 1");
+    expect(esc11_write_parameter_request_parameter_number_is_out_of_range(30u) == false, "esc11_write_parameter_request_parameter_number_is_out_of_range 30");
+    expect(esc11_write_parameter_request_parameter_number_is_out_of_range(31u) == false, "esc11_write_parameter_request_parameter_number_is_out_of_range 31");
+    expect(esc11_write_parameter_request_parameter_number_is_out_of_range(32u) == true, "esc11_write_parameter_request_parameter_number_is_out_of_range 32");
+}
+
+static void test_191(void)
+{
+    expect(esc11_clear_points_request_first_point_is_out_of_range(0u) == true, "esc11_clear_points_request_first_point_is_out_of_range 0");
+    expect(esc11_clear_points_request_first_point_is_out_of_range(1u) == false, "esc11_clear_points_request_first_point_is_out_of_range 1");
+    expect(esc11_clear_points_request_first_point_is_out_of_range(2u) == false, "esc11_clear_points_request_first_point_is_out_of_range 2");
+    expect(esc11_clear_points_request_first_point_is_out_of_range(30u) == false, "esc11_clear_points_request_first_point_is_out_of_range 30");
+    expect(esc11_clear_points_request_first_point_is_out_of_range(31u) == false, "esc11_clear_points_request_first_point_is_out_of_range 31");
+    expect(esc11_clear_points_request_first_point_is_out_of_range(32u) == true, "esc11_clear_points_request_first_point_is_out_of_range 32");
+}
+
+static void test_192(void)
+{
+    expect(esc11_clear_points_request_point_count_is_out_of_range(0u) == true, "esc11_clear_points_request_point_count_is_out_of_range 0");
+    expect(esc11_clear_points_request_point_count_is_out_of_range(1u) == false, "esc11_clear_points_request_point_count_is_out_of_range 1");
+    expect(esc11_clear_points_request_point_count_is_out_of_range(2u) == false, "esc11_clear_points_request_point_count_is_out_of_range 2");
+    expect(esc11_clear_points_request_point_count_is_out_of_range(30u) == false, "esc11_clear_points_request_point_count_is_out_of_range 30");
+    expect(esc11_clear_points_request_point_count_is_out_of_range(31u) == false, "esc11_clear_points_request_point_count_is_out_of_range 31");
+    expect(esc11_clear_points_request_point_count_is_out_of_range(32u) == true, "esc11_clear_points_request_point_count_is_out_of_range 32");
+}
+
+static void test_193(void)
+{
+    expect(esc11_move_positive_distance_request_distance_is_out_of_range(0u) == true, "esc11_move_positive_distance_request_distance_is_out_of_range 0");
+    expect(esc11_move_positive_distance_request_distance_is_out_of_range(1u) == false, "esc11_move_positive_distance_request_distance_is_out_of_range 1");
+    expect(esc11_move_positive_distance_request_distance_is_out_of_range(2u) == false, "esc11_move_positive_distance_request_distance_is_out_of_range 2");
+    expect(esc11_move_positive_distance_request_distance_is_out_of_range(254u) == false, "esc11_move_positive_distance_request_distance_is_out_of_range 254");
+    expect(esc11_move_positive_distance_request_distance_is_out_of_range(255u) == false, "esc11_move_positive_distance_request_distance_is_out_of_range 255");
+}
+
+static void test_194(void)
+{
+    expect(esc11_move_positive_distance_request_speed_is_out_of_range(0u) == true, "esc11_move_positive_distance_request_speed_is_out_of_range 0");
+    expect(esc11_move_positive_distance_request_speed_is_out_of_range(1u) == false, "esc11_move_positive_distance_request_speed_is_out_of_range 1");
+    expect(esc11_move_positive_distance_request_speed_is_out_of_range(2u) == false, "esc11_move_positive_distance_request_speed_is_out_of_range 2");
+    expect(esc11_move_positive_distance_request_speed_is_out_of_range(99u) == false, "esc11_move_positive_distance_request_speed_is_out_of_range 99");
+    expect(esc11_move_positive_distance_request_speed_is_out_of_range(100u) == false, "esc11_move_positive_distance_request_speed_is_out_of_range 100");
+    expect(esc11_move_positive_distance_request_speed_is_out_of_range(101u) == true, "esc11_move_positive_distance_request_speed_is_out_of_range 101");
+}
+
+static void test_195(void)
+{
+    expect(esc11_move_positive_distance_request_force_is_out_of_range(0u) == false, "esc11_move_positive_distance_request_force_is_out_of_range 0");
+    expect(esc11_move_positive_distance_request_force_is_out_of_range(1u) == false, "esc11_move_positive_distance_request_force_is_out_of_range 1");
+    expect(esc11_move_positive_distance_request_force_is_out_of_range(99u) == false, "esc11_move_positive_distance_request_force_is_out_of_range 99");
+    expect(esc11_move_positive_distance_request_force_is_out_of_range(100u) == false, "esc11_move_positive_distance_request_force_is_out_of_range 100");
+    expect(esc11_move_positive_distance_request_force_is_out_of_range(101u) == true, "esc11_move_positive_distance_request_force_is_out_of_range 101");
+}
+
+static void test_196(void)
+{
+    expect(esc11_move_negative_distance_request_distance_is_out_of_range(0u) == true, "esc11_move_negative_distance_request_distance_is_out_of_range 0");
+    expect(esc11_move_negative_distance_request_distance_is_out_of_range(1u) == false, "esc11_move_negative_distance_request_distance_is_out_of_range 1");
+    expect(esc11_move_negative_distance_request_distance_is_out_of_range(2u) == false, "esc11_move_negative_distance_request_distance_is_out_of_range 2");
+    expect(esc11_move_negative_distance_request_distance_is_out_of_range(254u) == false, "esc11_move_negative_distance_request_distance_is_out_of_range 254");
+    expect(esc11_move_negative_distance_request_distance_is_out_of_range(255u) == false, "esc11_move_negative_distance_request_distance_is_out_of_range 255");
+}
+
+static void test_197(void)
+{
+    expect(esc11_move_negative_distance_request_speed_is_out_of_range(0u) == true, "esc11_move_negative_distance_request_speed_is_out_of_range 0");
+    expect(esc11_move_negative_distance_request_speed_is_out_of_range(1u) == false, "esc11_move_negative_distance_request_speed_is_out_of_range 1");
+    expect(esc11_move_negative_distance_request_speed_is_out_of_range(2u) == false, "esc11_move_negative_distance_request_speed_is_out_of_range 2");
+    expect(esc11_move_negative_distance_request_speed_is_out_of_range(99u) == false, "esc11_move_negative_distance_request_speed_is_out_of_range 99");
+    expect(esc11_move_negative_distance_request_speed_is_out_of_range(100u) == false, "esc11_move_negative_distance_request_speed_is_out_of_range 100");
+    expect(esc11_move_negative_distance_request_speed_is_out_of_range(101u) == true, "esc11_move_negative_distance_request_speed_is_out_of_range 101");
+}
+
+static void test_198(void)
+{
+    expect(esc11_move_negative_distance_request_force_is_out_of_range(0u) == false, "esc11_move_negative_distance_request_force_is_out_of_range 0");
+    expect(esc11_move_negative_distance_request_force_is_out_of_range(1u) == false, "esc11_move_negative_distance_request_force_is_out_of_range 1");
+    expect(esc11_move_negative_distance_request_force_is_out_of_range(99u) == false, "esc11_move_negative_distance_request_force_is_out_of_range 99");
+    expect(esc11_move_negative_distance_request_force_is_out_of_range(100u) == false, "esc11_move_negative_distance_request_force_is_out_of_range 100");
+    expect(esc11_move_negative_distance_request_force_is_out_of_range(101u) == true, "esc11_move_negative_distance_request_force_is_out_of_range 101");
+}
+
+static void test_199(void)
+{
+    expect(esc11_move_open_request_speed_is_out_of_range(0u) == true, "esc11_move_open_request_speed_is_out_of_range 0");
+    expect(esc11_move_open_request_speed_is_out_of_range(1u) == false, "esc11_move_open_request_speed_is_out_of_range 1");
+    expect(esc11_move_open_request_speed_is_out_of_range(2u) == false, "esc11_move_open_request_speed_is_out_of_range 2");
+    expect(esc11_move_open_request_speed_is_out_of_range(99u) == false, "esc11_move_open_request_speed_is_out_of_range 99");
+    expect(esc11_move_open_request_speed_is_out_of_range(100u) == false, "esc11_move_open_request_speed_is_out_of_range 100");
+    expect(esc11_move_open_request_speed_is_out_of_range(101u) == true, "esc11_move_open_request_speed_is_out_of_range 101");
+}
+
+static void test_200(void)
+{
+    expect(esc11_move_close_request_speed_is_out_of_range(0u) == true, "esc11_move_close_request_speed_is_out_of_range 0");
+    expect(esc11_move_close_request_speed_is_out_of_range(1u) == false, "esc11_move_close_request_speed_is_out_of_range 1");
+    expect(esc11_move_close_request_speed_is_out_of_range(2u) == false, "esc11_move_close_request_speed_is_out_of_range 2");
+    expect(esc11_move_close_request_speed_is_out_of_range(99u) == false, "esc11_move_close_request_speed_is_out_of_range 99");
+    expect(esc11_move_close_request_speed_is_out_of_range(100u) == false, "esc11_move_close_request_speed_is_out_of_range 100");
+    expect(esc11_move_close_request_speed_is_out_of_range(101u) == true, "esc11_move_close_request_speed_is_out_of_range 101");
+}
+
+static void test_201(void)
+{
+    expect(esc11_move_relative_request_distance_is_out_of_range((-134217728)) == true, "esc11_move_relative_request_distance_is_out_of_range -134217728");
+    expect(esc11_move_relative_request_distance_is_out_of_range((-134217727)) == false, "esc11_move_relative_request_distance_is_out_of_range -134217727");
+    expect(esc11_move_relative_request_distance_is_out_of_range((-134217726)) == false, "esc11_move_relative_request_distance_is_out_of_range -134217726");
+    expect(esc11_move_relative_request_distance_is_out_of_range(134217726) == false, "esc11_move_relative_request_distance_is_out_of_range 134217726");
+    expect(esc11_move_relative_request_distance_is_out_of_range(134217727) == false, "esc11_move_relative_request_distance_is_out_of_range 134217727");
+    expect(esc11_move_relative_request_distance_is_out_of_range(134217728) == true, "esc11_move_relative_request_distance_is_out_of_range 134217728");
+}
+
+static void test_202(void)
+{
+    expect(esc11_move_relative_request_speed_is_out_of_range(0u) == false, "esc11_move_relative_request_speed_is_out_of_range 0");
+    expect(esc11_move_relative_request_speed_is_out_of_range(1u) == false, "esc11_move_relative_request_speed_is_out_of_range 1");
+    expect(esc11_move_relative_request_speed_is_out_of_range(99u) == false, "esc11_move_relative_request_speed_is_out_of_range 99");
+    expect(esc11_move_relative_request_speed_is_out_of_range(100u) == false, "esc11_move_relative_request_speed_is_out_of_range 100");
+    expect(esc11_move_relative_request_speed_is_out_of_range(101u) == true, "esc11_move_relative_request_speed_is_out_of_range 101");
+}
+
+static void test_203(void)
+{
+    expect(esc11_move_absolute_request_position_is_out_of_range((-134217728)) == true, "esc11_move_absolute_request_position_is_out_of_range -134217728");
+    expect(esc11_move_absolute_request_position_is_out_of_range((-134217727)) == false, "esc11_move_absolute_request_position_is_out_of_range -134217727");
+    expect(esc11_move_absolute_request_position_is_out_of_range((-134217726)) == false, "esc11_move_absolute_request_position_is_out_of_range -134217726");
+    expect(esc11_move_absolute_request_position_is_out_of_range(134217726) == false, "esc11_move_absolute_request_position_is_out_of_range 134217726");
+    expect(esc11_move_absolute_request_position_is_out_of_range(134217727) == false, "esc11_move_absolute_request_position_is_out_of_range 134217727");
+    expect(esc11_move_absolute_request_position_is_out_of_range(134217728) == true, "esc11_move_absolute_request_position_is_out_of_range 134217728");
+}
+
+static void test_204(void)
+{
+    expect(esc11_move_absolute_request_speed_is_out_of_range(0u) == false, "esc11_move_absolute_request_speed_is_out_of_range 0");
+    expect(esc11_move_absolute_request_speed_is_out_of_range(1u) == false, "esc11_move_absolute_request_speed_is_out_of_range 1");
+    expect(esc11_move_absolute_request_speed_is_out_of_range(99u) == false, "esc11_move_absolute_request_speed_is_out_of_range 99");
+    expect(esc11_move_absolute_request_speed_is_out_of_range(100u) == false, "esc11_move_absolute_request_speed_is_out_of_range 100");
+    expect(esc11_move_absolute_request_speed_is_out_of_range(101u) == true, "esc11_move_absolute_request_speed_is_out_of_range 101");
+}
+
+static void test_205(void)
+{
+    expect(esc11_move_to_point_request_point_number_is_out_of_range(0u) == true, "esc11_move_to_point_request_point_number_is_out_of_range 0");
+    expect(esc11_move_to_point_request_point_number_is_out_of_range(1u) == false, "esc11_move_to_point_request_point_number_is_out_of_range 1");
+    expect(esc11_move_to_point_request_point_number_is_out_of_range(2u) == false, "esc11_move_to_point_request_point_number_is_out_of_range 2");
+    expect(esc11_move_to_point_request_point_number_is_out_of_range(30u) == false, "esc11_move_to_point_request_point_number_is_out_of_range 30");
+    expect(esc11_move_to_point_request_point_number_is_out_of_range(31u) == false, "esc11_move_to_point_request_point_number_is_out_of_range 31");
+    expect(esc11_move_to_point_request_point_number_is_out_of_range(32u) == true, "esc11_move_to_point_request_point_number_is_out_of_range 32");
+}
+
+static void test_206(void)
+{
+    expect(esc11_move_to_point_request_speed_is_out_of_range(0u) == false, "esc11_move_to_point_request_speed_is_out_of_range 0");
+    expect(esc11_move_to_point_request_speed_is_out_of_range(1u) == false, "esc11_move_to_point_request_speed_is_out_of_range 1");
+    expect(esc11_move_to_point_request_speed_is_out_of_range(99u) == false, "esc11_move_to_point_request_speed_is_out_of_range 99");
+    expect(esc11_move_to_point_request_speed_is_out_of_range(100u) == false, "esc11_move_to_point_request_speed_is_out_of_range 100");
+    expect(esc11_move_to_point_request_speed_is_out_of_range(101u) == true, "esc11_move_to_point_request_speed_is_out_of_range 101");
+}
+
+static void test_207(void)
+{
+    expect(esc11_grip_open_request_speed_is_out_of_range(0u) == false, "esc11_grip_open_request_speed_is_out_of_range 0");
+    expect(esc11_grip_open_request_speed_is_out_of_range(1u) == false, "esc11_grip_open_request_speed_is_out_of_range 1");
+    expect(esc11_grip_open_request_speed_is_out_of_range(99u) == false, "esc11_grip_open_request_speed_is_out_of_range 99");
+    expect(esc11_grip_open_request_speed_is_out_of_range(100u) == false, "esc11_grip_open_request_speed_is_out_of_range 100");
+    expect(esc11_grip_open_request_speed_is_out_of_range(101u) == true, "esc11_grip_open_request_speed_is_out_of_range 101");
+}
+
+static void test_208(void)
+{
+    expect(esc11_grip_open_request_force_is_out_of_range(0u) == false, "esc11_grip_open_request_force_is_out_of_range 0");
+    expect(esc11_grip_open_request_force_is_out_of_range(1u) == false, "esc11_grip_open_request_force_is_out_of_range 1");
+    expect(esc11_grip_open_request_force_is_out_of_range(99u) == false, "esc11_grip_open_request_force_is_out_of_range 99");
+    expect(esc11_grip_open_request_force_is_out_of_range(100u) == false, "esc11_grip_open_request_force_is_out_of_range 100");
+    expect(esc11_grip_open_request_force_is_out_of_range(101u) == true, "esc11_grip_open_request_force_is_out_of_range 101");
+}
+
+static void test_209(void)
+{
+    expect(esc11_grip_close_request_speed_is_out_of_range(0u) == false, "esc11_grip_close_request_speed_is_out_of_range 0");
+    expect(esc11_grip_close_request_speed_is_out_of_range(1u) == false, "esc11_grip_close_request_speed_is_out_of_range 1");
+    expect(esc11_grip_close_request_speed_is_out_of_range(99u) == false, "esc11_grip_close_request_speed_is_out_of_range 99");
+    expect(esc11_grip_close_request_speed_is_out_of_range(100u) == false, "esc11_grip_close_request_speed_is_out_of_range 100");
+    expect(esc11_grip_close_request_speed_is_out_of_range(101u) == true, "esc11_grip_close_request_speed_is_out_of_range 101");
+}
+
+static void test_210(void)
+{
+    expect(esc11_grip_close_request_force_is_out_of_range(0u) == false, "esc11_grip_close_request_force_is_out_of_range 0");
+    expect(esc11_grip_close_request_force_is_out_of_range(1u) == false, "esc11_grip_close_request_force_is_out_of_range 1");
+    expect(esc11_grip_close_request_force_is_out_of_range(99u) == false, "esc11_grip_close_request_force_is_out_of_range 99");
+    expect(esc11_grip_close_request_force_is_out_of_range(100u) == false, "esc11_grip_close_request_force_is_out_of_range 100");
+    expect(esc11_grip_close_request_force_is_out_of_range(101u) == true, "esc11_grip_close_request_force_is_out_of_range 101");
+}
+
+static void test_211(void)
+{
+    expect(esc11_grip_relative_request_distance_is_out_of_range((-134217728)) == true, "esc11_grip_relative_request_distance_is_out_of_range -134217728");
+    expect(esc11_grip_relative_request_distance_is_out_of_range((-134217727)) == false, "esc11_grip_relative_request_distance_is_out_of_range -134217727");
+    expect(esc11_grip_relative_request_distance_is_out_of_range((-134217726)) == false, "esc11_grip_relative_request_distance_is_out_of_range -134217726");
+    expect(esc11_grip_relative_request_distance_is_out_of_range(134217726) == false, "esc11_grip_relative_request_distance_is_out_of_range 134217726");
+    expect(esc11_grip_relative_request_distance_is_out_of_range(134217727) == false, "esc11_grip_relative_request_distance_is_out_of_range 134217727");
+    expect(esc11_grip_relative_request_distance_is_out_of_range(134217728) == true, "esc11_grip_relative_request_distance_is_out_of_range 134217728");
+}
+
+static void test_212(void)
+{
+    expect(esc11_grip_relative_request_speed_is_out_of_range(0u) == false, "esc11_grip_relative_request_speed_is_out_of_range 0");
+    expect(esc11_grip_relative_request_speed_is_out_of_range(1u) == false, "esc11_grip_relative_request_speed_is_out_of_range 1");
+    expect(esc11_grip_relative_request_speed_is_out_of_range(99u) == false, "esc11_grip_relative_request_speed_is_out_of_range 99");
+    expect(esc11_grip_relative_request_speed_is_out_of_range(100u) == false, "esc11_grip_relative_request_speed_is_out_of_range 100");
+    expect(esc11_grip_relative_request_speed_is_out_of_range(101u) == true, "esc11_grip_relative_request_speed_is_out_of_range 101");
+}
+
+static void test_213(void)
+{
+    expect(esc11_grip_relative_request_force_is_out_of_range(0u) == false, "esc11_grip_relative_request_force_is_out_of_range 0");
+    expect(esc11_grip_relative_request_force_is_out_of_range(1u) == false, "esc11_grip_relative_request_force_is_out_of_range 1");
+    expect(esc11_grip_relative_request_force_is_out_of_range(99u) == false, "esc11_grip_relative_request_force_is_out_of_range 99");
+    expect(esc11_grip_relative_request_force_is_out_of_range(100u) == false, "esc11_grip_relative_request_force_is_out_of_range 100");
+    expect(esc11_grip_relative_request_force_is_out_of_range(101u) == true, "esc11_grip_relative_request_force_is_out_of_range 101");
+}
+
+static void test_214(void)
+{
+    expect(esc11_grip_absolute_request_position_is_out_of_range((-134217728)) == true, "esc11_grip_absolute_request_position_is_out_of_range -134217728");
+    expect(esc11_grip_absolute_request_position_is_out_of_range((-134217727)) == false, "esc11_grip_absolute_request_position_is_out_of_range -134217727");
+    expect(esc11_grip_absolute_request_position_is_out_of_range((-134217726)) == false, "esc11_grip_absolute_request_position_is_out_of_range -134217726");
+    expect(esc11_grip_absolute_request_position_is_out_of_range(134217726) == false, "esc11_grip_absolute_request_position_is_out_of_range 134217726");
+    expect(esc11_grip_absolute_request_position_is_out_of_range(134217727) == false, "esc11_grip_absolute_request_position_is_out_of_range 134217727");
+    expect(esc11_grip_absolute_request_position_is_out_of_range(134217728) == true, "esc11_grip_absolute_request_position_is_out_of_range 134217728");
+}
+
+static void test_215(void)
+{
+    expect(esc11_grip_absolute_request_speed_is_out_of_range(0u) == false, "esc11_grip_absolute_request_speed_is_out_of_range 0");
+    expect(esc11_grip_absolute_request_speed_is_out_of_range(1u) == false, "esc11_grip_absolute_request_speed_is_out_of_range 1");
+    expect(esc11_grip_absolute_request_speed_is_out_of_range(99u) == false, "esc11_grip_absolute_request_speed_is_out_of_range 99");
+    expect(esc11_grip_absolute_request_speed_is_out_of_range(100u) == false, "esc11_grip_absolute_request_speed_is_out_of_range 100");
+    expect(esc11_grip_absolute_request_speed_is_out_of_range(101u) == true, "esc11_grip_absolute_request_speed_is_out_of_range 101");
+}
+
+static void test_216(void)
+{
+    expect(esc11_grip_absolute_request_force_is_out_of_range(0u) == false, "esc11_grip_absolute_request_force_is_out_of_range 0");
+    expect(esc11_grip_absolute_request_force_is_out_of_range(1u) == false, "esc11_grip_absolute_request_force_is_out_of_range 1");
+    expect(esc11_grip_absolute_request_force_is_out_of_range(99u) == false, "esc11_grip_absolute_request_force_is_out_of_range 99");
+    expect(esc11_grip_absolute_request_force_is_out_of_range(100u) == false, "esc11_grip_absolute_request_force_is_out_of_range 100");
+    expect(esc11_grip_absolute_request_force_is_out_of_range(101u) == true, "esc11_grip_absolute_request_force_is_out_of_range 101");
+}
+
+static void test_217(void)
+{
+    expect(esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range((-134217728)) == true, "esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range -134217728");
+    expect(esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range((-134217727)) == false, "esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range -134217727");
+    expect(esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range((-134217726)) == false, "esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range -134217726");
+    expect(esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range(134217726) == false, "esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range 134217726");
+    expect(esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range(134217727) == false, "esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range 134217727");
+    expect(esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range(134217728) == true, "esc11_grip_open_with_zone_request_zone_limit_1_is_out_of_range 134217728");
+}
+
+static void test_218(void)
+{
+    expect(esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range((-134217728)) == true, "esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range -134217728");
+    expect(esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range((-134217727)) == false, "esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range -134217727");
+    expect(esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range((-134217726)) == false, "esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range -134217726");
+    expect(esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range(134217726) == false, "esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range 134217726");
+    expect(esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range(134217727) == false, "esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range 134217727");
+    expect(esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range(134217728) == true, "esc11_grip_open_with_zone_request_zone_limit_2_is_out_of_range 134217728");
+}
+
+static void test_219(void)
+{
+    expect(esc11_grip_open_with_zone_request_speed_is_out_of_range(0u) == false, "esc11_grip_open_with_zone_request_speed_is_out_of_range 0");
+    expect(esc11_grip_open_with_zone_request_speed_is_out_of_range(1u) == false, "esc11_grip_open_with_zone_request_speed_is_out_of_range 1");
+    expect(esc11_grip_open_with_zone_request_speed_is_out_of_range(99u) == false, "esc11_grip_open_with_zone_request_speed_is_out_of_range 99");
+    expect(esc11_grip_open_with_zone_request_speed_is_out_of_range(100u) == false, "esc11_grip_open_with_zone_request_speed_is_out_of_range 100");
+    expect(esc11_grip_open_with_zone_request_speed_is_out_of_range(101u) == true, "esc11_grip_open_with_zone_request_speed_is_out_of_range 101");
+}
+
+static void test_220(void)
+{
+    expect(esc11_grip_open_with_zone_request_force_is_out_of_range(0u) == false, "esc11_grip_open_with_zone_request_force_is_out_of_range 0");
+    expect(esc11_grip_open_with_zone_request_force_is_out_of_range(1u) == false, "esc11_grip_open_with_zone_request_force_is_out_of_range 1");
+    expect(esc11_grip_open_with_zone_request_force_is_out_of_range(99u) == false, "esc11_grip_open_with_zone_request_force_is_out_of_range 99");
+    expect(esc11_grip_open_with_zone_request_force_is_out_of_range(100u) == false, "esc11_grip_open_with_zone_request_force_is_out_of_range 100");
+    expect(esc11_grip_open_with_zone_request_force_is_out_of_range(101u) == true, "esc11_grip_open_with_zone_request_force_is_out_of_range 101");
+}
+
+static void test_221(void)
+{
+    expect(esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range((-134217728)) == true, "esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range -134217728");
+    expect(esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range((-134217727)) == false, "esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range -134217727");
+    expect(esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range((-134217726)) == false, "esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range -134217726");
+    expect(esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range(134217726) == false, "esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range 134217726");
+    expect(esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range(134217727) == false, "esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range 134217727");
+    expect(esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range(134217728) == true, "esc11_grip_close_with_zone_request_zone_limit_1_is_out_of_range 134217728");
+}
+
+static void test_222(void)
+{
+    expect(esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range((-134217728)) == true, "esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range -134217728");
+    expect(esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range((-134217727)) == false, "esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range -134217727");
+    expect(esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range((-134217726)) == false, "esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range -134217726");
+    expect(esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range(134217726) == false, "esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range 134217726");
+    expect(esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range(134217727) == false, "esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range 134217727");
+    expect(esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range(134217728) == true, "esc11_grip_close_with_zone_request_zone_limit_2_is_out_of_range 134217728");
+}
+
+static void test_223(void)
+{
+    expect(esc11_grip_close_with_zone_request_speed_is_out_of_range(0u) == false, "esc11_grip_close_with_zone_request_speed_is_out_of_range 0");
+    expect(esc11_grip_close_with_zone_request_speed_is_out_of_range(1u) == false, "esc11_grip_close_with_zone_request_speed_is_out_of_range 1");
+    expect(esc11_grip_close_with_zone_request_speed_is_out_of_range(99u) == false, "esc11_grip_close_with_zone_request_speed_is_out_of_range 99");
+    expect(esc11_grip_close_with_zone_request_speed_is_out_of_range(100u) == false, "esc11_grip_close_with_zone_request_speed_is_out_of_range 100");
+    expect(esc11_grip_close_with_zone_request_speed_is_out_of_range(101u) == true, "esc11_grip_close_with_zone_request_speed_is_out_of_range 101");
+}
+
+static void test_224(void)
+{
+    expect(esc11_grip_close_with_zone_request_force_is_out_of_range(0u) == false, "esc11_grip_close_with_zone_request_force_is_out_of_range 0");
+    expect(esc11_grip_close_with_zone_request_force_is_out_of_range(1u) == false, "esc11_grip_close_with_zone_request_force_is_out_of_range 1");
+    expect(esc11_grip_close_with_zone_request_force_is_out_of_range(99u) == false, "esc11_grip_close_with_zone_request_force_is_out_of_range 99");
+    expect(esc11_grip_close_with_zone_request_force_is_out_of_range(100u) == false, "esc11_grip_close_with_zone_request_force_is_out_of_range 100");
+    expect(esc11_grip_close_with_zone_request_force_is_out_of_range(101u) == true, "esc11_grip_close_with_zone_request_force_is_out_of_range 101");
+}
+
+static void test_225(void)
+{
+    expect(esc11_read_current_position_response_position_is_out_of_range((-134217728)) == true, "esc11_read_current_position_response_position_is_out_of_range -134217728");
+    expect(esc11_read_current_position_response_position_is_out_of_range((-134217727)) == false, "esc11_read_current_position_response_position_is_out_of_range -134217727");
+    expect(esc11_read_current_position_response_position_is_out_of_range((-134217726)) == false, "esc11_read_current_position_response_position_is_out_of_range -134217726");
+    expect(esc11_read_current_position_response_position_is_out_of_range(134217726) == false, "esc11_read_current_position_response_position_is_out_of_range 134217726");
+    expect(esc11_read_current_position_response_position_is_out_of_range(134217727) == false, "esc11_read_current_position_response_position_is_out_of_range 134217727");
+    expect(esc11_read_current_position_response_position_is_out_of_range(134217728) == true, "esc11_read_current_position_response_position_is_out_of_range 134217728");
+}
+
+static void test_226(void)
+{
+    expect(esc11_read_current_point_number_response_point_number_is_out_of_range(0u) == true, "esc11_read_current_point_number_response_point_number_is_out_of_range 0");
+    expect(esc11_read_current_point_number_response_point_number_is_out_of_range(1u) == false, "esc11_read_current_point_number_response_point_number_is_out_of_range 1");
+    expect(esc11_read_current_point_number_response_point_number_is_out_of_range(2u) == false, "esc11_read_current_point_number_response_point_number_is_out_of_range 2");
+    expect(esc11_read_current_point_number_response_point_number_is_out_of_range(30u) == false, "esc11_read_current_point_number_response_point_number_is_out_of_range 30");
+    expect(esc11_read_current_point_number_response_point_number_is_out_of_range(31u) == false, "esc11_read_current_point_number_response_point_number_is_out_of_range 31");
+    expect(esc11_read_current_point_number_response_point_number_is_out_of_range(32u) == true, "esc11_read_current_point_number_response_point_number_is_out_of_range 32");
+}
+
+static void test_227(void)
+{
+    expect(esc11_read_parameter_request_parameter_number_is_out_of_range(0u) == false, "esc11_read_parameter_request_parameter_number_is_out_of_range 0");
+    expect(esc11_read_parameter_request_parameter_number_is_out_of_range(1u) == false, "esc11_read_parameter_request_parameter_number_is_out_of_range 1");
+    expect(esc11_read_parameter_request_parameter_number_is_out_of_range(30u) == false, "esc11_read_parameter_request_parameter_number_is_out_of_range 30");
+    expect(esc11_read_parameter_request_parameter_number_is_out_of_range(31u) == false, "esc11_read_parameter_request_parameter_number_is_out_of_range 31");
+    expect(esc11_read_parameter_request_parameter_number_is_out_of_range(32u) == true, "esc11_read_parameter_request_parameter_number_is_out_of_range 32");
+}
+
+static void test_228(void)
+{
+    expect(esc11_read_point_request_point_number_is_out_of_range(0u) == true, "esc11_read_point_request_point_number_is_out_of_range 0");
+    expect(esc11_read_point_request_point_number_is_out_of_range(1u) == false, "esc11_read_point_request_point_number_is_out_of_range 1");
+    expect(esc11_read_point_request_point_number_is_out_of_range(2u) == false, "esc11_read_point_request_point_number_is_out_of_range 2");
+    expect(esc11_read_point_request_point_number_is_out_of_range(30u) == false, "esc11_read_point_request_point_number_is_out_of_range 30");
+    expect(esc11_read_point_request_point_number_is_out_of_range(31u) == false, "esc11_read_point_request_point_number_is_out_of_range 31");
+    expect(esc11_read_point_request_point_number_is_out_of_range(32u) == true, "esc11_read_point_request_point_number_is_out_of_range 32");
+}
+
+static void test_229(void)
+{
+    expect(esc11_read_accumulated_time_response_minutes_is_out_of_range(0u) == false, "esc11_read_accumulated_time_response_minutes_is_out_of_range 0");
+    expect(esc11_read_accumulated_time_response_minutes_is_out_of_range(1u) == false, "esc11_read_accumulated_time_response_minutes_is_out_of_range 1");
+    expect(esc11_read_accumulated_time_response_minutes_is_out_of_range(59u) == false, "esc11_read_accumulated_time_response_minutes_is_out_of_range 59");
+    expect(esc11_read_accumulated_time_response_minutes_is_out_of_range(60u) == false, "esc11_read_accumulated_time_response_minutes_is_out_of_range 60");
+    expect(esc11_read_accumulated_time_response_minutes_is_out_of_range(61u) == true, "esc11_read_accumulated_time_response_minutes_is_out_of_range 61");
+}
+
+static void test_230(void)
+{
+    expect(esc11_par_parameters_positive_soft_limit_is_out_of_range(0u) == false, "esc11_par_parameters_positive_soft_limit_is_out_of_range 0");
+    expect(esc11_par_parameters_positive_soft_limit_is_out_of_range(1u) == false, "esc11_par_parameters_positive_soft_limit_is_out_of_range 1");
+    expect(esc11_par_parameters_positive_soft_limit_is_out_of_range(9998u) == false, "esc11_par_parameters_positive_soft_limit_is_out_of_range 9998");
+    expect(esc11_par_parameters_positive_soft_limit_is_out_of_range(9999u) == false, "esc11_par_parameters_positive_soft_limit_is_out_of_range 9999");
+    expect(esc11_par_parameters_positive_soft_limit_is_out_of_range(10000u) == true, "esc11_par_parameters_positive_soft_limit_is_out_of_range 10000");
+}
+
+static void test_231(void)
+{
+    expect(esc11_par_parameters_negative_soft_limit_is_out_of_range((-10000)) == true, "esc11_par_parameters_negative_soft_limit_is_out_of_range -10000");
+    expect(esc11_par_parameters_negative_soft_limit_is_out_of_range((-9999)) == false, "esc11_par_parameters_negative_soft_limit_is_out_of_range -9999");
+    expect(esc11_par_parameters_negative_soft_limit_is_out_of_range((-9998)) == false, "esc11_par_parameters_negative_soft_limit_is_out_of_range -9998");
+    expect(esc11_par_parameters_negative_soft_limit_is_out_of_range((-1)) == false, "esc11_par_parameters_negative_soft_limit_is_out_of_range -1");
+    expect(esc11_par_parameters_negative_soft_limit_is_out_of_range(0) == false, "esc11_par_parameters_negative_soft_limit_is_out_of_range 0");
+    expect(esc11_par_parameters_negative_soft_limit_is_out_of_range(1) == true, "esc11_par_parameters_negative_soft_limit_is_out_of_range 1");
+}
+
+static void test_232(void)
+{
+    expect(esc11_par_parameters_stroke_is_out_of_range(0u) == false, "esc11_par_parameters_stroke_is_out_of_range 0");
+    expect(esc11_par_parameters_stroke_is_out_of_range(1u) == false, "esc11_par_parameters_stroke_is_out_of_range 1");
+    expect(esc11_par_parameters_stroke_is_out_of_range(9998u) == false, "esc11_par_parameters_stroke_is_out_of_range 9998");
+    expect(esc11_par_parameters_stroke_is_out_of_range(9999u) == false, "esc11_par_parameters_stroke_is_out_of_range 9999");
+    expect(esc11_par_parameters_stroke_is_out_of_range(10000u) == true, "esc11_par_parameters_stroke_is_out_of_range 10000");
+}
+
+static void test_233(void)
+{
+    expect(esc11_par_parameters_homing_speed_is_out_of_range(0u) == true, "esc11_par_parameters_homing_speed_is_out_of_range 0");
+    expect(esc11_par_parameters_homing_speed_is_out_of_range(1u) == false, "esc11_par_parameters_homing_speed_is_out_of_range 1");
+    expect(esc11_par_parameters_homing_speed_is_out_of_range(2u) == false, "esc11_par_parameters_homing_speed_is_out_of_range 2");
+    expect(esc11_par_parameters_homing_speed_is_out_of_range(49u) == false, "esc11_par_parameters_homing_speed_is_out_of_range 49");
+    expect(esc11_par_parameters_homing_speed_is_out_of_range(50u) == false, "esc11_par_parameters_homing_speed_is_out_of_range 50");
+    expect(esc11_par_parameters_homing_speed_is_out_of_range(51u) == true, "esc11_par_parameters_homing_speed_is_out_of_range 51");
+}
+
+static void test_234(void)
+{
+    expect(esc11_par_parameters_home_offset_is_out_of_range((-10000)) == true, "esc11_par_parameters_home_offset_is_out_of_range -10000");
+    expect(esc11_par_parameters_home_offset_is_out_of_range((-9999)) == false, "esc11_par_parameters_home_offset_is_out_of_range -9999");
+    expect(esc11_par_parameters_home_offset_is_out_of_range((-9998)) == false, "esc11_par_parameters_home_offset_is_out_of_range -9998");
+    expect(esc11_par_parameters_home_offset_is_out_of_range(9998) == false, "esc11_par_parameters_home_offset_is_out_of_range 9998");
+    expect(esc11_par_parameters_home_offset_is_out_of_range(9999) == false, "esc11_par_parameters_home_offset_is_out_of_range 9999");
+    expect(esc11_par_parameters_home_offset_is_out_of_range(10000) == true, "esc11_par_parameters_home_offset_is_out_of_range 10000");
+}
+
+static void test_235(void)
+{
+    expect(esc11_par_parameters_acceleration_is_out_of_range(0u) == true, "esc11_par_parameters_acceleration_is_out_of_range 0");
+    expect(esc11_par_parameters_acceleration_is_out_of_range(1u) == false, "esc11_par_parameters_acceleration_is_out_of_range 1");
+    expect(esc11_par_parameters_acceleration_is_out_of_range(2u) == false, "esc11_par_parameters_acceleration_is_out_of_range 2");
+    expect(esc11_par_parameters_acceleration_is_out_of_range(99u) == false, "esc11_par_parameters_acceleration_is_out_of_range 99");
+    expect(esc11_par_parameters_acceleration_is_out_of_range(100u) == false, "esc11_par_parameters_acceleration_is_out_of_range 100");
+    expect(esc11_par_parameters_acceleration_is_out_of_range(101u) == true, "esc11_par_parameters_acceleration_is_out_of_range 101");
+}
+
+static void test_236(void)
+{
+    expect(esc11_par_parameters_maximum_program_speed_is_out_of_range(0u) == true, "esc11_par_parameters_maximum_program_speed_is_out_of_range 0");
+    expect(esc11_par_parameters_maximum_program_speed_is_out_of_range(1u) == false, "esc11_par_parameters_maximum_program_speed_is_out_of_range 1");
+    expect(esc11_par_parameters_maximum_program_speed_is_out_of_range(2u) == false, "esc11_par_parameters_maximum_program_speed_is_out_of_range 2");
+    expect(esc11_par_parameters_maximum_program_speed_is_out_of_range(99u) == false, "esc11_par_parameters_maximum_program_speed_is_out_of_range 99");
+    expect(esc11_par_parameters_maximum_program_speed_is_out_of_range(100u) == false, "esc11_par_parameters_maximum_program_speed_is_out_of_range 100");
+    expect(esc11_par_parameters_maximum_program_speed_is_out_of_range(101u) == true, "esc11_par_parameters_maximum_program_speed_is_out_of_range 101");
+}
+
+static void test_237(void)
+{
+    expect(esc11_par_parameters_gripping_speed_is_out_of_range(0u) == true, "esc11_par_parameters_gripping_speed_is_out_of_range 0");
+    expect(esc11_par_parameters_gripping_speed_is_out_of_range(1u) == false, "esc11_par_parameters_gripping_speed_is_out_of_range 1");
+    expect(esc11_par_parameters_gripping_speed_is_out_of_range(2u) == false, "esc11_par_parameters_gripping_speed_is_out_of_range 2");
+    expect(esc11_par_parameters_gripping_speed_is_out_of_range(99u) == false, "esc11_par_parameters_gripping_speed_is_out_of_range 99");
+    expect(esc11_par_parameters_gripping_speed_is_out_of_range(100u) == false, "esc11_par_parameters_gripping_speed_is_out_of_range 100");
+    expect(esc11_par_parameters_gripping_speed_is_out_of_range(101u) == true, "esc11_par_parameters_gripping_speed_is_out_of_range 101");
+}
+
+static void test_238(void)
+{
+    expect(esc11_par_parameters_constant_speed_distance_is_out_of_range(0u) == true, "esc11_par_parameters_constant_speed_distance_is_out_of_range 0");
+    expect(esc11_par_parameters_constant_speed_distance_is_out_of_range(1u) == false, "esc11_par_parameters_constant_speed_distance_is_out_of_range 1");
+    expect(esc11_par_parameters_constant_speed_distance_is_out_of_range(2u) == false, "esc11_par_parameters_constant_speed_distance_is_out_of_range 2");
+    expect(esc11_par_parameters_constant_speed_distance_is_out_of_range(9998u) == false, "esc11_par_parameters_constant_speed_distance_is_out_of_range 9998");
+    expect(esc11_par_parameters_constant_speed_distance_is_out_of_range(9999u) == false, "esc11_par_parameters_constant_speed_distance_is_out_of_range 9999");
+    expect(esc11_par_parameters_constant_speed_distance_is_out_of_range(10000u) == true, "esc11_par_parameters_constant_speed_distance_is_out_of_range 10000");
+}
+
+static void test_239(void)
+{
+    expect(esc11_par_parameters_limit_width_is_out_of_range(0u) == true, "esc11_par_parameters_limit_width_is_out_of_range 0");
+    expect(esc11_par_parameters_limit_width_is_out_of_range(1u) == false, "esc11_par_parameters_limit_width_is_out_of_range 1");
+    expect(esc11_par_parameters_limit_width_is_out_of_range(2u) == false, "esc11_par_parameters_limit_width_is_out_of_range 2");
+    expect(esc11_par_parameters_limit_width_is_out_of_range(9998u) == false, "esc11_par_parameters_limit_width_is_out_of_range 9998");
+    expect(esc11_par_parameters_limit_width_is_out_of_range(9999u) == false, "esc11_par_parameters_limit_width_is_out_of_range 9999");
+    expect(esc11_par_parameters_limit_width_is_out_of_range(10000u) == true, "esc11_par_parameters_limit_width_is_out_of_range 10000");
+}
+
+static void test_240(void)
+{
+    expect(esc11_par_parameters_positioning_complete_pulses_is_out_of_range(0u) == true, "esc11_par_parameters_positioning_complete_pulses_is_out_of_range 0");
+    expect(esc11_par_parameters_positioning_complete_pulses_is_out_of_range(1u) == false, "esc11_par_parameters_positioning_complete_pulses_is_out_of_range 1");
+    expect(esc11_par_parameters_positioning_complete_pulses_is_out_of_range(2u) == false, "esc11_par_parameters_positioning_complete_pulses_is_out_of_range 2");
+    expect(esc11_par_parameters_positioning_complete_pulses_is_out_of_range(3999u) == false, "esc11_par_parameters_positioning_complete_pulses_is_out_of_range 3999");
+    expect(esc11_par_parameters_positioning_complete_pulses_is_out_of_range(4000u) == false, "esc11_par_parameters_positioning_complete_pulses_is_out_of_range 4000");
+    expect(esc11_par_parameters_positioning_complete_pulses_is_out_of_range(4001u) == true, "esc11_par_parameters_positioning_complete_pulses_is_out_of_range 4001");
+}
+
 unsigned long esc11_selftest(void (*tell)(const char *what))
 {
     (void)same_bytes;
@@ -4450,6 +5061,70 @@ unsigned long esc11_selftest(void (*tell)(const char *what))
     test_174();
     test_175();
     test_176();
+    test_177();
+    test_178();
+    test_179();
+    test_180();
+    test_181();
+    test_182();
+    test_183();
+    test_184();
+    test_185();
+    test_186();
+    test_187();
+    test_188();
+    test_189();
+    test_190();
+    test_191();
+    test_192();
+    test_193();
+    test_194();
+    test_195();
+    test_196();
+    test_197();
+    test_198();
+    test_199();
+    test_200();
+    test_201();
+    test_202();
+    test_203();
+    test_204();
+    test_205();
+    test_206();
+    test_207();
+    test_208();
+    test_209();
+    test_210();
+    test_211();
+    test_212();
+    test_213();
+    test_214();
+    test_215();
+    test_216();
+    test_217();
+    test_218();
+    test_219();
+    test_220();
+    test_221();
+    test_222();
+    test_223();
+    test_224();
+    test_225();
+    test_226();
+    test_227();
+    test_228();
+    test_229();
+    test_230();
+    test_231();
+    test_232();
+    test_233();
+    test_234();
+    test_235();
+    test_236();
+    test_237();
+    test_238();
+    test_239();
+    test_240();
     return failed;
 }
 

@@ -9651,4 +9651,318 @@ static inline hiwin_e_codec_status hiwin_e_par_servo_parameters_negative_fixed_s
 
 #endif
 
+/* ---- Values out of range ---- */
+
+/** Whether mdi_velocity is outside of its stated range. */
+static inline bool hiwin_e_signal_mdi_velocity_is_out_of_range(int32_t value)
+{
+    return !(value >= 0);
+}
+
+/** Whether mdi_acceleration is outside of its stated range. */
+static inline bool hiwin_e_signal_mdi_acceleration_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether mdi_deceleration is outside of its stated range. */
+static inline bool hiwin_e_signal_mdi_deceleration_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether velocity_override is outside of its stated range. */
+static inline bool hiwin_e_signal_velocity_override_is_out_of_range(uint16_t value)
+{
+    return !(value <= 32767u);
+}
+
+/** Whether torque_reduction is outside of its stated range. */
+static inline bool hiwin_e_signal_torque_reduction_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether positive_torque_limit is outside of its stated range. */
+static inline bool hiwin_e_signal_positive_torque_limit_is_out_of_range(int16_t value)
+{
+    return !(value >= 0);
+}
+
+/** Whether negative_torque_limit is outside of its stated range. */
+static inline bool hiwin_e_signal_negative_torque_limit_is_out_of_range(int16_t value)
+{
+    return !(value <= 0);
+}
+
+/** Whether telegram_9_request.mdi_velocity is outside of its stated range. */
+static inline bool hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range(int32_t value)
+{
+    return !(value >= 0);
+}
+
+/** Whether telegram_9_request.mdi_acceleration is outside of its stated range. */
+static inline bool hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether telegram_9_request.mdi_deceleration is outside of its stated range. */
+static inline bool hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether telegram_102_request.torque_reduction is outside of its stated range. */
+static inline bool hiwin_e_telegram_102_request_torque_reduction_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether telegram_105_request.torque_reduction is outside of its stated range. */
+static inline bool hiwin_e_telegram_105_request_torque_reduction_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether telegram_111_request.velocity_override is outside of its stated range. */
+static inline bool hiwin_e_telegram_111_request_velocity_override_is_out_of_range(uint16_t value)
+{
+    return !(value <= 32767u);
+}
+
+/** Whether telegram_111_request.mdi_velocity is outside of its stated range. */
+static inline bool hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range(int32_t value)
+{
+    return !(value >= 0);
+}
+
+/** Whether telegram_111_request.mdi_acceleration is outside of its stated range. */
+static inline bool hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether telegram_111_request.mdi_deceleration is outside of its stated range. */
+static inline bool hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16384u);
+}
+
+/** Whether telegram_750_request.positive_torque_limit is outside of its stated range. */
+static inline bool hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range(int16_t value)
+{
+    return !(value >= 0);
+}
+
+/** Whether telegram_750_request.negative_torque_limit is outside of its stated range. */
+static inline bool hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range(int16_t value)
+{
+    return !(value <= 0);
+}
+
+/** Whether drive_parameters.digital_outputs is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range(uint16_t value)
+{
+    return !(value <= 31u);
+}
+
+/** Whether drive_parameters.reference_mark_functions is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range(uint16_t value)
+{
+    return !(value <= 3u);
+}
+
+/** Whether drive_parameters.speed_analog_input_voltage is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range(int16_t value)
+{
+    return !(value >= (-10000) && value <= 10000);
+}
+
+/** Whether drive_parameters.speed_analog_input_offset is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range(int16_t value)
+{
+    return !(value >= (-10000) && value <= 10000);
+}
+
+/** Whether drive_parameters.torque_analog_input_voltage is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range(int16_t value)
+{
+    return !(value >= (-10000) && value <= 10000);
+}
+
+/** Whether drive_parameters.torque_analog_input_offset is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range(int16_t value)
+{
+    return !(value >= (-10000) && value <= 10000);
+}
+
+/** Whether drive_parameters.analog_output_1_voltage is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range(int16_t value)
+{
+    return !(value >= (-10000) && value <= 10000);
+}
+
+/** Whether drive_parameters.analog_output_2_voltage is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range(int16_t value)
+{
+    return !(value >= (-10000) && value <= 10000);
+}
+
+/** Whether drive_parameters.position_trigger_array_index is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range(uint16_t value)
+{
+    return !(value <= 255u);
+}
+
+/** Whether drive_parameters.position_trigger_status is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range(int16_t value)
+{
+    return !(value >= 0);
+}
+
+/** Whether drive_parameters.gantry_parameter_index is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range(uint16_t value)
+{
+    return !(value >= 8192u && value <= 20479u);
+}
+
+/** Whether drive_parameters.gantry_parameter_subindex is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_gantry_parameter_subindex_is_out_of_range(uint16_t value)
+{
+    return !(value == 0u);
+}
+
+/** Whether drive_parameters.gantry_parameter_type is outside of its stated range. */
+static inline bool hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range(int16_t value)
+{
+    return !(value >= (-3) && value <= 8);
+}
+
+/** Whether servo_parameters.quick_stop_deceleration_time is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value <= 10000u);
+}
+
+/** Whether servo_parameters.reference_speed_rotary is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u);
+}
+
+/** Whether servo_parameters.maximum_speed_linear is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range(uint16_t value)
+{
+    return !(value <= 100u);
+}
+
+/** Whether servo_parameters.reference_speed_linear is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether servo_parameters.positive_torque_limit is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range(uint16_t value)
+{
+    return !(value <= 800u);
+}
+
+/** Whether servo_parameters.negative_torque_limit is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range(uint16_t value)
+{
+    return !(value <= 800u);
+}
+
+/** Whether servo_parameters.reference_torque is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_reference_torque_is_out_of_range(uint32_t value)
+{
+    return !(value <= 2147483647u);
+}
+
+/** Whether servo_parameters.positive_fixed_stop_tolerance is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range(uint32_t value)
+{
+    return !(value <= 2147483647u);
+}
+
+/** Whether servo_parameters.negative_fixed_stop_tolerance is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range(uint32_t value)
+{
+    return !((value <= 2147483647u) || (value == 0u));
+}
+
+/** Whether servo_parameters.positive_fixed_stop_torque is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range(uint32_t value)
+{
+    return !(value <= 2147483647u);
+}
+
+/** Whether servo_parameters.negative_fixed_stop_torque is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range(uint32_t value)
+{
+    return !((value <= 2147483647u) || (value == 0u));
+}
+
+/** Whether servo_parameters.fixed_stop_following_error is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range(uint32_t value)
+{
+    return !(value <= 2147483647u);
+}
+
+/** Whether servo_parameters.reference_force is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_reference_force_is_out_of_range(uint32_t value)
+{
+    return !(value <= 2147483647u);
+}
+
+/** Whether servo_parameters.positive_force_limit is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range(uint16_t value)
+{
+    return !(value <= 800u);
+}
+
+/** Whether servo_parameters.negative_force_limit is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range(uint16_t value)
+{
+    return !(value <= 800u);
+}
+
+/** Whether servo_parameters.point_to_point_speed_rotary is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 10000u);
+}
+
+/** Whether servo_parameters.point_to_point_acceleration_time is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 2u && value <= 10000u);
+}
+
+/** Whether servo_parameters.point_to_point_deceleration_time is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 2u && value <= 10000u);
+}
+
+/** Whether servo_parameters.point_to_point_emergency_deceleration_time is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 2u && value <= 10000u);
+}
+
+/** Whether servo_parameters.point_to_point_distance is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range(int32_t value)
+{
+    return !(value >= 1 && value <= 1073741824);
+}
+
+/** Whether servo_parameters.point_to_point_speed_linear is outside of its stated range. */
+static inline bool hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 10000u);
+}
+
 #endif

@@ -11390,6 +11390,504 @@ static void test_409(void)
     #endif
 }
 
+static void test_410(void)
+{
+    expect(hiwin_e_signal_mdi_velocity_is_out_of_range((-1)) == true, "hiwin_e_signal_mdi_velocity_is_out_of_range -1");
+    expect(hiwin_e_signal_mdi_velocity_is_out_of_range(0) == false, "hiwin_e_signal_mdi_velocity_is_out_of_range 0");
+    expect(hiwin_e_signal_mdi_velocity_is_out_of_range(1) == false, "hiwin_e_signal_mdi_velocity_is_out_of_range 1");
+    expect(hiwin_e_signal_mdi_velocity_is_out_of_range(2147483646) == false, "hiwin_e_signal_mdi_velocity_is_out_of_range 2147483646");
+    expect(hiwin_e_signal_mdi_velocity_is_out_of_range(2147483647) == false, "hiwin_e_signal_mdi_velocity_is_out_of_range 2147483647");
+}
+
+static void test_411(void)
+{
+    expect(hiwin_e_signal_mdi_acceleration_is_out_of_range(0u) == false, "hiwin_e_signal_mdi_acceleration_is_out_of_range 0");
+    expect(hiwin_e_signal_mdi_acceleration_is_out_of_range(1u) == false, "hiwin_e_signal_mdi_acceleration_is_out_of_range 1");
+    expect(hiwin_e_signal_mdi_acceleration_is_out_of_range(16383u) == false, "hiwin_e_signal_mdi_acceleration_is_out_of_range 16383");
+    expect(hiwin_e_signal_mdi_acceleration_is_out_of_range(16384u) == false, "hiwin_e_signal_mdi_acceleration_is_out_of_range 16384");
+    expect(hiwin_e_signal_mdi_acceleration_is_out_of_range(16385u) == true, "hiwin_e_signal_mdi_acceleration_is_out_of_range 16385");
+}
+
+static void test_412(void)
+{
+    expect(hiwin_e_signal_mdi_deceleration_is_out_of_range(0u) == false, "hiwin_e_signal_mdi_deceleration_is_out_of_range 0");
+    expect(hiwin_e_signal_mdi_deceleration_is_out_of_range(1u) == false, "hiwin_e_signal_mdi_deceleration_is_out_of_range 1");
+    expect(hiwin_e_signal_mdi_deceleration_is_out_of_range(16383u) == false, "hiwin_e_signal_mdi_deceleration_is_out_of_range 16383");
+    expect(hiwin_e_signal_mdi_deceleration_is_out_of_range(16384u) == false, "hiwin_e_signal_mdi_deceleration_is_out_of_range 16384");
+    expect(hiwin_e_signal_mdi_deceleration_is_out_of_range(16385u) == true, "hiwin_e_signal_mdi_deceleration_is_out_of_range 16385");
+}
+
+static void test_413(void)
+{
+    expect(hiwin_e_signal_velocity_override_is_out_of_range(0u) == false, "hiwin_e_signal_velocity_override_is_out_of_range 0");
+    expect(hiwin_e_signal_velocity_override_is_out_of_range(1u) == false, "hiwin_e_signal_velocity_override_is_out_of_range 1");
+    expect(hiwin_e_signal_velocity_override_is_out_of_range(32766u) == false, "hiwin_e_signal_velocity_override_is_out_of_range 32766");
+    expect(hiwin_e_signal_velocity_override_is_out_of_range(32767u) == false, "hiwin_e_signal_velocity_override_is_out_of_range 32767");
+    expect(hiwin_e_signal_velocity_override_is_out_of_range(32768u) == true, "hiwin_e_signal_velocity_override_is_out_of_range 32768");
+}
+
+static void test_414(void)
+{
+    expect(hiwin_e_signal_torque_reduction_is_out_of_range(0u) == false, "hiwin_e_signal_torque_reduction_is_out_of_range 0");
+    expect(hiwin_e_signal_torque_reduction_is_out_of_range(1u) == false, "hiwin_e_signal_torque_reduction_is_out_of_range 1");
+    expect(hiwin_e_signal_torque_reduction_is_out_of_range(16383u) == false, "hiwin_e_signal_torque_reduction_is_out_of_range 16383");
+    expect(hiwin_e_signal_torque_reduction_is_out_of_range(16384u) == false, "hiwin_e_signal_torque_reduction_is_out_of_range 16384");
+    expect(hiwin_e_signal_torque_reduction_is_out_of_range(16385u) == true, "hiwin_e_signal_torque_reduction_is_out_of_range 16385");
+}
+
+static void test_415(void)
+{
+    expect(hiwin_e_signal_positive_torque_limit_is_out_of_range((-1)) == true, "hiwin_e_signal_positive_torque_limit_is_out_of_range -1");
+    expect(hiwin_e_signal_positive_torque_limit_is_out_of_range(0) == false, "hiwin_e_signal_positive_torque_limit_is_out_of_range 0");
+    expect(hiwin_e_signal_positive_torque_limit_is_out_of_range(1) == false, "hiwin_e_signal_positive_torque_limit_is_out_of_range 1");
+    expect(hiwin_e_signal_positive_torque_limit_is_out_of_range(32766) == false, "hiwin_e_signal_positive_torque_limit_is_out_of_range 32766");
+    expect(hiwin_e_signal_positive_torque_limit_is_out_of_range(32767) == false, "hiwin_e_signal_positive_torque_limit_is_out_of_range 32767");
+}
+
+static void test_416(void)
+{
+    expect(hiwin_e_signal_negative_torque_limit_is_out_of_range((-32768)) == false, "hiwin_e_signal_negative_torque_limit_is_out_of_range -32768");
+    expect(hiwin_e_signal_negative_torque_limit_is_out_of_range((-32767)) == false, "hiwin_e_signal_negative_torque_limit_is_out_of_range -32767");
+    expect(hiwin_e_signal_negative_torque_limit_is_out_of_range((-1)) == false, "hiwin_e_signal_negative_torque_limit_is_out_of_range -1");
+    expect(hiwin_e_signal_negative_torque_limit_is_out_of_range(0) == false, "hiwin_e_signal_negative_torque_limit_is_out_of_range 0");
+    expect(hiwin_e_signal_negative_torque_limit_is_out_of_range(1) == true, "hiwin_e_signal_negative_torque_limit_is_out_of_range 1");
+}
+
+static void test_417(void)
+{
+    expect(hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range((-1)) == true, "hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range -1");
+    expect(hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range(0) == false, "hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range 0");
+    expect(hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range(1) == false, "hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range 1");
+    expect(hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range(2147483646) == false, "hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range 2147483646");
+    expect(hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range(2147483647) == false, "hiwin_e_telegram_9_request_mdi_velocity_is_out_of_range 2147483647");
+}
+
+static void test_418(void)
+{
+    expect(hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range(0u) == false, "hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range 0");
+    expect(hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range(1u) == false, "hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range 1");
+    expect(hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range(16383u) == false, "hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range 16383");
+    expect(hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range(16384u) == false, "hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range 16384");
+    expect(hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range(16385u) == true, "hiwin_e_telegram_9_request_mdi_acceleration_is_out_of_range 16385");
+}
+
+static void test_419(void)
+{
+    expect(hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range(0u) == false, "hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range 0");
+    expect(hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range(1u) == false, "hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range 1");
+    expect(hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range(16383u) == false, "hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range 16383");
+    expect(hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range(16384u) == false, "hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range 16384");
+    expect(hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range(16385u) == true, "hiwin_e_telegram_9_request_mdi_deceleration_is_out_of_range 16385");
+}
+
+static void test_420(void)
+{
+    expect(hiwin_e_telegram_102_request_torque_reduction_is_out_of_range(0u) == false, "hiwin_e_telegram_102_request_torque_reduction_is_out_of_range 0");
+    expect(hiwin_e_telegram_102_request_torque_reduction_is_out_of_range(1u) == false, "hiwin_e_telegram_102_request_torque_reduction_is_out_of_range 1");
+    expect(hiwin_e_telegram_102_request_torque_reduction_is_out_of_range(16383u) == false, "hiwin_e_telegram_102_request_torque_reduction_is_out_of_range 16383");
+    expect(hiwin_e_telegram_102_request_torque_reduction_is_out_of_range(16384u) == false, "hiwin_e_telegram_102_request_torque_reduction_is_out_of_range 16384");
+    expect(hiwin_e_telegram_102_request_torque_reduction_is_out_of_range(16385u) == true, "hiwin_e_telegram_102_request_torque_reduction_is_out_of_range 16385");
+}
+
+static void test_421(void)
+{
+    expect(hiwin_e_telegram_105_request_torque_reduction_is_out_of_range(0u) == false, "hiwin_e_telegram_105_request_torque_reduction_is_out_of_range 0");
+    expect(hiwin_e_telegram_105_request_torque_reduction_is_out_of_range(1u) == false, "hiwin_e_telegram_105_request_torque_reduction_is_out_of_range 1");
+    expect(hiwin_e_telegram_105_request_torque_reduction_is_out_of_range(16383u) == false, "hiwin_e_telegram_105_request_torque_reduction_is_out_of_range 16383");
+    expect(hiwin_e_telegram_105_request_torque_reduction_is_out_of_range(16384u) == false, "hiwin_e_telegram_105_request_torque_reduction_is_out_of_range 16384");
+    expect(hiwin_e_telegram_105_request_torque_reduction_is_out_of_range(16385u) == true, "hiwin_e_telegram_105_request_torque_reduction_is_out_of_range 16385");
+}
+
+static void test_422(void)
+{
+    expect(hiwin_e_telegram_111_request_velocity_override_is_out_of_range(0u) == false, "hiwin_e_telegram_111_request_velocity_override_is_out_of_range 0");
+    expect(hiwin_e_telegram_111_request_velocity_override_is_out_of_range(1u) == false, "hiwin_e_telegram_111_request_velocity_override_is_out_of_range 1");
+    expect(hiwin_e_telegram_111_request_velocity_override_is_out_of_range(32766u) == false, "hiwin_e_telegram_111_request_velocity_override_is_out_of_range 32766");
+    expect(hiwin_e_telegram_111_request_velocity_override_is_out_of_range(32767u) == false, "hiwin_e_telegram_111_request_velocity_override_is_out_of_range 32767");
+    expect(hiwin_e_telegram_111_request_velocity_override_is_out_of_range(32768u) == true, "hiwin_e_telegram_111_request_velocity_override_is_out_of_range 32768");
+}
+
+static void test_423(void)
+{
+    expect(hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range((-1)) == true, "hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range -1");
+    expect(hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range(0) == false, "hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range 0");
+    expect(hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range(1) == false, "hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range 1");
+    expect(hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range(2147483646) == false, "hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range 2147483646");
+    expect(hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range(2147483647) == false, "hiwin_e_telegram_111_request_mdi_velocity_is_out_of_range 2147483647");
+}
+
+static void test_424(void)
+{
+    expect(hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range(0u) == false, "hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range 0");
+    expect(hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range(1u) == false, "hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range 1");
+    expect(hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range(16383u) == false, "hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range 16383");
+    expect(hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range(16384u) == false, "hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range 16384");
+    expect(hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range(16385u) == true, "hiwin_e_telegram_111_request_mdi_acceleration_is_out_of_range 16385");
+}
+
+static void test_425(void)
+{
+    expect(hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range(0u) == false, "hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range 0");
+    expect(hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range(1u) == false, "hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range 1");
+    expect(hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range(16383u) == false, "hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range 16383");
+    expect(hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range(16384u) == false, "hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range 16384");
+    expect(hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range(16385u) == true, "hiwin_e_telegram_111_request_mdi_deceleration_is_out_of_range 16385");
+}
+
+static void test_426(void)
+{
+    expect(hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range((-1)) == true, "hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range -1");
+    expect(hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range(0) == false, "hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range 0");
+    expect(hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range(1) == false, "hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range 1");
+    expect(hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range(32766) == false, "hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range 32766");
+    expect(hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range(32767) == false, "hiwin_e_telegram_750_request_positive_torque_limit_is_out_of_range 32767");
+}
+
+static void test_427(void)
+{
+    expect(hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range((-32768)) == false, "hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range -32768");
+    expect(hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range((-32767)) == false, "hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range -32767");
+    expect(hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range((-1)) == false, "hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range -1");
+    expect(hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range(0) == false, "hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range 0");
+    expect(hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range(1) == true, "hiwin_e_telegram_750_request_negative_torque_limit_is_out_of_range 1");
+}
+
+static void test_428(void)
+{
+    expect(hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range(0u) == false, "hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range 0");
+    expect(hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range(1u) == false, "hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range 1");
+    expect(hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range(30u) == false, "hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range 30");
+    expect(hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range(31u) == false, "hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range 31");
+    expect(hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range(32u) == true, "hiwin_e_par_drive_parameters_digital_outputs_is_out_of_range 32");
+}
+
+static void test_429(void)
+{
+    expect(hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range(0u) == false, "hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range 0");
+    expect(hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range(1u) == false, "hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range 1");
+    expect(hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range(2u) == false, "hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range 2");
+    expect(hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range(3u) == false, "hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range 3");
+    expect(hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range(4u) == true, "hiwin_e_par_drive_parameters_reference_mark_functions_is_out_of_range 4");
+}
+
+static void test_430(void)
+{
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range((-10001)) == true, "hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range -10001");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range((-10000)) == false, "hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range -10000");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range((-9999)) == false, "hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range -9999");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range(9999) == false, "hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range 9999");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range(10000) == false, "hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range 10000");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range(10001) == true, "hiwin_e_par_drive_parameters_speed_analog_input_voltage_is_out_of_range 10001");
+}
+
+static void test_431(void)
+{
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range((-10001)) == true, "hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range -10001");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range((-10000)) == false, "hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range -10000");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range((-9999)) == false, "hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range -9999");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range(9999) == false, "hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range 9999");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range(10000) == false, "hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range 10000");
+    expect(hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range(10001) == true, "hiwin_e_par_drive_parameters_speed_analog_input_offset_is_out_of_range 10001");
+}
+
+static void test_432(void)
+{
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range((-10001)) == true, "hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range -10001");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range((-10000)) == false, "hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range -10000");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range((-9999)) == false, "hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range -9999");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range(9999) == false, "hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range 9999");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range(10000) == false, "hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range 10000");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range(10001) == true, "hiwin_e_par_drive_parameters_torque_analog_input_voltage_is_out_of_range 10001");
+}
+
+static void test_433(void)
+{
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range((-10001)) == true, "hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range -10001");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range((-10000)) == false, "hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range -10000");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range((-9999)) == false, "hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range -9999");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range(9999) == false, "hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range 9999");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range(10000) == false, "hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range 10000");
+    expect(hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range(10001) == true, "hiwin_e_par_drive_parameters_torque_analog_input_offset_is_out_of_range 10001");
+}
+
+static void test_434(void)
+{
+    expect(hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range((-10001)) == true, "hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range -10001");
+    expect(hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range((-10000)) == false, "hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range -10000");
+    expect(hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range((-9999)) == false, "hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range -9999");
+    expect(hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range(9999) == false, "hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range 9999");
+    expect(hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range(10000) == false, "hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range 10000");
+    expect(hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range(10001) == true, "hiwin_e_par_drive_parameters_analog_output_1_voltage_is_out_of_range 10001");
+}
+
+static void test_435(void)
+{
+    expect(hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range((-10001)) == true, "hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range -10001");
+    expect(hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range((-10000)) == false, "hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range -10000");
+    expect(hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range((-9999)) == false, "hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range -9999");
+    expect(hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range(9999) == false, "hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range 9999");
+    expect(hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range(10000) == false, "hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range 10000");
+    expect(hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range(10001) == true, "hiwin_e_par_drive_parameters_analog_output_2_voltage_is_out_of_range 10001");
+}
+
+static void test_436(void)
+{
+    expect(hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range(0u) == false, "hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range 0");
+    expect(hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range(1u) == false, "hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range 1");
+    expect(hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range(254u) == false, "hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range 254");
+    expect(hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range(255u) == false, "hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range 255");
+    expect(hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range(256u) == true, "hiwin_e_par_drive_parameters_position_trigger_array_index_is_out_of_range 256");
+}
+
+static void test_437(void)
+{
+    expect(hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range((-1)) == true, "hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range -1");
+    expect(hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range(0) == false, "hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range 0");
+    expect(hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range(1) == false, "hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range 1");
+    expect(hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range(32766) == false, "hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range 32766");
+    expect(hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range(32767) == false, "hiwin_e_par_drive_parameters_position_trigger_status_is_out_of_range 32767");
+}
+
+static void test_438(void)
+{
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range(8191u) == true, "hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range 8191");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range(8192u) == false, "hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range 8192");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range(8193u) == false, "hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range 8193");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range(20478u) == false, "hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range 20478");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range(20479u) == false, "hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range 20479");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range(20480u) == true, "hiwin_e_par_drive_parameters_gantry_parameter_index_is_out_of_range 20480");
+}
+
+static void test_439(void)
+{
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_subindex_is_out_of_range(0u) == false, "hiwin_e_par_drive_parameters_gantry_parameter_subindex_is_out_of_range 0");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_subindex_is_out_of_range(1u) == true, "hiwin_e_par_drive_parameters_gantry_parameter_subindex_is_out_of_range 1");
+}
+
+static void test_440(void)
+{
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range((-4)) == true, "hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range -4");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range((-3)) == false, "hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range -3");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range((-2)) == false, "hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range -2");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range(7) == false, "hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range 7");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range(8) == false, "hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range 8");
+    expect(hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range(9) == true, "hiwin_e_par_drive_parameters_gantry_parameter_type_is_out_of_range 9");
+}
+
+static void test_441(void)
+{
+    expect(hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range((-1)) == true, "hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range -1");
+    expect(hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range(0) == false, "hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range(1) == false, "hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range(2147483646) == false, "hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range(2147483647) == false, "hiwin_e_par_servo_parameters_modulo_range_upper_limit_is_out_of_range 2147483647");
+}
+
+static void test_442(void)
+{
+    expect(hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range((-2147483647 - 1)) == false, "hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range -2147483648");
+    expect(hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range((-2147483647)) == false, "hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range -2147483647");
+    expect(hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range((-1)) == false, "hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range -1");
+    expect(hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range(0) == false, "hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range(1) == true, "hiwin_e_par_servo_parameters_modulo_range_lower_limit_is_out_of_range 1");
+}
+
+static void test_443(void)
+{
+    expect(hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range(9999u) == false, "hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range 9999");
+    expect(hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range(10000u) == false, "hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range 10000");
+    expect(hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range(10001u) == true, "hiwin_e_par_servo_parameters_quick_stop_deceleration_time_is_out_of_range 10001");
+}
+
+static void test_444(void)
+{
+    expect(hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range(0u) == true, "hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range(2u) == false, "hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range(65534u) == false, "hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range 65534");
+    expect(hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range(65535u) == false, "hiwin_e_par_servo_parameters_reference_speed_rotary_is_out_of_range 65535");
+}
+
+static void test_445(void)
+{
+    expect(hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range(99u) == false, "hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range 99");
+    expect(hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range(100u) == false, "hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range 100");
+    expect(hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range(101u) == true, "hiwin_e_par_servo_parameters_maximum_speed_linear_is_out_of_range 101");
+}
+
+static void test_446(void)
+{
+    expect(hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range(0u) == true, "hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range(2u) == false, "hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range(99u) == false, "hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range 99");
+    expect(hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range(100u) == false, "hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range 100");
+    expect(hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range(101u) == true, "hiwin_e_par_servo_parameters_reference_speed_linear_is_out_of_range 101");
+}
+
+static void test_447(void)
+{
+    expect(hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range(799u) == false, "hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range 799");
+    expect(hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range(800u) == false, "hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range 800");
+    expect(hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range(801u) == true, "hiwin_e_par_servo_parameters_positive_torque_limit_is_out_of_range 801");
+}
+
+static void test_448(void)
+{
+    expect(hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range(799u) == false, "hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range 799");
+    expect(hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range(800u) == false, "hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range 800");
+    expect(hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range(801u) == true, "hiwin_e_par_servo_parameters_negative_torque_limit_is_out_of_range 801");
+}
+
+static void test_449(void)
+{
+    expect(hiwin_e_par_servo_parameters_reference_torque_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_reference_torque_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_reference_torque_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_reference_torque_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_reference_torque_is_out_of_range(2147483646u) == false, "hiwin_e_par_servo_parameters_reference_torque_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_reference_torque_is_out_of_range(2147483647u) == false, "hiwin_e_par_servo_parameters_reference_torque_is_out_of_range 2147483647");
+    expect(hiwin_e_par_servo_parameters_reference_torque_is_out_of_range(2147483648u) == true, "hiwin_e_par_servo_parameters_reference_torque_is_out_of_range 2147483648");
+}
+
+static void test_450(void)
+{
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range(2147483646u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range(2147483647u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range 2147483647");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range(2147483648u) == true, "hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is_out_of_range 2147483648");
+}
+
+static void test_451(void)
+{
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range(2147483646u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range(2147483647u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range 2147483647");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range(2147483648u) == true, "hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range 2147483648");
+}
+
+static void test_452(void)
+{
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range(2147483646u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range(2147483647u) == false, "hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range 2147483647");
+    expect(hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range(2147483648u) == true, "hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_out_of_range 2147483648");
+}
+
+static void test_453(void)
+{
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range(2147483646u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range(2147483647u) == false, "hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range 2147483647");
+    expect(hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range(2147483648u) == true, "hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range 2147483648");
+}
+
+static void test_454(void)
+{
+    expect(hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range(2147483646u) == false, "hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range(2147483647u) == false, "hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range 2147483647");
+    expect(hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range(2147483648u) == true, "hiwin_e_par_servo_parameters_fixed_stop_following_error_is_out_of_range 2147483648");
+}
+
+static void test_455(void)
+{
+    expect(hiwin_e_par_servo_parameters_reference_force_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_reference_force_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_reference_force_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_reference_force_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_reference_force_is_out_of_range(2147483646u) == false, "hiwin_e_par_servo_parameters_reference_force_is_out_of_range 2147483646");
+    expect(hiwin_e_par_servo_parameters_reference_force_is_out_of_range(2147483647u) == false, "hiwin_e_par_servo_parameters_reference_force_is_out_of_range 2147483647");
+    expect(hiwin_e_par_servo_parameters_reference_force_is_out_of_range(2147483648u) == true, "hiwin_e_par_servo_parameters_reference_force_is_out_of_range 2147483648");
+}
+
+static void test_456(void)
+{
+    expect(hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range(799u) == false, "hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range 799");
+    expect(hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range(800u) == false, "hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range 800");
+    expect(hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range(801u) == true, "hiwin_e_par_servo_parameters_positive_force_limit_is_out_of_range 801");
+}
+
+static void test_457(void)
+{
+    expect(hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range(0u) == false, "hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range(799u) == false, "hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range 799");
+    expect(hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range(800u) == false, "hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range 800");
+    expect(hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range(801u) == true, "hiwin_e_par_servo_parameters_negative_force_limit_is_out_of_range 801");
+}
+
+static void test_458(void)
+{
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range(0u) == true, "hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range(2u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range(9999u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range 9999");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range(10000u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range 10000");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range(10001u) == true, "hiwin_e_par_servo_parameters_point_to_point_speed_rotary_is_out_of_range 10001");
+}
+
+static void test_459(void)
+{
+    expect(hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range(1u) == true, "hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range(2u) == false, "hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range(3u) == false, "hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range 3");
+    expect(hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range(9999u) == false, "hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range 9999");
+    expect(hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range(10000u) == false, "hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range 10000");
+    expect(hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range(10001u) == true, "hiwin_e_par_servo_parameters_point_to_point_acceleration_time_is_out_of_range 10001");
+}
+
+static void test_460(void)
+{
+    expect(hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range(1u) == true, "hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range(2u) == false, "hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range(3u) == false, "hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range 3");
+    expect(hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range(9999u) == false, "hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range 9999");
+    expect(hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range(10000u) == false, "hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range 10000");
+    expect(hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range(10001u) == true, "hiwin_e_par_servo_parameters_point_to_point_deceleration_time_is_out_of_range 10001");
+}
+
+static void test_461(void)
+{
+    expect(hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range(1u) == true, "hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range(2u) == false, "hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range(3u) == false, "hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range 3");
+    expect(hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range(9999u) == false, "hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range 9999");
+    expect(hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range(10000u) == false, "hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range 10000");
+    expect(hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range(10001u) == true, "hiwin_e_par_servo_parameters_point_to_point_emergency_deceleration_time_is_out_of_range 10001");
+}
+
+static void test_462(void)
+{
+    expect(hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range(0) == true, "hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range(1) == false, "hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range(2) == false, "hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range(1073741823) == false, "hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range 1073741823");
+    expect(hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range(1073741824) == false, "hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range 1073741824");
+    expect(hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range(1073741825) == true, "hiwin_e_par_servo_parameters_point_to_point_distance_is_out_of_range 1073741825");
+}
+
+static void test_463(void)
+{
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range(0u) == true, "hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range 0");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range(1u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range 1");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range(2u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range 2");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range(9999u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range 9999");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range(10000u) == false, "hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range 10000");
+    expect(hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range(10001u) == true, "hiwin_e_par_servo_parameters_point_to_point_speed_linear_is_out_of_range 10001");
+}
+
 unsigned long hiwin_e_selftest(void (*tell)(const char *what))
 {
     (void)same_bytes;
@@ -11809,6 +12307,60 @@ unsigned long hiwin_e_selftest(void (*tell)(const char *what))
     test_407();
     test_408();
     test_409();
+    test_410();
+    test_411();
+    test_412();
+    test_413();
+    test_414();
+    test_415();
+    test_416();
+    test_417();
+    test_418();
+    test_419();
+    test_420();
+    test_421();
+    test_422();
+    test_423();
+    test_424();
+    test_425();
+    test_426();
+    test_427();
+    test_428();
+    test_429();
+    test_430();
+    test_431();
+    test_432();
+    test_433();
+    test_434();
+    test_435();
+    test_436();
+    test_437();
+    test_438();
+    test_439();
+    test_440();
+    test_441();
+    test_442();
+    test_443();
+    test_444();
+    test_445();
+    test_446();
+    test_447();
+    test_448();
+    test_449();
+    test_450();
+    test_451();
+    test_452();
+    test_453();
+    test_454();
+    test_455();
+    test_456();
+    test_457();
+    test_458();
+    test_459();
+    test_460();
+    test_461();
+    test_462();
+    test_463();
     return failed;
 }
 

@@ -5604,4 +5604,240 @@ static inline bool tc100_reg_executed_point_is_absent(int16_t value)
     return value == (-1);
 }
 
+/* ---- Values out of range ---- */
+
+/** Whether exception.exception_code is outside of its stated range. */
+static inline bool tc100_exception_exception_code_is_out_of_range(uint8_t value)
+{
+    return !(value >= 1u && value <= 3u);
+}
+
+/** Whether point.mode is outside of its stated range. */
+static inline bool tc100_point_mode_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16u);
+}
+
+/** Whether point.speed is outside of its stated range. */
+static inline bool tc100_point_speed_is_out_of_range(uint16_t value)
+{
+    return !((value <= 100u) || (value == 0u));
+}
+
+/** Whether point.torque_limit is outside of its stated range. */
+static inline bool tc100_point_torque_limit_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1000u);
+}
+
+/** Whether point.acceleration_time is outside of its stated range. */
+static inline bool tc100_point_acceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 30000u);
+}
+
+/** Whether point.deceleration_time is outside of its stated range. */
+static inline bool tc100_point_deceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 30000u);
+}
+
+/** Whether point.wait_time is outside of its stated range. */
+static inline bool tc100_point_wait_time_is_out_of_range(uint16_t value)
+{
+    return !(value <= 30000u);
+}
+
+/** Whether point.next_point is outside of its stated range. */
+static inline bool tc100_point_next_point_is_out_of_range(int16_t value)
+{
+    return !((value == (-1)) || (value >= 1 && value <= 127) || (value == (-1)));
+}
+
+/** Whether read_registers_request.word_count is outside of its stated range. */
+static inline bool tc100_read_registers_request_word_count_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 60u);
+}
+
+/** Whether read_registers_response.byte_count is outside of its stated range. */
+static inline bool tc100_read_registers_response_byte_count_is_out_of_range(uint8_t value)
+{
+    return !(value >= 2u && value <= 120u);
+}
+
+/** Whether write_registers_request.word_count is outside of its stated range. */
+static inline bool tc100_write_registers_request_word_count_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 59u);
+}
+
+/** Whether write_registers_request.byte_count is outside of its stated range. */
+static inline bool tc100_write_registers_request_byte_count_is_out_of_range(uint8_t value)
+{
+    return !(value >= 2u && value <= 118u);
+}
+
+/** Whether write_registers_response.word_count is outside of its stated range. */
+static inline bool tc100_write_registers_response_word_count_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 59u);
+}
+
+/** Whether motion_speed is outside of its stated range. */
+static inline bool tc100_reg_motion_speed_is_out_of_range(uint16_t value)
+{
+    return !((value <= 100u) || (value == 0u));
+}
+
+/** Whether simulated_inputs is outside of its stated range. */
+static inline bool tc100_reg_simulated_inputs_is_out_of_range(uint16_t value)
+{
+    return !(value <= 16383u);
+}
+
+/** Whether full_count_limit is outside of its stated range. */
+static inline bool tc100_reg_full_count_limit_is_out_of_range(uint32_t value)
+{
+    return !(value >= 1u && value <= 100000u);
+}
+
+/** Whether in_position_zone is outside of its stated range. */
+static inline bool tc100_reg_in_position_zone_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1000u);
+}
+
+/** Whether electronic_gear_numerator is outside of its stated range. */
+static inline bool tc100_reg_electronic_gear_numerator_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 10000u);
+}
+
+/** Whether electronic_gear_denominator is outside of its stated range. */
+static inline bool tc100_reg_electronic_gear_denominator_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 10000u);
+}
+
+/** Whether near_zone is outside of its stated range. */
+static inline bool tc100_reg_near_zone_is_out_of_range(uint16_t value)
+{
+    return !(value <= 10000u);
+}
+
+/** Whether push_torque_positive is outside of its stated range. */
+static inline bool tc100_reg_push_torque_positive_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1000u);
+}
+
+/** Whether push_torque_negative is outside of its stated range. */
+static inline bool tc100_reg_push_torque_negative_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1000u);
+}
+
+/** Whether torque_limit_time is outside of its stated range. */
+static inline bool tc100_reg_torque_limit_time_is_out_of_range(uint16_t value)
+{
+    return !(value <= 10000u);
+}
+
+/** Whether position_correction_speed_limit is outside of its stated range. */
+static inline bool tc100_reg_position_correction_speed_limit_is_out_of_range(uint16_t value)
+{
+    return !(value >= 10u && value <= 500u);
+}
+
+/** Whether maximum_torque is outside of its stated range. */
+static inline bool tc100_reg_maximum_torque_is_out_of_range(uint16_t value)
+{
+    return !(value <= 650u);
+}
+
+/** Whether full_torque_time is outside of its stated range. */
+static inline bool tc100_reg_full_torque_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 500u && value <= 10000u);
+}
+
+/** Whether acceleration_time is outside of its stated range. */
+static inline bool tc100_reg_acceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 30000u);
+}
+
+/** Whether deceleration_time is outside of its stated range. */
+static inline bool tc100_reg_deceleration_time_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 30000u);
+}
+
+/** Whether jog_speed is outside of its stated range. */
+static inline bool tc100_reg_jog_speed_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 1000u);
+}
+
+/** Whether jog_wait_time is outside of its stated range. */
+static inline bool tc100_reg_jog_wait_time_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1000u);
+}
+
+/** Whether homing_speed is outside of its stated range. */
+static inline bool tc100_reg_homing_speed_is_out_of_range(uint16_t value)
+{
+    return !((value <= 100u) || (value == 0u));
+}
+
+/** Whether homing_offset_speed is outside of its stated range. */
+static inline bool tc100_reg_homing_offset_speed_is_out_of_range(uint16_t value)
+{
+    return !((value <= 100u) || (value == 0u));
+}
+
+/** Whether homing_torque_limit is outside of its stated range. */
+static inline bool tc100_reg_homing_torque_limit_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1000u);
+}
+
+/** Whether homing_torque_limit_time is outside of its stated range. */
+static inline bool tc100_reg_homing_torque_limit_time_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1000u);
+}
+
+/** Whether homing_z_phase_speed_1 is outside of its stated range. */
+static inline bool tc100_reg_homing_z_phase_speed_1_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether homing_z_phase_speed_2 is outside of its stated range. */
+static inline bool tc100_reg_homing_z_phase_speed_2_is_out_of_range(uint16_t value)
+{
+    return !(value >= 1u && value <= 100u);
+}
+
+/** Whether executed_point is outside of its stated range. */
+static inline bool tc100_reg_executed_point_is_out_of_range(int16_t value)
+{
+    return !((value >= (-1) && value <= 127) || (value == (-1)));
+}
+
+/** Whether output_states is outside of its stated range. */
+static inline bool tc100_reg_output_states_is_out_of_range(uint16_t value)
+{
+    return !(value <= 1023u);
+}
+
+/** Whether input_states is outside of its stated range. */
+static inline bool tc100_reg_input_states_is_out_of_range(uint16_t value)
+{
+    return !(value <= 32767u);
+}
+
 #endif

@@ -4962,6 +4962,378 @@ static void test_216(void)
     expect(tc100_reg_executed_point_is_absent(1) == false, "tc100_reg_executed_point_is_absent 1");
 }
 
+static void test_217(void)
+{
+    expect(tc100_exception_exception_code_is_out_of_range(0u) == true, "tc100_exception_exception_code_is_out_of_range 0");
+    expect(tc100_exception_exception_code_is_out_of_range(1u) == false, "tc100_exception_exception_code_is_out_of_range 1");
+    expect(tc100_exception_exception_code_is_out_of_range(2u) == false, "tc100_exception_exception_code_is_out_of_range 2");
+    expect(tc100_exception_exception_code_is_out_of_range(3u) == false, "tc100_exception_exception_code_is_out_of_range 3");
+    expect(tc100_exception_exception_code_is_out_of_range(4u) == true, "tc100_exception_exception_code_is_out_of_range 4");
+}
+
+static void test_218(void)
+{
+    expect(tc100_point_mode_is_out_of_range(0u) == false, "tc100_point_mode_is_out_of_range 0");
+    expect(tc100_point_mode_is_out_of_range(1u) == false, "tc100_point_mode_is_out_of_range 1");
+    expect(tc100_point_mode_is_out_of_range(15u) == false, "tc100_point_mode_is_out_of_range 15");
+    expect(tc100_point_mode_is_out_of_range(16u) == false, "tc100_point_mode_is_out_of_range 16");
+    expect(tc100_point_mode_is_out_of_range(17u) == true, "tc100_point_mode_is_out_of_range 17");
+}
+
+static void test_219(void)
+{
+    expect(tc100_point_speed_is_out_of_range(0u) == false, "tc100_point_speed_is_out_of_range 0");
+    expect(tc100_point_speed_is_out_of_range(1u) == false, "tc100_point_speed_is_out_of_range 1");
+    expect(tc100_point_speed_is_out_of_range(99u) == false, "tc100_point_speed_is_out_of_range 99");
+    expect(tc100_point_speed_is_out_of_range(100u) == false, "tc100_point_speed_is_out_of_range 100");
+    expect(tc100_point_speed_is_out_of_range(101u) == true, "tc100_point_speed_is_out_of_range 101");
+}
+
+static void test_220(void)
+{
+    expect(tc100_point_torque_limit_is_out_of_range(0u) == false, "tc100_point_torque_limit_is_out_of_range 0");
+    expect(tc100_point_torque_limit_is_out_of_range(1u) == false, "tc100_point_torque_limit_is_out_of_range 1");
+    expect(tc100_point_torque_limit_is_out_of_range(999u) == false, "tc100_point_torque_limit_is_out_of_range 999");
+    expect(tc100_point_torque_limit_is_out_of_range(1000u) == false, "tc100_point_torque_limit_is_out_of_range 1000");
+    expect(tc100_point_torque_limit_is_out_of_range(1001u) == true, "tc100_point_torque_limit_is_out_of_range 1001");
+}
+
+static void test_221(void)
+{
+    expect(tc100_point_acceleration_time_is_out_of_range(0u) == true, "tc100_point_acceleration_time_is_out_of_range 0");
+    expect(tc100_point_acceleration_time_is_out_of_range(1u) == false, "tc100_point_acceleration_time_is_out_of_range 1");
+    expect(tc100_point_acceleration_time_is_out_of_range(2u) == false, "tc100_point_acceleration_time_is_out_of_range 2");
+    expect(tc100_point_acceleration_time_is_out_of_range(29999u) == false, "tc100_point_acceleration_time_is_out_of_range 29999");
+    expect(tc100_point_acceleration_time_is_out_of_range(30000u) == false, "tc100_point_acceleration_time_is_out_of_range 30000");
+    expect(tc100_point_acceleration_time_is_out_of_range(30001u) == true, "tc100_point_acceleration_time_is_out_of_range 30001");
+}
+
+static void test_222(void)
+{
+    expect(tc100_point_deceleration_time_is_out_of_range(0u) == true, "tc100_point_deceleration_time_is_out_of_range 0");
+    expect(tc100_point_deceleration_time_is_out_of_range(1u) == false, "tc100_point_deceleration_time_is_out_of_range 1");
+    expect(tc100_point_deceleration_time_is_out_of_range(2u) == false, "tc100_point_deceleration_time_is_out_of_range 2");
+    expect(tc100_point_deceleration_time_is_out_of_range(29999u) == false, "tc100_point_deceleration_time_is_out_of_range 29999");
+    expect(tc100_point_deceleration_time_is_out_of_range(30000u) == false, "tc100_point_deceleration_time_is_out_of_range 30000");
+    expect(tc100_point_deceleration_time_is_out_of_range(30001u) == true, "tc100_point_deceleration_time_is_out_of_range 30001");
+}
+
+static void test_223(void)
+{
+    expect(tc100_point_wait_time_is_out_of_range(0u) == false, "tc100_point_wait_time_is_out_of_range 0");
+    expect(tc100_point_wait_time_is_out_of_range(1u) == false, "tc100_point_wait_time_is_out_of_range 1");
+    expect(tc100_point_wait_time_is_out_of_range(29999u) == false, "tc100_point_wait_time_is_out_of_range 29999");
+    expect(tc100_point_wait_time_is_out_of_range(30000u) == false, "tc100_point_wait_time_is_out_of_range 30000");
+    expect(tc100_point_wait_time_is_out_of_range(30001u) == true, "tc100_point_wait_time_is_out_of_range 30001");
+}
+
+static void test_224(void)
+{
+    expect(tc100_point_next_point_is_out_of_range((-2)) == true, "tc100_point_next_point_is_out_of_range -2");
+    expect(tc100_point_next_point_is_out_of_range((-1)) == false, "tc100_point_next_point_is_out_of_range -1");
+    expect(tc100_point_next_point_is_out_of_range(0) == true, "tc100_point_next_point_is_out_of_range 0");
+    expect(tc100_point_next_point_is_out_of_range(1) == false, "tc100_point_next_point_is_out_of_range 1");
+    expect(tc100_point_next_point_is_out_of_range(2) == false, "tc100_point_next_point_is_out_of_range 2");
+    expect(tc100_point_next_point_is_out_of_range(126) == false, "tc100_point_next_point_is_out_of_range 126");
+    expect(tc100_point_next_point_is_out_of_range(127) == false, "tc100_point_next_point_is_out_of_range 127");
+    expect(tc100_point_next_point_is_out_of_range(128) == true, "tc100_point_next_point_is_out_of_range 128");
+}
+
+static void test_225(void)
+{
+    expect(tc100_read_registers_request_word_count_is_out_of_range(0u) == true, "tc100_read_registers_request_word_count_is_out_of_range 0");
+    expect(tc100_read_registers_request_word_count_is_out_of_range(1u) == false, "tc100_read_registers_request_word_count_is_out_of_range 1");
+    expect(tc100_read_registers_request_word_count_is_out_of_range(2u) == false, "tc100_read_registers_request_word_count_is_out_of_range 2");
+    expect(tc100_read_registers_request_word_count_is_out_of_range(59u) == false, "tc100_read_registers_request_word_count_is_out_of_range 59");
+    expect(tc100_read_registers_request_word_count_is_out_of_range(60u) == false, "tc100_read_registers_request_word_count_is_out_of_range 60");
+    expect(tc100_read_registers_request_word_count_is_out_of_range(61u) == true, "tc100_read_registers_request_word_count_is_out_of_range 61");
+}
+
+static void test_226(void)
+{
+    expect(tc100_read_registers_response_byte_count_is_out_of_range(1u) == true, "tc100_read_registers_response_byte_count_is_out_of_range 1");
+    expect(tc100_read_registers_response_byte_count_is_out_of_range(2u) == false, "tc100_read_registers_response_byte_count_is_out_of_range 2");
+    expect(tc100_read_registers_response_byte_count_is_out_of_range(3u) == false, "tc100_read_registers_response_byte_count_is_out_of_range 3");
+    expect(tc100_read_registers_response_byte_count_is_out_of_range(119u) == false, "tc100_read_registers_response_byte_count_is_out_of_range 119");
+    expect(tc100_read_registers_response_byte_count_is_out_of_range(120u) == false, "tc100_read_registers_response_byte_count_is_out_of_range 120");
+    expect(tc100_read_registers_response_byte_count_is_out_of_range(121u) == true, "tc100_read_registers_response_byte_count_is_out_of_range 121");
+}
+
+static void test_227(void)
+{
+    expect(tc100_write_registers_request_word_count_is_out_of_range(0u) == true, "tc100_write_registers_request_word_count_is_out_of_range 0");
+    expect(tc100_write_registers_request_word_count_is_out_of_range(1u) == false, "tc100_write_registers_request_word_count_is_out_of_range 1");
+    expect(tc100_write_registers_request_word_count_is_out_of_range(2u) == false, "tc100_write_registers_request_word_count_is_out_of_range 2");
+    expect(tc100_write_registers_request_word_count_is_out_of_range(58u) == false, "tc100_write_registers_request_word_count_is_out_of_range 58");
+    expect(tc100_write_registers_request_word_count_is_out_of_range(59u) == false, "tc100_write_registers_request_word_count_is_out_of_range 59");
+    expect(tc100_write_registers_request_word_count_is_out_of_range(60u) == true, "tc100_write_registers_request_word_count_is_out_of_range 60");
+}
+
+static void test_228(void)
+{
+    expect(tc100_write_registers_request_byte_count_is_out_of_range(1u) == true, "tc100_write_registers_request_byte_count_is_out_of_range 1");
+    expect(tc100_write_registers_request_byte_count_is_out_of_range(2u) == false, "tc100_write_registers_request_byte_count_is_out_of_range 2");
+    expect(tc100_write_registers_request_byte_count_is_out_of_range(3u) == false, "tc100_write_registers_request_byte_count_is_out_of_range 3");
+    expect(tc100_write_registers_request_byte_count_is_out_of_range(117u) == false, "tc100_write_registers_request_byte_count_is_out_of_range 117");
+    expect(tc100_write_registers_request_byte_count_is_out_of_range(118u) == false, "tc100_write_registers_request_byte_count_is_out_of_range 118");
+    expect(tc100_write_registers_request_byte_count_is_out_of_range(119u) == true, "tc100_write_registers_request_byte_count_is_out_of_range 119");
+}
+
+static void test_229(void)
+{
+    expect(tc100_write_registers_response_word_count_is_out_of_range(0u) == true, "tc100_write_registers_response_word_count_is_out_of_range 0");
+    expect(tc100_write_registers_response_word_count_is_out_of_range(1u) == false, "tc100_write_registers_response_word_count_is_out_of_range 1");
+    expect(tc100_write_registers_response_word_count_is_out_of_range(2u) == false, "tc100_write_registers_response_word_count_is_out_of_range 2");
+    expect(tc100_write_registers_response_word_count_is_out_of_range(58u) == false, "tc100_write_registers_response_word_count_is_out_of_range 58");
+    expect(tc100_write_registers_response_word_count_is_out_of_range(59u) == false, "tc100_write_registers_response_word_count_is_out_of_range 59");
+    expect(tc100_write_registers_response_word_count_is_out_of_range(60u) == true, "tc100_write_registers_response_word_count_is_out_of_range 60");
+}
+
+static void test_230(void)
+{
+    expect(tc100_reg_motion_speed_is_out_of_range(0u) == false, "tc100_reg_motion_speed_is_out_of_range 0");
+    expect(tc100_reg_motion_speed_is_out_of_range(1u) == false, "tc100_reg_motion_speed_is_out_of_range 1");
+    expect(tc100_reg_motion_speed_is_out_of_range(99u) == false, "tc100_reg_motion_speed_is_out_of_range 99");
+    expect(tc100_reg_motion_speed_is_out_of_range(100u) == false, "tc100_reg_motion_speed_is_out_of_range 100");
+    expect(tc100_reg_motion_speed_is_out_of_range(101u) == true, "tc100_reg_motion_speed_is_out_of_range 101");
+}
+
+static void test_231(void)
+{
+    expect(tc100_reg_simulated_inputs_is_out_of_range(0u) == false, "tc100_reg_simulated_inputs_is_out_of_range 0");
+    expect(tc100_reg_simulated_inputs_is_out_of_range(1u) == false, "tc100_reg_simulated_inputs_is_out_of_range 1");
+    expect(tc100_reg_simulated_inputs_is_out_of_range(16382u) == false, "tc100_reg_simulated_inputs_is_out_of_range 16382");
+    expect(tc100_reg_simulated_inputs_is_out_of_range(16383u) == false, "tc100_reg_simulated_inputs_is_out_of_range 16383");
+    expect(tc100_reg_simulated_inputs_is_out_of_range(16384u) == true, "tc100_reg_simulated_inputs_is_out_of_range 16384");
+}
+
+static void test_232(void)
+{
+    expect(tc100_reg_full_count_limit_is_out_of_range(0u) == true, "tc100_reg_full_count_limit_is_out_of_range 0");
+    expect(tc100_reg_full_count_limit_is_out_of_range(1u) == false, "tc100_reg_full_count_limit_is_out_of_range 1");
+    expect(tc100_reg_full_count_limit_is_out_of_range(2u) == false, "tc100_reg_full_count_limit_is_out_of_range 2");
+    expect(tc100_reg_full_count_limit_is_out_of_range(99999u) == false, "tc100_reg_full_count_limit_is_out_of_range 99999");
+    expect(tc100_reg_full_count_limit_is_out_of_range(100000u) == false, "tc100_reg_full_count_limit_is_out_of_range 100000");
+    expect(tc100_reg_full_count_limit_is_out_of_range(100001u) == true, "tc100_reg_full_count_limit_is_out_of_range 100001");
+}
+
+static void test_233(void)
+{
+    expect(tc100_reg_in_position_zone_is_out_of_range(0u) == false, "tc100_reg_in_position_zone_is_out_of_range 0");
+    expect(tc100_reg_in_position_zone_is_out_of_range(1u) == false, "tc100_reg_in_position_zone_is_out_of_range 1");
+    expect(tc100_reg_in_position_zone_is_out_of_range(999u) == false, "tc100_reg_in_position_zone_is_out_of_range 999");
+    expect(tc100_reg_in_position_zone_is_out_of_range(1000u) == false, "tc100_reg_in_position_zone_is_out_of_range 1000");
+    expect(tc100_reg_in_position_zone_is_out_of_range(1001u) == true, "tc100_reg_in_position_zone_is_out_of_range 1001");
+}
+
+static void test_234(void)
+{
+    expect(tc100_reg_electronic_gear_numerator_is_out_of_range(0u) == true, "tc100_reg_electronic_gear_numerator_is_out_of_range 0");
+    expect(tc100_reg_electronic_gear_numerator_is_out_of_range(1u) == false, "tc100_reg_electronic_gear_numerator_is_out_of_range 1");
+    expect(tc100_reg_electronic_gear_numerator_is_out_of_range(2u) == false, "tc100_reg_electronic_gear_numerator_is_out_of_range 2");
+    expect(tc100_reg_electronic_gear_numerator_is_out_of_range(9999u) == false, "tc100_reg_electronic_gear_numerator_is_out_of_range 9999");
+    expect(tc100_reg_electronic_gear_numerator_is_out_of_range(10000u) == false, "tc100_reg_electronic_gear_numerator_is_out_of_range 10000");
+    expect(tc100_reg_electronic_gear_numerator_is_out_of_range(10001u) == true, "tc100_reg_electronic_gear_numerator_is_out_of_range 10001");
+}
+
+static void test_235(void)
+{
+    expect(tc100_reg_electronic_gear_denominator_is_out_of_range(0u) == true, "tc100_reg_electronic_gear_denominator_is_out_of_range 0");
+    expect(tc100_reg_electronic_gear_denominator_is_out_of_range(1u) == false, "tc100_reg_electronic_gear_denominator_is_out_of_range 1");
+    expect(tc100_reg_electronic_gear_denominator_is_out_of_range(2u) == false, "tc100_reg_electronic_gear_denominator_is_out_of_range 2");
+    expect(tc100_reg_electronic_gear_denominator_is_out_of_range(9999u) == false, "tc100_reg_electronic_gear_denominator_is_out_of_range 9999");
+    expect(tc100_reg_electronic_gear_denominator_is_out_of_range(10000u) == false, "tc100_reg_electronic_gear_denominator_is_out_of_range 10000");
+    expect(tc100_reg_electronic_gear_denominator_is_out_of_range(10001u) == true, "tc100_reg_electronic_gear_denominator_is_out_of_range 10001");
+}
+
+static void test_236(void)
+{
+    expect(tc100_reg_near_zone_is_out_of_range(0u) == false, "tc100_reg_near_zone_is_out_of_range 0");
+    expect(tc100_reg_near_zone_is_out_of_range(1u) == false, "tc100_reg_near_zone_is_out_of_range 1");
+    expect(tc100_reg_near_zone_is_out_of_range(9999u) == false, "tc100_reg_near_zone_is_out_of_range 9999");
+    expect(tc100_reg_near_zone_is_out_of_range(10000u) == false, "tc100_reg_near_zone_is_out_of_range 10000");
+    expect(tc100_reg_near_zone_is_out_of_range(10001u) == true, "tc100_reg_near_zone_is_out_of_range 10001");
+}
+
+static void test_237(void)
+{
+    expect(tc100_reg_push_torque_positive_is_out_of_range(0u) == false, "tc100_reg_push_torque_positive_is_out_of_range 0");
+    expect(tc100_reg_push_torque_positive_is_out_of_range(1u) == false, "tc100_reg_push_torque_positive_is_out_of_range 1");
+    expect(tc100_reg_push_torque_positive_is_out_of_range(999u) == false, "tc100_reg_push_torque_positive_is_out_of_range 999");
+    expect(tc100_reg_push_torque_positive_is_out_of_range(1000u) == false, "tc100_reg_push_torque_positive_is_out_of_range 1000");
+    expect(tc100_reg_push_torque_positive_is_out_of_range(1001u) == true, "tc100_reg_push_torque_positive_is_out_of_range 1001");
+}
+
+static void test_238(void)
+{
+    expect(tc100_reg_push_torque_negative_is_out_of_range(0u) == false, "tc100_reg_push_torque_negative_is_out_of_range 0");
+    expect(tc100_reg_push_torque_negative_is_out_of_range(1u) == false, "tc100_reg_push_torque_negative_is_out_of_range 1");
+    expect(tc100_reg_push_torque_negative_is_out_of_range(999u) == false, "tc100_reg_push_torque_negative_is_out_of_range 999");
+    expect(tc100_reg_push_torque_negative_is_out_of_range(1000u) == false, "tc100_reg_push_torque_negative_is_out_of_range 1000");
+    expect(tc100_reg_push_torque_negative_is_out_of_range(1001u) == true, "tc100_reg_push_torque_negative_is_out_of_range 1001");
+}
+
+static void test_239(void)
+{
+    expect(tc100_reg_torque_limit_time_is_out_of_range(0u) == false, "tc100_reg_torque_limit_time_is_out_of_range 0");
+    expect(tc100_reg_torque_limit_time_is_out_of_range(1u) == false, "tc100_reg_torque_limit_time_is_out_of_range 1");
+    expect(tc100_reg_torque_limit_time_is_out_of_range(9999u) == false, "tc100_reg_torque_limit_time_is_out_of_range 9999");
+    expect(tc100_reg_torque_limit_time_is_out_of_range(10000u) == false, "tc100_reg_torque_limit_time_is_out_of_range 10000");
+    expect(tc100_reg_torque_limit_time_is_out_of_range(10001u) == true, "tc100_reg_torque_limit_time_is_out_of_range 10001");
+}
+
+static void test_240(void)
+{
+    expect(tc100_reg_position_correction_speed_limit_is_out_of_range(9u) == true, "tc100_reg_position_correction_speed_limit_is_out_of_range 9");
+    expect(tc100_reg_position_correction_speed_limit_is_out_of_range(10u) == false, "tc100_reg_position_correction_speed_limit_is_out_of_range 10");
+    expect(tc100_reg_position_correction_speed_limit_is_out_of_range(11u) == false, "tc100_reg_position_correction_speed_limit_is_out_of_range 11");
+    expect(tc100_reg_position_correction_speed_limit_is_out_of_range(499u) == false, "tc100_reg_position_correction_speed_limit_is_out_of_range 499");
+    expect(tc100_reg_position_correction_speed_limit_is_out_of_range(500u) == false, "tc100_reg_position_correction_speed_limit_is_out_of_range 500");
+    expect(tc100_reg_position_correction_speed_limit_is_out_of_range(501u) == true, "tc100_reg_position_correction_speed_limit_is_out_of_range 501");
+}
+
+static void test_241(void)
+{
+    expect(tc100_reg_maximum_torque_is_out_of_range(0u) == false, "tc100_reg_maximum_torque_is_out_of_range 0");
+    expect(tc100_reg_maximum_torque_is_out_of_range(1u) == false, "tc100_reg_maximum_torque_is_out_of_range 1");
+    expect(tc100_reg_maximum_torque_is_out_of_range(649u) == false, "tc100_reg_maximum_torque_is_out_of_range 649");
+    expect(tc100_reg_maximum_torque_is_out_of_range(650u) == false, "tc100_reg_maximum_torque_is_out_of_range 650");
+    expect(tc100_reg_maximum_torque_is_out_of_range(651u) == true, "tc100_reg_maximum_torque_is_out_of_range 651");
+}
+
+static void test_242(void)
+{
+    expect(tc100_reg_full_torque_time_is_out_of_range(499u) == true, "tc100_reg_full_torque_time_is_out_of_range 499");
+    expect(tc100_reg_full_torque_time_is_out_of_range(500u) == false, "tc100_reg_full_torque_time_is_out_of_range 500");
+    expect(tc100_reg_full_torque_time_is_out_of_range(501u) == false, "tc100_reg_full_torque_time_is_out_of_range 501");
+    expect(tc100_reg_full_torque_time_is_out_of_range(9999u) == false, "tc100_reg_full_torque_time_is_out_of_range 9999");
+    expect(tc100_reg_full_torque_time_is_out_of_range(10000u) == false, "tc100_reg_full_torque_time_is_out_of_range 10000");
+    expect(tc100_reg_full_torque_time_is_out_of_range(10001u) == true, "tc100_reg_full_torque_time_is_out_of_range 10001");
+}
+
+static void test_243(void)
+{
+    expect(tc100_reg_acceleration_time_is_out_of_range(0u) == true, "tc100_reg_acceleration_time_is_out_of_range 0");
+    expect(tc100_reg_acceleration_time_is_out_of_range(1u) == false, "tc100_reg_acceleration_time_is_out_of_range 1");
+    expect(tc100_reg_acceleration_time_is_out_of_range(2u) == false, "tc100_reg_acceleration_time_is_out_of_range 2");
+    expect(tc100_reg_acceleration_time_is_out_of_range(29999u) == false, "tc100_reg_acceleration_time_is_out_of_range 29999");
+    expect(tc100_reg_acceleration_time_is_out_of_range(30000u) == false, "tc100_reg_acceleration_time_is_out_of_range 30000");
+    expect(tc100_reg_acceleration_time_is_out_of_range(30001u) == true, "tc100_reg_acceleration_time_is_out_of_range 30001");
+}
+
+static void test_244(void)
+{
+    expect(tc100_reg_deceleration_time_is_out_of_range(0u) == true, "tc100_reg_deceleration_time_is_out_of_range 0");
+    expect(tc100_reg_deceleration_time_is_out_of_range(1u) == false, "tc100_reg_deceleration_time_is_out_of_range 1");
+    expect(tc100_reg_deceleration_time_is_out_of_range(2u) == false, "tc100_reg_deceleration_time_is_out_of_range 2");
+    expect(tc100_reg_deceleration_time_is_out_of_range(29999u) == false, "tc100_reg_deceleration_time_is_out_of_range 29999");
+    expect(tc100_reg_deceleration_time_is_out_of_range(30000u) == false, "tc100_reg_deceleration_time_is_out_of_range 30000");
+    expect(tc100_reg_deceleration_time_is_out_of_range(30001u) == true, "tc100_reg_deceleration_time_is_out_of_range 30001");
+}
+
+static void test_245(void)
+{
+    expect(tc100_reg_jog_speed_is_out_of_range(0u) == true, "tc100_reg_jog_speed_is_out_of_range 0");
+    expect(tc100_reg_jog_speed_is_out_of_range(1u) == false, "tc100_reg_jog_speed_is_out_of_range 1");
+    expect(tc100_reg_jog_speed_is_out_of_range(2u) == false, "tc100_reg_jog_speed_is_out_of_range 2");
+    expect(tc100_reg_jog_speed_is_out_of_range(999u) == false, "tc100_reg_jog_speed_is_out_of_range 999");
+    expect(tc100_reg_jog_speed_is_out_of_range(1000u) == false, "tc100_reg_jog_speed_is_out_of_range 1000");
+    expect(tc100_reg_jog_speed_is_out_of_range(1001u) == true, "tc100_reg_jog_speed_is_out_of_range 1001");
+}
+
+static void test_246(void)
+{
+    expect(tc100_reg_jog_wait_time_is_out_of_range(0u) == false, "tc100_reg_jog_wait_time_is_out_of_range 0");
+    expect(tc100_reg_jog_wait_time_is_out_of_range(1u) == false, "tc100_reg_jog_wait_time_is_out_of_range 1");
+    expect(tc100_reg_jog_wait_time_is_out_of_range(999u) == false, "tc100_reg_jog_wait_time_is_out_of_range 999");
+    expect(tc100_reg_jog_wait_time_is_out_of_range(1000u) == false, "tc100_reg_jog_wait_time_is_out_of_range 1000");
+    expect(tc100_reg_jog_wait_time_is_out_of_range(1001u) == true, "tc100_reg_jog_wait_time_is_out_of_range 1001");
+}
+
+static void test_247(void)
+{
+    expect(tc100_reg_homing_speed_is_out_of_range(0u) == false, "tc100_reg_homing_speed_is_out_of_range 0");
+    expect(tc100_reg_homing_speed_is_out_of_range(1u) == false, "tc100_reg_homing_speed_is_out_of_range 1");
+    expect(tc100_reg_homing_speed_is_out_of_range(99u) == false, "tc100_reg_homing_speed_is_out_of_range 99");
+    expect(tc100_reg_homing_speed_is_out_of_range(100u) == false, "tc100_reg_homing_speed_is_out_of_range 100");
+    expect(tc100_reg_homing_speed_is_out_of_range(101u) == true, "tc100_reg_homing_speed_is_out_of_range 101");
+}
+
+static void test_248(void)
+{
+    expect(tc100_reg_homing_offset_speed_is_out_of_range(0u) == false, "tc100_reg_homing_offset_speed_is_out_of_range 0");
+    expect(tc100_reg_homing_offset_speed_is_out_of_range(1u) == false, "tc100_reg_homing_offset_speed_is_out_of_range 1");
+    expect(tc100_reg_homing_offset_speed_is_out_of_range(99u) == false, "tc100_reg_homing_offset_speed_is_out_of_range 99");
+    expect(tc100_reg_homing_offset_speed_is_out_of_range(100u) == false, "tc100_reg_homing_offset_speed_is_out_of_range 100");
+    expect(tc100_reg_homing_offset_speed_is_out_of_range(101u) == true, "tc100_reg_homing_offset_speed_is_out_of_range 101");
+}
+
+static void test_249(void)
+{
+    expect(tc100_reg_homing_torque_limit_is_out_of_range(0u) == false, "tc100_reg_homing_torque_limit_is_out_of_range 0");
+    expect(tc100_reg_homing_torque_limit_is_out_of_range(1u) == false, "tc100_reg_homing_torque_limit_is_out_of_range 1");
+    expect(tc100_reg_homing_torque_limit_is_out_of_range(999u) == false, "tc100_reg_homing_torque_limit_is_out_of_range 999");
+    expect(tc100_reg_homing_torque_limit_is_out_of_range(1000u) == false, "tc100_reg_homing_torque_limit_is_out_of_range 1000");
+    expect(tc100_reg_homing_torque_limit_is_out_of_range(1001u) == true, "tc100_reg_homing_torque_limit_is_out_of_range 1001");
+}
+
+static void test_250(void)
+{
+    expect(tc100_reg_homing_torque_limit_time_is_out_of_range(0u) == false, "tc100_reg_homing_torque_limit_time_is_out_of_range 0");
+    expect(tc100_reg_homing_torque_limit_time_is_out_of_range(1u) == false, "tc100_reg_homing_torque_limit_time_is_out_of_range 1");
+    expect(tc100_reg_homing_torque_limit_time_is_out_of_range(999u) == false, "tc100_reg_homing_torque_limit_time_is_out_of_range 999");
+    expect(tc100_reg_homing_torque_limit_time_is_out_of_range(1000u) == false, "tc100_reg_homing_torque_limit_time_is_out_of_range 1000");
+    expect(tc100_reg_homing_torque_limit_time_is_out_of_range(1001u) == true, "tc100_reg_homing_torque_limit_time_is_out_of_range 1001");
+}
+
+static void test_251(void)
+{
+    expect(tc100_reg_homing_z_phase_speed_1_is_out_of_range(0u) == true, "tc100_reg_homing_z_phase_speed_1_is_out_of_range 0");
+    expect(tc100_reg_homing_z_phase_speed_1_is_out_of_range(1u) == false, "tc100_reg_homing_z_phase_speed_1_is_out_of_range 1");
+    expect(tc100_reg_homing_z_phase_speed_1_is_out_of_range(2u) == false, "tc100_reg_homing_z_phase_speed_1_is_out_of_range 2");
+    expect(tc100_reg_homing_z_phase_speed_1_is_out_of_range(99u) == false, "tc100_reg_homing_z_phase_speed_1_is_out_of_range 99");
+    expect(tc100_reg_homing_z_phase_speed_1_is_out_of_range(100u) == false, "tc100_reg_homing_z_phase_speed_1_is_out_of_range 100");
+    expect(tc100_reg_homing_z_phase_speed_1_is_out_of_range(101u) == true, "tc100_reg_homing_z_phase_speed_1_is_out_of_range 101");
+}
+
+static void test_252(void)
+{
+    expect(tc100_reg_homing_z_phase_speed_2_is_out_of_range(0u) == true, "tc100_reg_homing_z_phase_speed_2_is_out_of_range 0");
+    expect(tc100_reg_homing_z_phase_speed_2_is_out_of_range(1u) == false, "tc100_reg_homing_z_phase_speed_2_is_out_of_range 1");
+    expect(tc100_reg_homing_z_phase_speed_2_is_out_of_range(2u) == false, "tc100_reg_homing_z_phase_speed_2_is_out_of_range 2");
+    expect(tc100_reg_homing_z_phase_speed_2_is_out_of_range(99u) == false, "tc100_reg_homing_z_phase_speed_2_is_out_of_range 99");
+    expect(tc100_reg_homing_z_phase_speed_2_is_out_of_range(100u) == false, "tc100_reg_homing_z_phase_speed_2_is_out_of_range 100");
+    expect(tc100_reg_homing_z_phase_speed_2_is_out_of_range(101u) == true, "tc100_reg_homing_z_phase_speed_2_is_out_of_range 101");
+}
+
+static void test_253(void)
+{
+    expect(tc100_reg_executed_point_is_out_of_range((-2)) == true, "tc100_reg_executed_point_is_out_of_range -2");
+    expect(tc100_reg_executed_point_is_out_of_range((-1)) == false, "tc100_reg_executed_point_is_out_of_range -1");
+    expect(tc100_reg_executed_point_is_out_of_range(0) == false, "tc100_reg_executed_point_is_out_of_range 0");
+    expect(tc100_reg_executed_point_is_out_of_range(126) == false, "tc100_reg_executed_point_is_out_of_range 126");
+    expect(tc100_reg_executed_point_is_out_of_range(127) == false, "tc100_reg_executed_point_is_out_of_range 127");
+    expect(tc100_reg_executed_point_is_out_of_range(128) == true, "tc100_reg_executed_point_is_out_of_range 128");
+}
+
+static void test_254(void)
+{
+    expect(tc100_reg_output_states_is_out_of_range(0u) == false, "tc100_reg_output_states_is_out_of_range 0");
+    expect(tc100_reg_output_states_is_out_of_range(1u) == false, "tc100_reg_output_states_is_out_of_range 1");
+    expect(tc100_reg_output_states_is_out_of_range(1022u) == false, "tc100_reg_output_states_is_out_of_range 1022");
+    expect(tc100_reg_output_states_is_out_of_range(1023u) == false, "tc100_reg_output_states_is_out_of_range 1023");
+    expect(tc100_reg_output_states_is_out_of_range(1024u) == true, "tc100_reg_output_states_is_out_of_range 1024");
+}
+
+static void test_255(void)
+{
+    expect(tc100_reg_input_states_is_out_of_range(0u) == false, "tc100_reg_input_states_is_out_of_range 0");
+    expect(tc100_reg_input_states_is_out_of_range(1u) == false, "tc100_reg_input_states_is_out_of_range 1");
+    expect(tc100_reg_input_states_is_out_of_range(32766u) == false, "tc100_reg_input_states_is_out_of_range 32766");
+    expect(tc100_reg_input_states_is_out_of_range(32767u) == false, "tc100_reg_input_states_is_out_of_range 32767");
+    expect(tc100_reg_input_states_is_out_of_range(32768u) == true, "tc100_reg_input_states_is_out_of_range 32768");
+}
+
 unsigned long tc100_selftest(void (*tell)(const char *what))
 {
     (void)same_bytes;
@@ -5188,6 +5560,45 @@ unsigned long tc100_selftest(void (*tell)(const char *what))
     test_214();
     test_215();
     test_216();
+    test_217();
+    test_218();
+    test_219();
+    test_220();
+    test_221();
+    test_222();
+    test_223();
+    test_224();
+    test_225();
+    test_226();
+    test_227();
+    test_228();
+    test_229();
+    test_230();
+    test_231();
+    test_232();
+    test_233();
+    test_234();
+    test_235();
+    test_236();
+    test_237();
+    test_238();
+    test_239();
+    test_240();
+    test_241();
+    test_242();
+    test_243();
+    test_244();
+    test_245();
+    test_246();
+    test_247();
+    test_248();
+    test_249();
+    test_250();
+    test_251();
+    test_252();
+    test_253();
+    test_254();
+    test_255();
     return failed;
 }
 

@@ -8,9 +8,10 @@ from decimal import Context, Decimal, Inexact
 from fractions import Fraction
 from typing import Any
 
+from fieldspec.codec.layout.accepted import stated_numbers
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.bits import number_of_bits
-from fieldspec.codec.reference.quantities import quantity, scale_of, special_name
+from fieldspec.codec.reference.quantities import quantity, scale_of, special_name, state_name
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_octets, is_real, is_text
 from fieldspec.language.model.value import Value
@@ -127,12 +128,13 @@ def _any_of(value: Value | None) -> Any:
 
 
 def value_columns(
-    device: Device, name: str, value: Value | None, raw: Any, power: Exponent | None = None
+    device: Device, name: str, value: Value | None, raw: Any, power: Exponent | None = None, trigger: bool = False
 ) -> Iterator[tuple[str, Any]]:
-    """The columns of a value by its raw value."""
+    """The columns of a value by its raw value. Nothing is stated of what is read of a `trigger`."""
     assert value is not None
     encoding = value.encoding
-    sentinel = special_name(value, raw) if (is_count(encoding) or is_real(encoding)) else ""
+    is_number = is_count(encoding) or is_real(encoding)
+    sentinel = special_name(value, raw) if is_number else ""
     if value.enum:
         member = device.enums[value.enum].member(int(raw))
         yield name, None if member is None else member.name
@@ -156,7 +158,9 @@ def value_columns(
         yield f"{name}_raw", raw
     else:
         yield name, raw
-    if value.sentinels:
+    if stated_numbers(device, value, trigger) is not None:
+        yield f"{name}_state", state_name(device, value, raw) or None
+    elif value.sentinels:
         yield f"{name}_state", sentinel or None
 
 

@@ -32,7 +32,9 @@ def layout_of(device: str) -> DeviceLayout:
     return newest(SPECS if (SPECS / device).exists() else TEST_SPECS, device)
 
 
-def columns_of(layout: DeviceLayout, name: str, value: Value, data: bytes, order: str, swapped: bool) -> Columns:
+def columns_of(
+    layout: DeviceLayout, name: str, value: Value, data: bytes, order: str, swapped: bool, trigger: bool = False
+) -> Columns:
     """The columns of a value in some bytes; null where a codec refuses them."""
     raw = value_construct(value, order, swapped).parse(data)
     if is_text(value.encoding):
@@ -40,7 +42,7 @@ def columns_of(layout: DeviceLayout, name: str, value: Value, data: bytes, order
         return {name: raw}
     if is_truth(value.encoding) and not value.enum:
         return {name: bool(raw) if raw in (0, 1) else None}
-    return dict(value_columns(layout.device, name, value, raw))
+    return dict(value_columns(layout.device, name, value, raw, trigger=trigger))
 
 
 def group_rows(layout: DeviceLayout, group: Any, start: int, payload: bytes) -> Iterator[tuple[str, Any]]:
@@ -55,7 +57,7 @@ def group_rows(layout: DeviceLayout, group: Any, start: int, payload: bytes) -> 
             suffix = f"_{number + register.index_from}" if own.count > 1 else ""
             data = payload[offset : offset + register.value.size]
             name = f"{Name.of(own.name).snake()}{suffix}"
-            columns = columns_of(layout, name, register.answer, data, own.order, own.swapped)
+            columns = columns_of(layout, name, register.answer, data, own.order, own.swapped, register.trigger)
             yield from scaled_columns(layout, name, register.answer, columns, payload, start).items()
 
 
@@ -195,7 +197,7 @@ def test_a_parameter_has_the_value_of_its_number(device: str, engine: str) -> No
                 continue
             inner = dice.choice([None, *(sub for sub in parameter.subindices if not sub.reserved)])
             value = (inner or parameter).value
-            answer = value.as_answer(parameter.trigger if inner is None else False)
+            answer = value.as_answer(parameter.trigger)
             data = dice.randbytes(value.size)
             covered = [low for sub in parameter.subindices for low, _ in sub.indices.intervals]
             subindex = inner.indices.low if inner else max(covered, default=0) + 1000
@@ -203,7 +205,7 @@ def test_a_parameter_has_the_value_of_its_number(device: str, engine: str) -> No
             if inner is not None:
                 name = f"{name}_{Name.of(inner.name).snake() or inner.indices.low}"
             rows.append((parameters.base + parameter.number, subindex, data))
-            wanted.append(columns_of(layout, name, answer, data, *orders.of(value)))
+            wanted.append(columns_of(layout, name, answer, data, *orders.of(value), parameter.trigger))
         columns = zip(*rows, strict=True)
         arguments = dict(zip(("number", "subindex", "payload"), map(list, columns), strict=True))
         for expected, row in zip(wanted, engine_of(engine, layout).rows(parameters.name, arguments), strict=True):

@@ -10,18 +10,22 @@ from typing import Any
 
 import pytest
 
+from fieldspec.codec.layout.accepted import stated_numbers
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.exponents import exponent_of
 from fieldspec.codec.layout.record import RecordLayout, RegisterLayout
+from fieldspec.codec.reference import CodecError
 from fieldspec.codec.reference.quantities import quantity as reference_quantity
-from fieldspec.codec.reference.quantities import scale_of, special_number
+from fieldspec.codec.reference.quantities import scale_of, special_number, state_name
+from fieldspec.codec.reference.records import decoded
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.encoding import is_count, is_real, is_signed
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.value import Value
 from python_package import built, link_of, record_class, runtime
-from random_devices.inputs import is_computed, record_values
+from random_devices.inputs import is_computed, record_values, stored_fields
 from random_devices.python_judge import Python
+from random_devices.quantities import state_queries
 from random_devices.queries import Answer, Query
 from random_devices.reference_answers import Reference
 
@@ -71,11 +75,16 @@ class Access(Python):
         for record in self.layout.records.values():
             self._assert_quantities(record)
             self._assert_states(record)
+        for query in state_queries(self.layout, random.Random(len(queries))):
+            self._assert_state(query)
         for query in queries:
             if query.kind in ("register", "parameter") and query.values is None:
                 self._assert_quantity(query)
                 self._assert_absent(query)
-            if query.kind != "record" or query.values is not None or _has_characters(query.shape):
+            if query.kind != "record" or query.values is not None:
+                continue
+            self._assert_read(query)
+            if _has_characters(query.shape):
                 continue
             if query.shape.size and query.shape.selector is None:
                 self._assert_columns(query)
@@ -210,6 +219,38 @@ class Access(Python):
             for number in sentinel.interval:
                 with pytest.raises(self.error):
                     holder.from_unit(Fraction(number) * scale_of(value) + Fraction(value.offset))
+
+    def _assert_state(self, query: Query) -> None:
+        """A register, and a parameter or an element of it, has the state of each number that may be read."""
+        kind, *names = query.path
+        if kind == "record" or query.values is None:
+            return
+        holder = self._holder(Query(kind, tuple(names[:2])))
+        raw, index = query.values["raw"], [holder.index(name) for name in names[2:]]
+        wanted, have = query.shape.state(raw), holder.state_of(raw, *index)
+        assert have == wanted, f"{query.path}: {raw} is {have}, not {wanted}"
+
+    def _assert_read(self, query: Query) -> None:
+        """A record that is read has the state of each of its values."""
+        record = query.shape
+        try:
+            values = decoded(record, query.data, self.layout.device)
+        except CodecError:
+            return
+        own = record_class(self.module, record).decode(query.data)
+        chosen = record if record.selector is None else record.of_number(values[record.selector.name]) or record
+        for field in stored_fields(record, chosen):
+            value = field.value
+            if value is None or not (is_count(value.encoding) or is_real(value.encoding)) or value.const is not None:
+                continue
+            if not hasattr(own, f"{field.name}_state"):
+                assert not value.sentinels, field.name
+                assert stated_numbers(self.layout.device, value) is None, field.name
+                continue
+            items = values[field.name] if field.is_list else [values[field.name]]
+            wanted: Any = [state_name(self.layout.device, value, item) or None for item in items]
+            have = getattr(own, f"{field.name}_state")
+            assert have == (wanted if field.is_list else wanted[0]), f"{record.name}.{field.name}: {items} is {have}"
 
     def _assert_states(self, record: RecordLayout) -> None:
         """A record has a constant for each state of its fields."""

@@ -27,7 +27,7 @@ from random_devices.framer_judge import Framers
 from random_devices.javascript_judge import JavaScript
 from random_devices.meaning_judge import Meanings
 from random_devices.python_judge import Python
-from random_devices.quantities import expected_answer, quantity_queries
+from random_devices.quantities import expected_answer, quantity_queries, state_queries
 from random_devices.queries import Answer, Query, queries
 from random_devices.queries_judge import Queries
 from random_devices.reference_answers import Reference
@@ -137,7 +137,7 @@ def compare_layout(layout: DeviceLayout, seed: int, frames: int, judges: tuple[J
     asked = queries(layout, seed, frames)
     reference = Reference(layout)
     expected = [reference.answer(query) for query in asked]
-    measured = quantity_queries(layout, random.Random(seed))
+    measured = [*quantity_queries(layout, random.Random(seed)), *state_queries(layout, random.Random(seed))]
     quantities = [expected_answer(query) for query in measured]
     result.frames += sum(query.kind == "frame" for query in asked)
     with tempfile.TemporaryDirectory(prefix="fieldspec-chance-") as folder:

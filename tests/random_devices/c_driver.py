@@ -114,8 +114,7 @@ class Driver:
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
         self.naming = Naming(layout.device.id)
-        header(layout, self.naming)
-        self.quantities = QuantityCases(layout, self.naming)
+        self.quantities = QuantityCases(layout, self.naming, header(layout, self.naming))
 
     def source(self) -> str:
         """The source."""

@@ -74,6 +74,8 @@ def _answer(query: Query, output: str) -> Answer:
         return Answer(REASONS[int(status)])
     if query.kind == "count":
         return Answer(again=values)
+    if query.kind == "state":
+        return Answer(quantity=values)
     if query.values is not None:
         return _quantity(query, *values.split(" "))
     return Answer(values=values, again=again if second == "0" else "!" + REASONS[int(second)])

@@ -12,7 +12,7 @@ from fieldspec.targets.c.conversions import count_type
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.quantities import fixed_values, scaled_values
 from fieldspec.targets.c.values import type_name
-from random_devices.quantities import Measured, measured_values
+from random_devices.quantities import Measured, StatedValue, measured_values, stated_values
 
 FUNCTIONS = """
 static double double_of(const uint8_t *bytes)
@@ -42,8 +42,8 @@ static int64_t whole_of(const uint8_t *bytes)
 class QuantityCases:
     """The cases of a header. `names` are the questions that it answers: `quantity.register.speed`."""
 
-    def __init__(self, layout: DeviceLayout, naming: Naming) -> None:
-        self.layout, self.naming = layout, naming
+    def __init__(self, layout: DeviceLayout, naming: Naming, header: str) -> None:
+        self.layout, self.naming, self.header = layout, naming, header
         self.names: set[str] = set()
         self.with_function = {(row.noun, *row.names) for row in (*fixed_values(layout), *scaled_values(layout))}
 
@@ -55,6 +55,8 @@ class QuantityCases:
                 yield self._case("quantity", path, self._quantity(path, measured, has_function))
             if has_function:
                 yield self._case("count", path, self._count(path, measured))
+        for path, stated in stated_values(self.layout):
+            yield self._case("state", path, self._state_of_number(path, stated))
         for conversion in self.layout.device.conversions.values():
             yield self._case("share", ("conversion", conversion.name), self._share(conversion))
 
@@ -76,6 +78,18 @@ class QuantityCases:
         show = f'if (refusal) {{ printf("!%d", refusal); }} else {{ {_SHOW} }}'
         return f'{begin} {quantity} {show} printf(" "); {self._state(path, value)}'
 
+    def _state_of_number(self, path: tuple[str, ...], stated: StatedValue) -> str:
+        """The state of a number, by the functions that the header has for it."""
+        value, kind = stated.value, type_name(stated.value)
+        number = "double_of(data)" if is_real(value.encoding) else "whole_of(data)"
+        begin = f"{kind} raw = ({kind}){number};"
+        special = self._state(path, value)
+        outside = AbsentValue(path[0], path[1:], value).range_function(self.naming)  # type: ignore[arg-type]
+        if f" {outside}(" not in self.header:
+            return f"{begin} {special}"
+        state = f'printf("%s", {outside}(raw) ? "out_of_range" : "None");'
+        return f"{begin} {special.replace(_NO_STATE, state, 1)}"
+
     def _by_macros(self, path: tuple[str, ...], value: Value) -> str:
         """What users compute of a scale and an offset, where these are not 1 and 0."""
         scale, offset = (self.naming.macro(path[0], *path[1:], name) for name in ("scale", "offset"))  # type: ignore[arg-type]
@@ -90,11 +104,11 @@ class QuantityCases:
 
     def _state(self, path: tuple[str, ...], value: Value) -> str:
         if not value.sentinels:
-            return 'printf("None");'
+            return _NO_STATE
         absent = AbsentValue(path[0], path[1:], value)  # type: ignore[arg-type]
         tests = [f'if ({self._stands_for(absent, own)}) {{ printf("{own.name}"); }}' for own in value.sentinels]
         known = " else ".join((*tests, '{ printf("no_constant"); }'))
-        return f'if (!{absent.function(self.naming)}(raw)) {{ printf("None"); }} else {known}'
+        return f"if (!{absent.function(self.naming)}(raw)) {{ {_NO_STATE} }} else {known}"
 
     def _stands_for(self, absent: AbsentValue, own: Sentinel) -> str:
         constant = absent.constant(self.naming, own)
@@ -119,4 +133,5 @@ class QuantityCases:
         return f'{quantity} {_SHOW} printf(" None");'
 
 
+_NO_STATE = 'printf("None");'
 _SHOW = 'printf("%.17g", quantity);'

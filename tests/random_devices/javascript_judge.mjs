@@ -78,7 +78,7 @@ function alone(codec, { data, encodes, values, exponent }) {
 /** The value in its unit, or the refusal of it, and the name of the state that it stands for. */
 function quantity({ units, absent }, value, exponent) {
   const state = absent?.nameOf(value) ?? null;
-  let number = state === null ? value : null;
+  let number = state === null || state === "out_of_range" ? value : null;
   try {
     if (units) number = units.inUnit(value, ...exponent);
   } catch (error) {
@@ -106,6 +106,14 @@ function measured({ noun, path, key }) {
   return { units: units[key], absent: absent?.[key] };
 }
 
+/** The state of a number that is read; of a field with several types, of that with the name in the path. */
+function state(job) {
+  const { absent, subindices, absentOf } = measured(job);
+  const [, , chosen] = job.path;
+  const own = () => (job.noun === "record" ? absent?.[chosen] : absentOf(subindices.find(({ name }) => name === chosen).indices[0][0]));
+  return { state: (chosen === undefined ? absent : own())?.nameOf(fromJson(job.raw)) ?? null };
+}
+
 /** The count of a quantity; null for a value that has no unit. */
 function count(job) {
   const units = measured(job).units ?? null;
@@ -121,6 +129,7 @@ function answer(job) {
   try {
     if (job.kind === "quantity") return quantity(measured(job), fromJson(job.raw), job.exponent);
     if (job.kind === "count") return count(job);
+    if (job.kind === "state") return state(job);
     if (job.kind === "share") return share(job);
     if (job.kind === "frame") return frame(job);
     if (job.kind === "record") return alone(find(job.path[0], "least"), job);

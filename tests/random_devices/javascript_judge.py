@@ -20,7 +20,7 @@ from fieldspec.targets.js.backend import shared
 from fieldspec.targets.js.links import WIDE
 from fieldspec.targets.js.members import Member, members_of
 from fieldspec.targets.js.module import module_texts
-from random_devices.quantities import Measured
+from random_devices.quantities import Measured, StatedValue
 from random_devices.queries import (
     ABSENT_OFFSET,
     EXPONENT,
@@ -64,6 +64,11 @@ class JavaScript:
         if query.kind == "share":
             raw = _number(query.values["raw"], query.shape.type.size)
             return {**job, "path": [Name.of(names[0]).camel()], "raw": raw}
+        if query.kind == "state":
+            stated: StatedValue = query.shape
+            if kind == "record":
+                job["key"] = next(member.key for member in self._members[names[0]] if member.field.name == names[1])
+            return {**job, "raw": _element(stated.value, query.values["raw"], stated.size)}
         measured: Measured = query.shape
         if kind == "record":
             job["key"] = next(member.key for member in self._members[names[0]] if member.field.name == names[1])
@@ -79,7 +84,7 @@ class JavaScript:
         return {record.name: members_of(record) for record in (*self.layout.records.values(), *bodies)}
 
     def _job(self, query: Query) -> dict[str, Any]:
-        if query.kind in ("quantity", "count", "share"):
+        if query.kind in ("quantity", "count", "share", "state"):
             return self._quantity_job(query)
         job: dict[str, Any] = {"kind": query.kind, "path": query.path, "data": query.data.hex(), "error": query.error}
         coded = query.kind == "frame" and self.layout.links[query.path[0]].frame(query.path[1]).role("code") is not None
@@ -126,6 +131,8 @@ class JavaScript:
         if query.kind == "count":
             again = _scalar(result["again"])
             return Answer(reason=None) if again is None else Answer(again=str(again))
+        if query.kind == "state":
+            return Answer(quantity=str(result["state"]))
         if query.kind in ("quantity", "share"):
             number = _scalar(result["quantity"])
             text = float(number["$f"]) if isinstance(number, dict) else number

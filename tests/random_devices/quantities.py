@@ -1,5 +1,5 @@
 """Questions about quantities: the number in the unit of a count, the count of a number in the unit, and both of parts
-of a reference. The answers are exact fractions of the reference, rounded once.
+of a reference; and the states of numbers that are read. The answers are exact fractions of the reference, rounded once.
 
 A count of a quantity is the nearest one, of two equally near ones the even one. It is refused where it may not be
 written, and where it stands for a state.
@@ -17,15 +17,18 @@ from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.exponents import ExponentLayout, exponent_of
-from fieldspec.codec.reference.quantities import quantity, scale_of, special_name, special_number
-from fieldspec.language.model.encoding import is_real
+from fieldspec.codec.reference.quantities import quantity, scale_of, special_name, special_number, state_name
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.encoding import is_count, is_real
 from fieldspec.language.model.value import Conversion, Value
 from random_devices.inputs import is_computed, number_or_text
 from random_devices.queries import Answer, Query, has_quantity, quantity_text, shapes
 
 DRAWS = 2
+_MOST_REAL = 1e30
+"""Reals up to it are tried, as each precision but half has them."""
 _DOUBLE_BITS = 50
-"""Counts of so many bits are told apart after some roundings of doubles."""
+"""Counts of so many bits are stated apart after some roundings of doubles."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,83 @@ def measured_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], Mea
             if value is not None and not is_computed(field) and value.parameter is None and has_quantity(value):
                 exponent = exponent_of(value, layout.registers, record)
                 yield ("record", record.name, field.name), Measured(value, field.size, exponent)
+
+
+@dataclass(frozen=True)
+class StatedValue:
+    """A number in `size` bytes that may be in a state where it is read."""
+
+    device: Device
+    value: Value
+    size: int
+    trigger: bool = False
+
+    def state(self, raw: float) -> str | None:
+        """The state by the reference. What is read of a trigger was not written: nothing is stated of it."""
+        name = state_name(self.device, self.value, raw)
+        return None if not name or (self.trigger and not special_name(self.value, raw)) else name
+
+
+def stated_values(layout: DeviceLayout) -> Iterator[tuple[tuple[str, ...], StatedValue]]:
+    """The numbers that may be in a state, by kind and names: registers, parameters, fields, and cases of fields."""
+    device = layout.device
+    reserved = {row.name for row in layout.registers if row.register.reserved}
+    for kind, path, (value, _, _, trigger, size) in shapes(layout):
+        if kind == "register" and path[0] in reserved:
+            continue
+        if kind == "parameter" and any(
+            row.subindices for row in device.parameters[path[0]].parameters if row.name == path[1]
+        ):
+            continue  # its states are those of its elements
+        answer = StatedValue(device, value.as_answer(trigger), size, trigger)
+        yield from _if_number(("parameter" if kind == "subindex" else kind, *path), answer)
+    bodies = (body for message in layout.messages.values() for body in message.bodies)
+    for record in {record.name: record for record in (*layout.records.values(), *bodies)}.values():
+        for field in record.fields:
+            if field.field.reserved or is_computed(field):
+                continue
+            if field.value is not None:
+                yield from _if_number(("record", record.name, field.name), StatedValue(device, field.value, field.size))
+            for case in field.cases:
+                yield from _if_number(
+                    ("record", record.name, field.name, case.name), StatedValue(device, case.value, case.value.size)
+                )
+
+
+def _if_number(path: tuple[str, ...], stated: StatedValue) -> Iterator[tuple[tuple[str, ...], StatedValue]]:
+    value = stated.value
+    if value.const is None and value.parameter is None and (is_count(value.encoding) or is_real(value.encoding)):
+        yield path, stated
+
+
+def state_queries(layout: DeviceLayout, dice: random.Random) -> list[Query]:
+    """Questions about the states of numbers at the ends of what is stated of them, beside these, and anywhere."""
+    return [
+        Query("state", path, values={"raw": raw}, shape=stated)
+        for path, stated in stated_values(layout)
+        for raw in _readable(layout, stated.value, dice)
+    ]
+
+
+def _readable(layout: DeviceLayout, value: Value, dice: random.Random) -> list[Any]:
+    """Numbers that can be read: of what bounds them, and of their type."""
+    if is_real(value.encoding):
+        ends = [float(end) for interval in (value.ranges.intervals if value.ranges else ()) for end in interval]
+        edges = {near for end in ends for near in (end, end - 1000.0, end + 1000.0)}
+        drawn = [struct.unpack("<f", struct.pack("<f", edge))[0] for edge in edges if abs(edge) < _MOST_REAL]
+        return [*_counts(layout, value, dice), *sorted(drawn), math.inf]
+    ends = [end for interval in (value.ranges.intervals if value.ranges else ()) for end in interval]
+    word = layout.device.flags.get(value.flags)
+    fields = [] if word is None else [dice.getrandbits(8 * word.type.size) for _ in word.bits]
+    near = {end + step for end in ends for step in (-1, 0, 1)}
+    numbers = {
+        number for number in (*_counts(layout, value, dice), *near, *fields) if value.low <= number <= value.high
+    }
+    enum = layout.device.enums.get(value.enum)
+    if enum is None or enum.open:
+        return sorted(numbers)
+    members = {member.value for member in enum.members if not member.unavailable}
+    return sorted(number for number in numbers if number in members or special_name(value, number))
 
 
 def quantity_queries(layout: DeviceLayout, dice: random.Random) -> list[Query]:
@@ -102,6 +182,8 @@ def _counts(layout: DeviceLayout, value: Value, dice: random.Random) -> list[Any
 def expected_answer(query: Query) -> Answer:
     """The answer of the reference."""
     assert query.values is not None
+    if query.kind == "state":
+        return Answer(quantity=str(query.shape.state(query.values["raw"])))
     if query.kind == "share":
         return Answer(quantity=quantity_text(float(_share(query.shape, query.values)), None))
     value, power = query.shape.value, query.values["power"]

@@ -14,7 +14,7 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.reference import CodecError, DeviceCodec, codec
 from fieldspec.language.model.encoding import is_count, is_octets, is_real, is_text
-from fieldspec.language.model.value import Value
+from fieldspec.language.model.value import OUT_OF_RANGE, Value
 from random_devices.inputs import (
     delimited,
     header_values,
@@ -136,7 +136,11 @@ def has_quantity(value: Value) -> bool:
 
 
 def quantity_text(number: float | str | None, state: str | None) -> str:
-    """A quantity as a text that does not depend on how a language writes numbers: None, a number, or a refusal."""
+    """A quantity as a text that does not depend on how a language writes numbers: None, a number, or a refusal.
+
+    `state` is that of a special value: what is out of range is a quantity, whose state other questions ask for.
+    """
+    state = None if state == OUT_OF_RANGE else state
     return f"{number if number is None or isinstance(number, str) else repr(float(number))} {state}"
 
 

@@ -2383,7 +2383,7 @@ export interface Point {
    */
   readonly pushMode: number;
 }
-export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly lowSpeed: Unit; readonly highSpeed: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitingTime: Unit; readonly triggerPosition: Unit; readonly triggerTime: Unit; readonly pushTorqueRatio: Unit; readonly pushSpeed: Unit; readonly pushPosition: Unit; readonly pushMode: Unit; }, { readonly command: import("../runtime/index.js").AbsentValues; readonly jumpPoint: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput0: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput1: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput2: import("../runtime/index.js").AbsentValues; readonly clearLoopCounterOf: import("../runtime/index.js").AbsentValues; readonly pushMode: import("../runtime/index.js").AbsentValues; }>;
+export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly lowSpeed: Unit; readonly highSpeed: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitingTime: Unit; readonly triggerPosition: Unit; readonly triggerTime: Unit; readonly pushTorqueRatio: Unit; readonly pushSpeed: Unit; readonly pushPosition: Unit; readonly pushMode: Unit; }, { readonly lowSpeed: import("../runtime/index.js").AbsentValues; readonly highSpeed: import("../runtime/index.js").AbsentValues; readonly accelerationTime: import("../runtime/index.js").AbsentValues; readonly decelerationTime: import("../runtime/index.js").AbsentValues; readonly command: import("../runtime/index.js").AbsentValues; readonly waitingTime: import("../runtime/index.js").AbsentValues; readonly jumpPoint: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput0: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput1: import("../runtime/index.js").AbsentValues; readonly jumpPointOfInput2: import("../runtime/index.js").AbsentValues; readonly loopCount: import("../runtime/index.js").AbsentValues; readonly loopJumpPoint: import("../runtime/index.js").AbsentValues; readonly outputSetting: import("../runtime/index.js").AbsentValues; readonly clearLoopCounterOf: import("../runtime/index.js").AbsentValues; readonly pushTorqueRatio: import("../runtime/index.js").AbsentValues; readonly pushSpeed: import("../runtime/index.js").AbsentValues; readonly pushMode: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read holding registers: the request.
@@ -2406,7 +2406,7 @@ export interface ReadRegistersRequest {
    */
   readonly wordCount: number;
 }
-export declare const ReadRegistersRequest: RecordCodec<ReadRegistersRequest, Record<string, never>>;
+export declare const ReadRegistersRequest: RecordCodec<ReadRegistersRequest, Record<string, never>, { readonly wordCount: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read holding registers: the response.

@@ -953,7 +953,7 @@ export interface AlarmHistoryEntry {
    */
   readonly alarmCode: number;
 }
-export declare const AlarmHistoryEntry: RecordCodec<AlarmHistoryEntry, { readonly hours: Unit; readonly minutes: Unit; }>;
+export declare const AlarmHistoryEntry: RecordCodec<AlarmHistoryEntry, { readonly hours: Unit; readonly minutes: Unit; }, { readonly minutes: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Point.
@@ -1028,7 +1028,7 @@ export interface Point {
    */
   readonly zoneLimit2: number;
 }
-export declare const Point: RecordCodec<Point, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; }>;
+export declare const Point: RecordCodec<Point, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; }, { readonly number: import("../runtime/index.js").AbsentValues; readonly distance: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; readonly zoneLimit1: import("../runtime/index.js").AbsentValues; readonly zoneLimit2: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Temporary point.
@@ -1085,7 +1085,7 @@ export interface TemporaryPoint {
    */
   readonly zoneLimit2: number;
 }
-export declare const TemporaryPoint: RecordCodec<TemporaryPoint, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; }>;
+export declare const TemporaryPoint: RecordCodec<TemporaryPoint, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; }, { readonly distance: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; readonly zoneLimit1: import("../runtime/index.js").AbsentValues; readonly zoneLimit2: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read consecutive points: the request.
@@ -1104,7 +1104,7 @@ export interface ReadPointsRequest {
    */
   readonly firstPoint: number;
 }
-export declare const ReadPointsRequest: RecordCodec<ReadPointsRequest, Record<string, never>>;
+export declare const ReadPointsRequest: RecordCodec<ReadPointsRequest, Record<string, never>, { readonly firstPoint: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read consecutive points: the response.
@@ -1357,7 +1357,7 @@ export interface WriteParameterRequest {
    */
   readonly value: number;
 }
-export declare const WriteParameterRequest: RecordCodec<WriteParameterRequest, Record<string, never>>;
+export declare const WriteParameterRequest: RecordCodec<WriteParameterRequest, Record<string, never>, { readonly parameterNumber: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Write one parameter: the response.
@@ -1447,7 +1447,7 @@ export interface ClearPointsRequest {
    */
   readonly pointCount: number;
 }
-export declare const ClearPointsRequest: RecordCodec<ClearPointsRequest, Record<string, never>>;
+export declare const ClearPointsRequest: RecordCodec<ClearPointsRequest, Record<string, never>, { readonly firstPoint: import("../runtime/index.js").AbsentValues; readonly pointCount: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Delete points: the response.
@@ -1678,7 +1678,7 @@ export interface MovePositiveDistanceRequest {
    */
   readonly force: number;
 }
-export declare const MovePositiveDistanceRequest: RecordCodec<MovePositiveDistanceRequest, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; }>;
+export declare const MovePositiveDistanceRequest: RecordCodec<MovePositiveDistanceRequest, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; }, { readonly distance: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move a distance in the positive direction: the response.
@@ -1735,7 +1735,7 @@ export interface MoveNegativeDistanceRequest {
    */
   readonly force: number;
 }
-export declare const MoveNegativeDistanceRequest: RecordCodec<MoveNegativeDistanceRequest, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; }>;
+export declare const MoveNegativeDistanceRequest: RecordCodec<MoveNegativeDistanceRequest, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; }, { readonly distance: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move a distance in the negative direction: the response.
@@ -1772,7 +1772,7 @@ export interface MoveOpenRequest {
    */
   readonly speed: number;
 }
-export declare const MoveOpenRequest: RecordCodec<MoveOpenRequest, { readonly speed: Unit; }>;
+export declare const MoveOpenRequest: RecordCodec<MoveOpenRequest, { readonly speed: Unit; }, { readonly speed: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move in the opening direction at constant speed: the response.
@@ -1809,7 +1809,7 @@ export interface MoveCloseRequest {
    */
   readonly speed: number;
 }
-export declare const MoveCloseRequest: RecordCodec<MoveCloseRequest, { readonly speed: Unit; }>;
+export declare const MoveCloseRequest: RecordCodec<MoveCloseRequest, { readonly speed: Unit; }, { readonly speed: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move in the closing direction at constant speed: the response.
@@ -1856,7 +1856,7 @@ export interface MoveRelativeRequest {
    */
   readonly speed: number;
 }
-export declare const MoveRelativeRequest: RecordCodec<MoveRelativeRequest, { readonly distance: Unit; readonly speed: Unit; }>;
+export declare const MoveRelativeRequest: RecordCodec<MoveRelativeRequest, { readonly distance: Unit; readonly speed: Unit; }, { readonly distance: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move to a relative position: the response.
@@ -1903,7 +1903,7 @@ export interface MoveAbsoluteRequest {
    */
   readonly speed: number;
 }
-export declare const MoveAbsoluteRequest: RecordCodec<MoveAbsoluteRequest, { readonly position: Unit; readonly speed: Unit; }>;
+export declare const MoveAbsoluteRequest: RecordCodec<MoveAbsoluteRequest, { readonly position: Unit; readonly speed: Unit; }, { readonly position: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move to an absolute position: the response.
@@ -1951,7 +1951,7 @@ export interface MoveToPointRequest {
    */
   readonly speed: number;
 }
-export declare const MoveToPointRequest: RecordCodec<MoveToPointRequest, { readonly speed: Unit; }>;
+export declare const MoveToPointRequest: RecordCodec<MoveToPointRequest, { readonly speed: Unit; }, { readonly pointNumber: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move as a point says: the response.
@@ -2001,7 +2001,7 @@ export interface GripOpenRequest {
    */
   readonly force: number;
 }
-export declare const GripOpenRequest: RecordCodec<GripOpenRequest, { readonly speed: Unit; readonly force: Unit; }>;
+export declare const GripOpenRequest: RecordCodec<GripOpenRequest, { readonly speed: Unit; readonly force: Unit; }, { readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move in the opening direction at constant speed and grip: the response.
@@ -2048,7 +2048,7 @@ export interface GripCloseRequest {
    */
   readonly force: number;
 }
-export declare const GripCloseRequest: RecordCodec<GripCloseRequest, { readonly speed: Unit; readonly force: Unit; }>;
+export declare const GripCloseRequest: RecordCodec<GripCloseRequest, { readonly speed: Unit; readonly force: Unit; }, { readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move in the closing direction at constant speed and grip: the response.
@@ -2105,7 +2105,7 @@ export interface GripRelativeRequest {
    */
   readonly force: number;
 }
-export declare const GripRelativeRequest: RecordCodec<GripRelativeRequest, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; }>;
+export declare const GripRelativeRequest: RecordCodec<GripRelativeRequest, { readonly distance: Unit; readonly speed: Unit; readonly force: Unit; }, { readonly distance: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move to a relative position and grip: the response.
@@ -2163,7 +2163,7 @@ export interface GripAbsoluteRequest {
    */
   readonly force: number;
 }
-export declare const GripAbsoluteRequest: RecordCodec<GripAbsoluteRequest, { readonly position: Unit; readonly speed: Unit; readonly force: Unit; }>;
+export declare const GripAbsoluteRequest: RecordCodec<GripAbsoluteRequest, { readonly position: Unit; readonly speed: Unit; readonly force: Unit; }, { readonly position: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move to an absolute position and grip: the response.
@@ -2231,7 +2231,7 @@ export interface GripOpenWithZoneRequest {
    */
   readonly force: number;
 }
-export declare const GripOpenWithZoneRequest: RecordCodec<GripOpenWithZoneRequest, { readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; readonly speed: Unit; readonly force: Unit; }>;
+export declare const GripOpenWithZoneRequest: RecordCodec<GripOpenWithZoneRequest, { readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; readonly speed: Unit; readonly force: Unit; }, { readonly zoneLimit1: import("../runtime/index.js").AbsentValues; readonly zoneLimit2: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move in the opening direction at constant speed and grip, with a zone: the response.
@@ -2299,7 +2299,7 @@ export interface GripCloseWithZoneRequest {
    */
   readonly force: number;
 }
-export declare const GripCloseWithZoneRequest: RecordCodec<GripCloseWithZoneRequest, { readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; readonly speed: Unit; readonly force: Unit; }>;
+export declare const GripCloseWithZoneRequest: RecordCodec<GripCloseWithZoneRequest, { readonly zoneLimit1: Unit; readonly zoneLimit2: Unit; readonly speed: Unit; readonly force: Unit; }, { readonly zoneLimit1: import("../runtime/index.js").AbsentValues; readonly zoneLimit2: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly force: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Move in the closing direction at constant speed and grip, with a zone: the response.
@@ -2447,7 +2447,7 @@ export interface ReadCurrentPositionResponse {
    */
   readonly position: number;
 }
-export declare const ReadCurrentPositionResponse: RecordCodec<ReadCurrentPositionResponse, { readonly position: Unit; }>;
+export declare const ReadCurrentPositionResponse: RecordCodec<ReadCurrentPositionResponse, { readonly position: Unit; }, { readonly position: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read the current position (读取当前位置).
@@ -2484,7 +2484,7 @@ export interface ReadCurrentPointNumberResponse {
    */
   readonly pointNumber: number;
 }
-export declare const ReadCurrentPointNumberResponse: RecordCodec<ReadCurrentPointNumberResponse, Record<string, never>>;
+export declare const ReadCurrentPointNumberResponse: RecordCodec<ReadCurrentPointNumberResponse, Record<string, never>, { readonly pointNumber: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read the current point's number (读取当前点编号).
@@ -2510,7 +2510,7 @@ export interface ReadParameterRequest {
    */
   readonly parameterNumber: number;
 }
-export declare const ReadParameterRequest: RecordCodec<ReadParameterRequest, Record<string, never>>;
+export declare const ReadParameterRequest: RecordCodec<ReadParameterRequest, Record<string, never>, { readonly parameterNumber: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read one parameter: the response.
@@ -2555,7 +2555,7 @@ export interface ReadPointRequest {
    */
   readonly pointNumber: number;
 }
-export declare const ReadPointRequest: RecordCodec<ReadPointRequest, Record<string, never>>;
+export declare const ReadPointRequest: RecordCodec<ReadPointRequest, Record<string, never>, { readonly pointNumber: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read one point: the response.
@@ -2728,7 +2728,7 @@ export interface ReadAccumulatedTimeResponse {
    */
   readonly minutes: number;
 }
-export declare const ReadAccumulatedTimeResponse: RecordCodec<ReadAccumulatedTimeResponse, { readonly hours: Unit; readonly minutes: Unit; }>;
+export declare const ReadAccumulatedTimeResponse: RecordCodec<ReadAccumulatedTimeResponse, { readonly hours: Unit; readonly minutes: Unit; }, { readonly minutes: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read the accumulated time (读取累计时间).

@@ -4213,7 +4213,7 @@ export interface Telegram9Request {
    */
   readonly mdiMode: number;
 }
-export declare const Telegram9Request: RecordCodec<Telegram9Request, { readonly mdiTargetPosition: Unit; readonly mdiVelocity: Unit; readonly mdiAcceleration: Unit; readonly mdiDeceleration: Unit; }>;
+export declare const Telegram9Request: RecordCodec<Telegram9Request, { readonly mdiTargetPosition: Unit; readonly mdiVelocity: Unit; readonly mdiAcceleration: Unit; readonly mdiDeceleration: Unit; }, { readonly mdiVelocity: import("../runtime/index.js").AbsentValues; readonly mdiAcceleration: import("../runtime/index.js").AbsentValues; readonly mdiDeceleration: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Positioning by MDI commands (standard telegram 9): the response.
@@ -4323,7 +4323,7 @@ export interface Telegram102Request {
    */
   readonly encoder1ControlWord: number;
 }
-export declare const Telegram102Request: RecordCodec<Telegram102Request, { readonly speedSetpointB: Unit; readonly torqueReduction: Unit; }>;
+export declare const Telegram102Request: RecordCodec<Telegram102Request, { readonly speedSetpointB: Unit; readonly torqueReduction: Unit; }, { readonly torqueReduction: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Speed with torque reduction (HIWIN telegram 102): the response.
@@ -4481,7 +4481,7 @@ export interface Telegram105Request {
    */
   readonly positionControllerGain: number;
 }
-export declare const Telegram105Request: RecordCodec<Telegram105Request, { readonly speedSetpointB: Unit; readonly torqueReduction: Unit; readonly positionError: Unit; readonly positionControllerGain: Unit; }>;
+export declare const Telegram105Request: RecordCodec<Telegram105Request, { readonly speedSetpointB: Unit; readonly torqueReduction: Unit; readonly positionError: Unit; readonly positionControllerGain: Unit; }, { readonly torqueReduction: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Speed with torque reduction and position controller (HIWIN telegram 105): the response.
@@ -4657,7 +4657,7 @@ export interface Telegram111Request {
    */
   readonly mdiDeceleration: number;
 }
-export declare const Telegram111Request: RecordCodec<Telegram111Request, { readonly velocityOverride: Unit; readonly mdiTargetPosition: Unit; readonly mdiVelocity: Unit; readonly mdiAcceleration: Unit; readonly mdiDeceleration: Unit; }>;
+export declare const Telegram111Request: RecordCodec<Telegram111Request, { readonly velocityOverride: Unit; readonly mdiTargetPosition: Unit; readonly mdiVelocity: Unit; readonly mdiAcceleration: Unit; readonly mdiDeceleration: Unit; }, { readonly velocityOverride: import("../runtime/index.js").AbsentValues; readonly mdiVelocity: import("../runtime/index.js").AbsentValues; readonly mdiAcceleration: import("../runtime/index.js").AbsentValues; readonly mdiDeceleration: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Positioning with all control words (HIWIN telegram 111): the response.
@@ -4800,7 +4800,7 @@ export interface Telegram750Request {
    */
   readonly negativeTorqueLimit: number;
 }
-export declare const Telegram750Request: RecordCodec<Telegram750Request, { readonly additionalTorque: Unit; readonly positiveTorqueLimit: Unit; readonly negativeTorqueLimit: Unit; }>;
+export declare const Telegram750Request: RecordCodec<Telegram750Request, { readonly additionalTorque: Unit; readonly positiveTorqueLimit: Unit; readonly negativeTorqueLimit: Unit; }, { readonly positiveTorqueLimit: import("../runtime/index.js").AbsentValues; readonly negativeTorqueLimit: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Torque beside another telegram (HIWIN telegram 750): the response.

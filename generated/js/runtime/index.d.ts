@@ -55,11 +55,11 @@ export interface Unit {
   fromUnit(quantity: Quantity): number | bigint;
 }
 
-/** The values that stand for a state and not for a quantity. */
+/** The states of a value that is read: of those that stand for no quantity, and `out_of_range`. */
 export interface AbsentValues {
   /** The values by the names of their states: the least of those that stand for it. A NaN means any NaN. */
   readonly values: Readonly<Record<string, number | bigint>>;
-  /** The name of the state that a value stands for; null for a quantity. */
+  /** The name of the state that a value stands for, or `out_of_range`, which is a quantity; null for any other value. */
   nameOf(value: number | bigint): string | null;
 }
 
@@ -186,7 +186,7 @@ export interface Register<T, U = Unit | null, W = T> {
   /** Writing starts an action. */
   readonly trigger: boolean;
   readonly units: U;
-  /** The values that stand for a state; null where none does. */
+  /** The states of what is read; null where it has none. */
   readonly absent: AbsentValues | null;
   /** The value of exactly all of its bytes. Throws CodecError. */
   decode(bytes: Uint8Array): T;
@@ -240,7 +240,7 @@ export interface Parameter<T, U = Unit | null> {
   readonly default: number | string | null;
   readonly elements: number | null;
   readonly units: U;
-  /** The values that stand for a state; null where none does. */
+  /** The states of what is read; null where it has none. */
   readonly absent: AbsentValues | null;
   /** The same of the element with an index. */
   absentOf(subindex: number): AbsentValues | null;

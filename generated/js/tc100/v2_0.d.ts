@@ -1251,7 +1251,7 @@ export interface Exception {
    */
   readonly exceptionCode: number;
 }
-export declare const Exception: RecordCodec<Exception, Record<string, never>>;
+export declare const Exception: RecordCodec<Exception, Record<string, never>, { readonly exceptionCode: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Point.
@@ -1410,7 +1410,7 @@ export interface Point {
    */
   readonly nextPoint: number;
 }
-export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly speed: Unit; readonly torqueLimit: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitTime: Unit; }, { readonly speed: import("../runtime/index.js").AbsentValues; readonly nextPoint: import("../runtime/index.js").AbsentValues; }>;
+export declare const Point: RecordCodec<Point, { readonly position: Unit; readonly speed: Unit; readonly torqueLimit: Unit; readonly accelerationTime: Unit; readonly decelerationTime: Unit; readonly waitTime: Unit; }, { readonly mode: import("../runtime/index.js").AbsentValues; readonly speed: import("../runtime/index.js").AbsentValues; readonly torqueLimit: import("../runtime/index.js").AbsentValues; readonly accelerationTime: import("../runtime/index.js").AbsentValues; readonly decelerationTime: import("../runtime/index.js").AbsentValues; readonly waitTime: import("../runtime/index.js").AbsentValues; readonly nextPoint: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read holding registers: the request.
@@ -1435,7 +1435,7 @@ export interface ReadRegistersRequest {
    */
   readonly wordCount: number;
 }
-export declare const ReadRegistersRequest: RecordCodec<ReadRegistersRequest, Record<string, never>>;
+export declare const ReadRegistersRequest: RecordCodec<ReadRegistersRequest, Record<string, never>, { readonly wordCount: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Read holding registers: the response.
@@ -1574,7 +1574,7 @@ export interface WriteRegistersResponse {
    */
   readonly wordCount: number;
 }
-export declare const WriteRegistersResponse: RecordCodec<WriteRegistersResponse, Record<string, never>>;
+export declare const WriteRegistersResponse: RecordCodec<WriteRegistersResponse, Record<string, never>, { readonly wordCount: import("../runtime/index.js").AbsentValues; }>;
 
 /**
  * Write several registers (10 H, 連續資料寫入 (1Word 以上)).

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from struct import error as StructError
 
-from ._absent import first_number, state_of
+from ._absent import first_number
 from ._carried import Unknown
 from ._conversions import carried_bits, number_struct
 from ._error import CodecError
@@ -150,9 +150,9 @@ class Parameter(Generic[T]):
         """The values that stand for a state and are no quantity, by the names of their states."""
         return {state: first_number(number) for state, number in self.value.absent}
 
-    def state_of(self, value: float, subindex: int = 0) -> str | None:
-        """The name of the state that a value of the element with an index stands for; None for a quantity."""
-        return state_of(value, self._element(subindex)[0].absent)
+    def state_of(self, value: T | float, subindex: int = 0) -> str | None:
+        """The name of the state that a value of the element with an index stands for, or `out_of_range`; else None."""
+        return self._element(subindex)[0].state_of(value)
 
     def subindex(self, index: int) -> Subindex | None:
         """The description of the element with an index; None where all elements are alike."""

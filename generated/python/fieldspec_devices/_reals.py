@@ -11,7 +11,7 @@ from ._values import Value
 if TYPE_CHECKING:
     from typing import Any
 
-    from ._typing import Absent, Quantity
+    from ._typing import Absent, Quantity, Stated
 
 
 class Float(Value[float]):
@@ -27,8 +27,10 @@ class Float(Value[float]):
         ranges: tuple[tuple[float, float], ...] = (),
         unit: str = "",
         absent: Absent = (),
+        stated: Stated | None = None,
     ) -> None:
-        super().__init__(letters, swapped=swapped, unit=unit, absent=absent)
+        stated = (ranges,) if stated is None else stated
+        super().__init__(letters, swapped=swapped, unit=unit, absent=absent, stated=stated)
         self.ranges = ranges  # type: ignore[assignment]  # those of other values are whole numbers
 
     def of_carried(self, name: str, raw: Any) -> float:

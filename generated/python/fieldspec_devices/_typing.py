@@ -16,8 +16,9 @@ if TYPE_CHECKING:
     Quantity: TypeAlias = float | Decimal | Fraction
     Others: TypeAlias = tuple[float | range, ...]
     Absent: TypeAlias = tuple[tuple[str, float | range], ...]
+    Stated: TypeAlias = tuple[Any, ...]
 else:
-    T = R = M = Absent = Any = Data = Others = Quantity = None
+    T = R = M = Absent = Any = Data = Others = Quantity = Stated = None
 
     def overload(function):
         """Stands in for `typing.overload`."""
@@ -32,4 +33,17 @@ else:
             return cls
 
 
-__all__ = ["TYPE_CHECKING", "Absent", "Any", "Data", "Generic", "M", "Others", "Quantity", "R", "T", "overload"]
+__all__ = [
+    "TYPE_CHECKING",
+    "Absent",
+    "Any",
+    "Data",
+    "Generic",
+    "M",
+    "Others",
+    "Quantity",
+    "R",
+    "Stated",
+    "T",
+    "overload",
+]

@@ -1,7 +1,8 @@
 """The numbers and bytes that a value takes: what readers refuse, what they let pass and remark, what writers refuse.
 
 These are the only places that say what a range, a constant, a closed enum, a special value and a bounded part of a word
-mean together. Conditions are in the order in which codecs refuse.
+mean together. Conditions are in the order in which codecs refuse. What readers let pass and remark is a value all the
+same: outputs say that it is out of range where they say for which state a special value stands.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from fieldspec.language.model.encoding import (
     real_bits,
 )
 from fieldspec.language.model.ranges import merged
+from fieldspec.language.model.value import OUT_OF_RANGE
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -164,9 +166,9 @@ def _remarked(device: Device, value: Value, encoding: Encoding) -> list[Conditio
     match encoding:
         case Whole() | Digits():
             tests: list[Test] = [*_parts(device, value)]
-            if value.ranges is not None:
+            if value.ranges is not None and not value.ranges.includes(value.low, value.high):
                 tests.insert(0, Within(value.ranges.intervals, value.special_intervals))
-            return [Condition(test, "out_of_range") for test in tests]
+            return [Condition(test, OUT_OF_RANGE) for test in tests]
         case Real():
             return _real_range(value)
         case Truth() | Text() | Octets():
@@ -192,6 +194,41 @@ def _writing(device: Device, value: Value, encoding: Encoding) -> list[Condition
             return []
         case _:
             assert_never(encoding)
+
+
+@dataclass(frozen=True, slots=True)
+class StatedNumbers:
+    """What a spec states that numbers are of which others are read too: in one of some intervals, with some parts of a
+    word in their ranges. Without intervals, every number is. Special values are beside them.
+    """
+
+    intervals: tuple[tuple[float, float], ...]
+    bits: tuple[Bit, ...]
+
+
+def range_conditions(device: Device, value: Value, trigger: bool = False) -> tuple[Condition, ...]:
+    """The conditions without which a value that is read is out of range. A register or parameter is read as its answer.
+
+    What is read of a `trigger` is not what was written, so nothing is stated of it.
+    """
+    return () if trigger else accepted(device, value).remarked
+
+
+def stated_numbers(device: Device, value: Value, trigger: bool = False) -> StatedNumbers | None:
+    """The numbers beside which a value that is read is out of range; None where no number is."""
+    intervals: tuple[tuple[float, float], ...] = ()
+    bits: list[Bit] = []
+    for condition in range_conditions(device, value, trigger):
+        match condition.test:
+            case Within() | RealWithin():
+                intervals = value.ranges.intervals if value.ranges is not None else ()
+            case PartWithin():
+                bits.append(condition.test.bit)
+            case Equals() | IsBit() | HasDigits() | HasCharacters() | Known() | Fits():
+                continue  # readers refuse what does not pass
+            case _:
+                assert_never(condition.test)
+    return StatedNumbers(intervals, tuple(bits)) if intervals or bits else None
 
 
 def passes(test: Test, content: float | str | bytes | None) -> bool:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
+from fieldspec.codec.reference.bits import number_of_bits
 from fieldspec.codec.reference.structs import value_construct
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.value import Value
 
@@ -36,6 +38,16 @@ def special_name(value: Value, raw: float) -> str:
         if math.isnan(raw) if sentinel.is_nan else not math.isnan(raw) and low <= raw <= high:
             return sentinel.name
     return ""
+
+
+def state_name(device: Device, value: Value, raw: float) -> str:
+    """The name of the state that a number which is read stands for, or `out_of_range`; empty for any other number."""
+    special = special_name(value, raw)
+    is_within = value.ranges is None or any(low <= raw <= high for low, high in value.ranges.intervals)
+    if value.flags:
+        word = device.flags[value.flags]
+        is_within &= all(bit.ranges is None or number_of_bits(word, bit, int(raw)) in bit.ranges for bit in word.bits)
+    return special if special or is_within else "out_of_range"
 
 
 def special_number(value: Value, name: str) -> int | float:

@@ -1,12 +1,13 @@
 """The sentinels of a value have names and values of their own, and none is a member of its enum with another name.
 
 Why: a value with two names stands for either of two states, and nobody can tell which one; a name for two values does
-not say which one to write. A value that can only be one number has no other states.
+not say which one to write. A value that can only be one number has no other states. `out_of_range` is the state of a
+number outside of the `range`, which is a quantity all the same.
 
 Example: `sentinels: [{value: 0xFFFF, name: not_measured}, {value: 0xFFFF, name: overflow}]`.
 
-Cure: Correct one of them, and write an erratum if the manual prints it that way; or remove the sentinel, and describe
-the member of the enum.
+Cure: Correct or rename one of them, and write an erratum if the manual prints it that way; or remove the sentinel, and
+describe the member of the enum.
 """
 
 from __future__ import annotations
@@ -17,9 +18,10 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Sentinel, Value
+from fieldspec.language.model.value import OUT_OF_RANGE, Sentinel, Value
 
 _CODE = "sentinels_distinct"
+_HELP = "correct one of them, or remove the sentinel"
 
 
 def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
@@ -35,7 +37,11 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
             member = next(
                 (other for other in covered if other.name != sentinel.name or sentinel.last is not None), None
             )
-            if sentinel.text in names:
+            if sentinel.name == OUT_OF_RANGE:
+                text = (
+                    f"{sentinel.text} of {fact.name} is {OUT_OF_RANGE}, the state of every number outside of its range"
+                )
+            elif sentinel.text in names:
                 text = f"{sentinel.text} of {fact.name} is {names[sentinel.text]} and {sentinel.name}"
             elif sentinel.name in texts:
                 text = f"{sentinel.name} of {fact.name} is {texts[sentinel.name]} and {sentinel.text}"
@@ -46,7 +52,8 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
             elif value.const is not None:
                 text = f"{fact.name} is always {value.const}, and has the sentinel {sentinel.name}"
             if text:
-                yield finding(_CODE, fact.place, "sentinels", text, "correct one of them, or remove the sentinel")
+                help = "give it another name" if sentinel.name == OUT_OF_RANGE else _HELP
+                yield finding(_CODE, fact.place, "sentinels", text, help)
             names.setdefault(sentinel.text, sentinel.name)
             texts.setdefault(sentinel.name, sentinel.text)
 

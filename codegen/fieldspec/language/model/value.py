@@ -15,6 +15,7 @@ from fieldspec.language.model.text_form import UTF_16, TextForm
 
 if TYPE_CHECKING:
     from fractions import Fraction
+    from typing import Final
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +43,10 @@ HANDLING_KEYS = attributes(Handling)
 
 # Wide enough for the product of a 64-bit count and any scale that the language takes.
 _EXACT = Context(prec=120)
+
+
+OUT_OF_RANGE: Final = "out_of_range"
+"""The state of a number that is read outside of what is stated of it, which is a quantity all the same."""
 
 
 @dataclass(frozen=True, slots=True)

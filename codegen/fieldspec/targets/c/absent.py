@@ -1,15 +1,18 @@
-"""Values that stand for a state and not for a quantity: their constants, and the functions that tell them apart."""
+"""States of values that are read: the constants of special values, and the functions that tell them, and values out of
+range, from others.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.codec.layout.accepted import Condition, range_conditions
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, infinity
 from fieldspec.language.model.value import Sentinel, Value
-from fieldspec.targets.c.conditions import among_test
+from fieldspec.targets.c.conditions import among_test, refused_number
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
 from fieldspec.targets.c.expressions import (
     VALUE,
@@ -23,7 +26,7 @@ from fieldspec.targets.c.expressions import (
     at_most,
     greater,
 )
-from fieldspec.targets.c.literals import hexadecimal
+from fieldspec.targets.c.literals import FALSE, hexadecimal
 from fieldspec.targets.c.machine import literal, macro_literal, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.runtime_files import all_records, is_bit
@@ -33,11 +36,15 @@ from fieldspec.targets.c.values import type_name
 
 @dataclass(frozen=True, slots=True)
 class AbsentValue:
-    """A value with sentinels, the noun under which `Naming` has it, and the words of its names."""
+    """A value that may be in a state, the noun under which `Naming` has it, and the words of its names.
+
+    `conditions` are those without which it is out of range.
+    """
 
     noun: Noun
     names: tuple[str, ...]
     value: Value
+    conditions: tuple[Condition, ...] = ()
 
     @property
     def title(self) -> str:
@@ -52,31 +59,49 @@ class AbsentValue:
         """The name of the function that tells the sentinels apart: `gadget_reg_power_is_absent`"""
         return naming.function(self.noun, *self.names, "is_absent")
 
+    def range_function(self, naming: Naming) -> str:
+        """The name of the function that tells numbers out of range apart: `gadget_reg_power_is_out_of_range`"""
+        return naming.function(self.noun, *self.names, "is_out_of_range")
+
 
 def absent_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
     """All values with sentinels: signals, fields and their cases, registers, parameters."""
     return (absent for absent in _every_value(layout) if absent.value.sentinels)
 
 
+def ranged_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
+    """All values that may be out of range where they are read, in the same places."""
+    return (ranged for ranged in _every_value(layout) if ranged.conditions)
+
+
 def _every_value(layout: DeviceLayout) -> Iterator[AbsentValue]:
-    for signal in layout.device.signals.values():
-        yield AbsentValue("signal", (signal.name,), signal.value)
+    device = layout.device
+
+    def field_value(noun: Noun, names: tuple[str, ...], value: Value) -> AbsentValue:
+        return AbsentValue(noun, names, value, range_conditions(device, value))
+
+    def answer_value(noun: Noun, names: tuple[str, ...], value: Value, trigger: bool) -> AbsentValue:
+        return AbsentValue(noun, names, value, range_conditions(device, value.as_answer(trigger), trigger))
+
+    for signal in device.signals.values():
+        yield field_value("signal", (signal.name,), signal.value)
     for record in all_records(layout):
         for field in record.fields:
             if field.value is not None and not field.field.reserved:
-                yield AbsentValue("record", (record.name, field.name), field.value)
+                yield field_value("record", (record.name, field.name), field.value)
             for case in field.cases:
-                yield AbsentValue("record", (record.name, field.name, case.name), case.value)
+                yield field_value("record", (record.name, field.name, case.name), case.value)
     for row in layout.registers:
         if not is_bit(row) and not row.register.reserved:
-            yield AbsentValue("register", (row.name,), row.register.value)
-    for parameters in layout.device.parameters.values():
+            yield answer_value("register", (row.name,), row.register.value, row.register.trigger)
+    for parameters in device.parameters.values():
         for parameter in parameters.parameters:
             if not parameter.reserved:
-                yield AbsentValue("parameter", (parameters.name, parameter.name), parameter.value)
+                names = (parameters.name, parameter.name)
+                yield answer_value("parameter", names, parameter.value, parameter.trigger)
                 for inner in parameter.subindices:
                     if not inner.reserved:
-                        yield AbsentValue("parameter", (parameters.name, parameter.name, inner.name), inner.value)
+                        yield answer_value("parameter", (*names, inner.name), inner.value, parameter.trigger)
 
 
 def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
@@ -108,6 +133,25 @@ def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
             absent.function(naming),
             (Variable(Type(type_name(value)), "value"),),
             (Return(_absent_test(naming, value)),),
+        ),
+    ]
+
+
+def declare_out_of_range(naming: Naming, ranged: AbsentValue) -> list[Declaration]:
+    """The function that says whether a value that is read is out of range.
+
+    `bool gadget_reg_power_is_out_of_range(int16_t value)`
+    """
+    value = ranged.value
+    refusals = [refused_number(naming, value.encoding, condition.test, VALUE) for condition in ranged.conditions]
+    tests = [test for test in refusals if test is not None]
+    return [
+        comment(f"Whether {ranged.title} is outside of its stated range."),
+        Function(
+            Type("bool"),
+            ranged.range_function(naming),
+            (Variable(Type(type_name(value)), "value"),),
+            (Return(any_of(list(map(Group, tests)) if len(tests) > 1 else tests) if tests else FALSE),),
         ),
     ]
 

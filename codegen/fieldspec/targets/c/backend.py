@@ -9,7 +9,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, stem, version_word
 from fieldspec.language.model.device import Device
-from fieldspec.targets.c.absent import absent_values, declare_absent
+from fieldspec.targets.c.absent import absent_values, declare_absent, declare_out_of_range, ranged_values
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
 from fieldspec.targets.c.conversions import declare_conversion
 from fieldspec.targets.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
@@ -148,6 +148,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
         ),
         ("Texts of codes, in UTF-8", _code_texts(naming, layout)),
         ("Values that stand for a state", _absent_values(naming, layout)),
+        ("Values out of range", (declare_out_of_range(naming, ranged) for ranged in ranged_values(layout))),
     )
 
 

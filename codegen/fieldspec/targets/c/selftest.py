@@ -50,7 +50,7 @@ from fieldspec.targets.c.sample_values import (
     record_value,
 )
 from fieldspec.targets.c.selftest_examples import test_example
-from fieldspec.targets.c.selftest_quantities import test_absent, test_quantities
+from fieldspec.targets.c.selftest_quantities import test_absent, test_out_of_range, test_quantities
 from fieldspec.targets.c.selftest_values import test_constants, test_conversions, test_value
 from fieldspec.targets.c.statements import Statement, Variable, Variables, assign, call
 from fieldspec.targets.pieces import facts_of, piece
@@ -82,6 +82,7 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
         test_quantities(layout, naming),
         (test_example(layout, naming, example) for example in layout.device.examples.values()),
         test_absent(layout, naming),
+        test_out_of_range(layout, naming),
     )
     tests += [_print_test(printer, body) for body in bodies]
     switches = f"#define {naming.own_macro('with_texts')}\n" if code_tables(layout.device) else ""

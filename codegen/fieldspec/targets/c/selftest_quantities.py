@@ -1,14 +1,18 @@
-"""What self-tests expect of absent values, and of quantities that may be absent or have their scale elsewhere."""
+"""What self-tests expect of absent values, of those out of range, and of quantities that may be absent or have their
+scale elsewhere.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.codec.layout.accepted import passes
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
+from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.absent import AbsentValue, absent_values
+from fieldspec.targets.c.absent import AbsentValue, absent_values, ranged_values
 from fieldspec.targets.c.assertions import expect, expect_equal
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type, address_of, at_least, at_most
 from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, double, whole_double
@@ -66,6 +70,28 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
         if expected:
             body = (Variable(Type("double"), "quantity", value=whole_double(0)), *expected)
             yield [CompileIf("ifndef", naming.own_macro("without_double"), body)]
+
+
+def test_out_of_range(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
+    """Tests at the ends of what is stated of values, and beside them, which numbers are out of range."""
+    for ranged in ranged_values(layout):
+        value, function = ranged.value, ranged.range_function(naming)
+        low, high = _neighbour_bounds(value)
+        intervals = value.ranges.intervals if value.ranges is not None else ()
+        ends = {end for interval in (*intervals, *value.special_intervals) for end in interval}
+        ends |= {end for bit in _bits(layout, value) for interval in bit.images for end in interval}
+        numbers = sorted({end + step for end in ends for step in (-1, 0, 1)})
+        yield [
+            expect_equal(f"{function} {number}", Call(function, (literal(value.encoding, number),)), expected)
+            for number in numbers
+            if low <= number <= high
+            and (expected := FALSE if all(passes(own.test, number) for own in ranged.conditions) else TRUE)
+        ]
+
+
+def _bits(layout: DeviceLayout, value: Value) -> tuple[Bit, ...]:
+    """The fields of bits of a value that have a range."""
+    return layout.device.flags[value.flags].bounded if value.flags else ()
 
 
 def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterator[Statement]:

@@ -53,6 +53,7 @@ CONSTRUCTS = {
     "powers": "scales that are read from another register or field",
     "conversions": "shares of a reference",
     "ranges": "ranges, sentinels and constants",
+    "told_ranges": "numbers that are read outside of their range, told from others",
     "constants": "addresses, codes, masks and limits as constants",
     "code_texts": "texts of codes",
     "remedies": "causes and remedies of codes",
@@ -115,6 +116,7 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         "them compares it with the ranges and the enum"
     )
     capabilities["bit_numbers"] = adapted("are masks with the sign and the scale in a comment")
+    capabilities["told_ranges"] = adapted("are numbers; programs compare them with the constants of the range")
     capabilities["powers"] = adapted("are counts, with the name of the exponent in a comment")
     if dialect.bits == "packed":
         capabilities["bit_fields"] = adapted("are masks and single bits in images, because a BOOL is one bit")

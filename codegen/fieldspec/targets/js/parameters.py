@@ -95,7 +95,7 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrie
         "default": "" if default is None else literal(default) if isinstance(default, str) else str(default),
         "elements": "" if row.elements is None else str(row.elements),
         "units": unit_of(row.value),
-        "absent": absent_of(row.value),
+        "absent": absent_of(names.layout.device, row.value.as_answer(row.trigger), row.trigger),
         "subindices": ", ".join(_subindex(row, subindex, names) for subindex in row.subindices),
         "printedName": literal(row.printed_name or parameter_set.number_text(row.number)) if row.count == 1 else "",
     }
@@ -110,7 +110,7 @@ def _parameter(row: Parameter, parameter_set: ParameterSet, names: Names, carrie
 def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
     """The object of an element, or of a run of them, with a meaning of its own."""
     read, write = _functions(f"{row.name}.{subindex.name}", subindex.value, row.trigger, names)
-    absent = absent_of(subindex.value)
+    absent = absent_of(names.layout.device, subindex.value.as_answer(row.trigger), row.trigger)
     return object_of(
         {
             "name": literal(subindex.name),

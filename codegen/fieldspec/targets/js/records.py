@@ -23,7 +23,7 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
     """The codec of a record, `name`, and the interface of its values; `head` begins its documentation."""
     members = [member for member in members_of(record) if member.key]
     units = {member.key: unit for member in members if (unit := _unit(record, member.field, names)) is not None}
-    absent = {member.key: table for member in members if (table := _absent(member.field)) is not None}
+    absent = {member.key: table for member in members if (table := _absent(names, member.field)) is not None}
     code = [
         *width_table(record, name),
         *list_table(record, name),
@@ -70,12 +70,13 @@ def _unit(record: RecordLayout, field: FieldLayout, names: Names) -> tuple[str, 
     return (call, "Unit") if call else None
 
 
-def _absent(field: FieldLayout) -> tuple[str, str] | None:
-    """The values of a field that stand for a state, and their type; by the name of the type where it has several."""
+def _absent(names: Names, field: FieldLayout) -> tuple[str, str] | None:
+    """The states of a field, and their type; by the name of the type where it has several."""
     if field.value is not None:
-        table = absent_of(field.value)
+        table = absent_of(names.layout.device, field.value)
         return (table, ABSENT_VALUES) if table else None
-    tables = {case.name: table for case in field.cases if (table := absent_of(case.value))}
+    device = names.layout.device
+    tables = {case.name: table for case in field.cases if (table := absent_of(device, case.value))}
     kinds = " ".join(f"readonly {name}: {ABSENT_VALUES};" for name in tables)
     return (object_of(tables), f"{{ {kinds} }}") if tables else None
 

@@ -44,7 +44,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     else:
         units, unit_type = unit_of(register.value), "Unit"
     properties += [f"units: {units}"] if units else []
-    absent = absent_of(register.value)
+    absent = absent_of(device, answer, register.trigger)
     properties += [f"absent: {absent}"] if absent else []
     arguments = [
         literal(layout.name),

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
+from fieldspec.codec.layout.accepted import StatedNumbers, stated_numbers
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import Name
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.value import Conversion, Sentinel, Value
@@ -18,7 +20,7 @@ POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
 """The type of units with an exponent, which few modules need."""
 
 ABSENT_VALUES = 'import("../runtime/index.js").AbsentValues'
-"""The type of the values that stand for a state, by name."""
+"""The type of the states of a value that is read."""
 
 
 def unit_of(value: Value) -> str:
@@ -71,16 +73,28 @@ def _real_unit(value: Value) -> str:
     return f"/* @__PURE__ */ realUnit({{ {', '.join(rows)} }})"
 
 
-def absent_of(value: Value) -> str:
-    """The call that makes the `AbsentValues` of a value; empty where no value stands for a state."""
-    if not value.sentinels:
+def absent_of(device: Device, value: Value, trigger: bool = False) -> str:
+    """The call that makes the `AbsentValues` of a value that is read; empty where it has no states."""
+    stated = stated_numbers(device, value, trigger)
+    if not value.sentinels and stated is None:
         return ""
     wide = is_wide(value.encoding)
     suffix = "n" if wide else ""
     rows = [f"{s.name}: {_sentinel_number(value, s)}{suffix}" for s in value.sentinels]
     lasts = [f"{s.name}: {s.last}{suffix}" for s in value.sentinels if s.last is not None]
-    further = f", {{ __proto__: null, {', '.join(lasts)} }}" if lasts else ""
-    return f"/* @__PURE__ */ absentValues({{ __proto__: null, {', '.join(rows)} }}{further})"
+    tables = [f"{{ {', '.join(['__proto__: null', *rows])} }}"]
+    tables += [f"{{ {', '.join(['__proto__: null', *lasts])} }}"] if lasts or stated is not None else []
+    tables += [_stated(stated, suffix)] if stated is not None else []
+    return f"/* @__PURE__ */ absentValues({', '.join(tables)})"
+
+
+def _stated(stated: StatedNumbers, suffix: str) -> str:
+    """What is stated of numbers, beside special values: `{ ranges: [[1, 10]], bits: [[0xen, [[0n, 10n]]]] }`"""
+    ranges = ", ".join(f"[{low}{suffix}, {high}{suffix}]" for low, high in stated.intervals)
+    images = ((bit.mask, ", ".join(f"[{low}n, {high}n]" for low, high in bit.images)) for bit in stated.bits)
+    bits = ", ".join(f"[{mask:#x}n, [{intervals}]]" for mask, intervals in images)
+    parts = [*([f"ranges: [{ranges}]"] * bool(ranges)), *([f"bits: [{bits}]"] * bool(bits))]
+    return f"{{ {', '.join(parts)} }}"
 
 
 def _counts(intervals: Iterable[tuple[int, int]], suffix: str = "") -> str:

@@ -112,6 +112,7 @@ _NOT_EXACT = {
     "inner_lists": refused("the words behind them have no place of their own: output_lists_last"),
     "formed_texts": refused("instructions copy their bytes: output_texts_ascii"),
     "ranges": adapted(_TABLE),
+    "told_ranges": adapted(_TABLE),
     "constants": adapted(_TABLE),
     "code_texts": refused("are no words: see the output for operator panels"),
     "remedies": refused("are no words: see the output for operator panels"),

@@ -48,8 +48,7 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     enums = {name: enum_view(enum, scope) for name, enum in device.enums.items()}
     flags = {name: flags_view(word, device, enums, scope) for name, word in device.flags.items()}
     names = {name: _class(name, "Record", scope) for name in layout.records}
-    bounded = {name: word.bounded for name, word in device.flags.items() if word.bounded}
-    words = Words(enums, {name: view.name for name, view in flags.items()}, names, layout.registers, bounded)
+    words = Words(enums, {name: view.name for name, view in flags.items()}, names, layout.registers, device)
     records = [_record(layout, name, words) for name in layout.records]
     exchanges = [_exchange(message, words, scope) for message in layout.messages.values()]
     carrying = [

@@ -9,14 +9,14 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.ranges import Ranges
-from fieldspec.language.model.value import Conversion, Value
+from fieldspec.language.model.value import OUT_OF_RANGE, Conversion, Value
 from fieldspec.targets.fact_texts import described, sentence, unit_word
 from fieldspec.targets.python.naming import Scope
-from fieldspec.targets.python.registers import absent_states, value_expression
+from fieldspec.targets.python.registers import absent_states, stated_arguments, value_expression
 from fieldspec.targets.python.scaling import in_unit, ratio
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import docstring, literal
-from fieldspec.targets.python.writing import interval_text, pairs, within
+from fieldspec.targets.python.writing import interval_text, pairs, tuple_of, within
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,19 +99,25 @@ def _of_float(field: Slots, scope: Scope) -> ScaledView:
     )
 
 
+def _state_arguments(field: Slots, value: Value) -> list[str]:
+    """What `state_of` takes of a value: its sentinels, its intervals, the fields of its bits; none where none is."""
+    stated = stated_arguments(field.words, value)
+    return [absent_states(value), *stated] if value.sentinels or stated else []
+
+
 def _decided_states(field: Slots, selector: Slots | None) -> str:
-    """The expression of the sentinels of a field whose type another one decides."""
+    """The arguments of `state_of` for a field whose type another one decides."""
     assert selector is not None
     if not selector.stored:  # a constant
         chosen = next((case.value for case in field.field.cases if selector.constant in case.numbers), None)
-        return absent_states(chosen) if chosen is not None and chosen.sentinels else "()"
+        return ", ".join(_state_arguments(field, chosen)) if chosen is not None else ""
     rows = [
-        f"{number}: {absent_states(case.value)}"
+        f"{number}: {tuple_of(arguments)}"
         for case in field.field.cases
-        if case.value.sentinels
+        if (arguments := _state_arguments(field, case.value))
         for number in sorted(case.numbers)
     ]
-    return f"{{{', '.join(rows)}}}.get(self.{selector.name}, ())"
+    return f"*{{{', '.join(rows)}}}.get(self.{selector.name}, ())"
 
 
 def _of_none(field: Slots) -> str:
@@ -123,22 +129,33 @@ def _of_none(field: Slots) -> str:
 
 
 def state_views(stored: list[Slots], scope: Scope, selector: Slots | None) -> list[StateView]:
-    """The properties with the names of states, of all fields with sentinels."""
+    """The properties with the names of states, of all fields with sentinels, and of those that may be out of range."""
     views = []
     for field in stored:
-        if not any(value.sentinels for _, value in _values(field)):
+        arguments = [own for _, value in _values(field) if (own := _state_arguments(field, value))]
+        if not arguments:
             continue
-        states = absent_states(field.value) if field.field.value is not None else _decided_states(field, selector)
-        read = f"_state_of({'item' if field.is_list else f'self.{field.name}'}, {states})"
+        states = ", ".join(arguments[0]) if field.field.value is not None else _decided_states(field, selector)
+        read = (
+            f"_state_of({', '.join(['item' if field.is_list else f'self.{field.name}', *([states] * bool(states))])})"
+        )
         views.append(
             StateView(
                 scope.take(f"{field.title}_state"),
                 "list[str | None]" if field.is_list else "str | None",
                 f"[{read} for item in self.{field.name}]" if field.is_list else read,
-                docstring([f"The name of the state that `{field.name}` stands for; None for a quantity."], 8),
+                docstring([f"The state of `{field.name}`: {_state_names(field)}; None for any other value."], 8),
             )
         )
     return views
+
+
+def _state_names(field: Slots) -> str:
+    """The names that a state may have: `not_measured`, `out_of_range`"""
+    values = [value for _, value in _values(field)]
+    names = [sentinel.name for value in values for sentinel in value.sentinels]
+    names += [OUT_OF_RANGE] * any(stated_arguments(field.words, value) for value in values)
+    return ", ".join(dict.fromkeys(names))
 
 
 def scaled_views(stored: list[Slots], scope: Scope) -> list[ScaledView]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 
+from fieldspec.codec.layout.accepted import stated_numbers
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.classes import dataclass
@@ -40,7 +41,10 @@ def register_value(value: Value, order: str, swapped: bool, words: Words, trigge
 
     Only writing is limited to a constant, or, where it starts an action, to the members of a closed enum.
     """
-    return _value(value, order, swapped, words, value.as_answer(trigger) != value)
+    answer = value.as_answer(trigger)
+    is_default = value.write_ranges is None and value.const is None and not trigger
+    stated = "" if is_default else f"stated={tuple_of(stated_arguments(words, answer, trigger))}"
+    return _value(value, order, swapped, words, answer != value, stated)
 
 
 def value_expression(value: Value, order: str, swapped: bool, words: Words) -> str:
@@ -48,7 +52,16 @@ def value_expression(value: Value, order: str, swapped: bool, words: Words) -> s
     return _value(value, order, swapped, words, False)
 
 
-def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bool) -> str:
+def stated_arguments(words: Words, value: Value, trigger: bool = False) -> list[str]:
+    """The intervals of what is read, and the fields of bits with a range, as `state_of` takes them."""
+    numbers = stated_numbers(words.device, value, trigger)
+    if numbers is None:
+        return []
+    intervals = tuple_of(f"({low}, {high})" for low, high in numbers.intervals)
+    return [intervals, *bounded_bits(numbers.bits)]
+
+
+def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bool, stated: str = "") -> str:
     encoding = value.encoding
     letters = (">" if (order == "big") != swapped else "<") + number_letter(value.type)
     arguments = ["swapped=True"] if swapped else []
@@ -63,15 +76,16 @@ def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bo
             return _call("_Boolean", literal(letters), arguments)
         case Real():
             arguments += [f"ranges={pairs(value.ranges)}"] if value.ranges is not None else []
+            arguments += [stated] if stated and value.ranges is not None else []
             arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
             arguments += (
                 [f"unit={literal(value.unit)}"] if value.unit and (value.sentinels or value.ranges is not None) else []
             )
             return _call(f"_{real_word(encoding.precision).title()}", literal(letters), arguments)
         case Whole():
-            return _count(value, literal(letters), arguments, words, any_answer)
+            return _count(value, literal(letters), arguments, words, any_answer, stated)
         case Digits():
-            return _count(value, literal(digits_letters(value, order, swapped)), arguments, words, any_answer)
+            return _count(value, literal(digits_letters(value, order, swapped)), arguments, words, any_answer, stated)
         case _:
             assert_never(encoding)
 
@@ -81,27 +95,31 @@ def number_letter(type: Primitive) -> str:
     return "H" if type.name == BIT else struct_letter(type.encoding) or type.name
 
 
-def _count(value: Value, letters: str, arguments: list[str], words: Words, any_answer: bool) -> str:
+def _count(value: Value, letters: str, arguments: list[str], words: Words, any_answer: bool, stated: str) -> str:
     """The `Value` of a whole number."""
     if value.const is not None:
         if not any_answer:
             return _call("_Constant", letters, [str(value.const), *arguments])
-        return _call("_Setting", letters, [str(value.const), *arguments])
+        further = [stated] if stated not in ("", _NOTHING_STATED) else []
+        return _call("_Setting", letters, [str(value.const), *arguments, *further])
     ranges = _ranges(value)
     if ranges is not None and value.flags:
         special = [interval for interval in value.special_intervals if not ranges.includes(*interval)]
         ranges = Ranges((*ranges.intervals, *special))
     if ranges is not None:
         arguments.append(f"ranges={pairs(ranges)}")
+    has_limits = ranges is not None or bool(words.bounded(value.flags))
+    is_trigger = any_answer and bool(value.enum) and not words.enums[value.enum].open
+    arguments += [stated] if stated and not is_trigger and (has_limits or stated != _NOTHING_STATED) else []
     if value.flags:
         arguments += [f"absent={absent_states(value)}"] if value.sentinels else []
-        arguments += [f"bits={bits}" for bits in bounded_bits(words.bounded.get(value.flags, ()))]
+        arguments += [f"bits={bits}" for bits in bounded_bits(words.bounded(value.flags))]
         return _call("_Word", letters, [words.flags[value.flags], *arguments])
     if value.sentinels:
         arguments.append(f"absent={absent_states(value)}")
     if value.enum:
         enum = words.enums[value.enum]
-        if any_answer and not enum.open:
+        if is_trigger:
             return _call("_Trigger", letters, [literal(enum.title), enum.table, *arguments])
         if not enum.open and value.sentinels:
             arguments.append("closed=True")
@@ -150,6 +168,9 @@ def value_facts(value: Value) -> list[str]:
         facts.append(f"initially {value.default}")
     return facts
 
+
+_NOTHING_STATED = "stated=()"
+"""The argument of a value of which nothing is stated that is read."""
 
 ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
 

@@ -13,6 +13,7 @@ from typing import Literal
 from fieldspec.codec.layout.record import FieldLayout, RegisterLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
@@ -41,14 +42,18 @@ from fieldspec.targets.python.enums import EnumView
 class Words:
     """The classes that fields refer to, by the names of the spec, and the registers with exponents of their scales.
 
-    `bounded` has the fields of bits with a range, by the names of their words.
+    `device` says what is stated of values.
     """
 
     enums: Mapping[str, EnumView]
     flags: Mapping[str, str]
     records: Mapping[str, str]
     registers: tuple[RegisterLayout, ...]
-    bounded: Mapping[str, tuple[Bit, ...]]
+    device: Device
+
+    def bounded(self, flags: str) -> tuple[Bit, ...]:
+        """The fields of bits with a range of a word; none where there is no word."""
+        return self.device.flags[flags].bounded if flags else ()
 
 
 @dataclass(frozen=True, slots=True)

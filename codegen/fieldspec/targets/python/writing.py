@@ -125,7 +125,7 @@ def _number_tests(field: Slots, value: str) -> list[str]:
         tests.append(f"{value} <= 1")
     elif field.ranges is not None:
         tests.append(within(raw, field.ranges, field.sentinels, packed(field.value.encoding)))
-    bounded = field.words.bounded.get(field.value.flags, ())
+    bounded = field.words.bounded(field.value.flags)
     tests += [within(f"({raw} & {bit.mask:#x})", Ranges(bit.images), (), (0, bit.mask)) for bit in bounded]
     return [test for test in tests if test]
 
@@ -342,7 +342,7 @@ def _refusing_number(field: Slots, low: int, high: int) -> tuple[str, list[str]]
     """The function that explains the refusal of a whole number from `low` to `high`."""
     ranges = pairs(field.ranges)
     if field.value.flags:
-        bits = bounded_bits(field.words.bounded.get(field.value.flags, ()))
+        bits = bounded_bits(field.words.bounded(field.value.flags))
         return "_refused_flags", [str(high), *([ranges or "()"] if ranges or bits else []), *bits]
     arguments = [ranges or "()", tuple_of(map(interval_text, field.sentinels))]
     if field.enum is not None and not field.enum.open:

@@ -94,8 +94,14 @@ class Dialect(Protocol):
     def member(self, number: str, enum: str) -> str:
         """The name of a number by an enum; null where it has none."""
 
-    def cases(self, number: str, names: Mapping[tuple[int, int], str], nan: str = "") -> str:
-        """The names of the numbers in some intervals, and of a NaN; null for others."""
+    def cases(
+        self,
+        number: str,
+        names: Mapping[tuple[int, int], str],
+        nan: str = "",
+        other: tuple[str, str] | None = None,
+    ) -> str:
+        """The names of the numbers in some intervals, of a NaN, and of others where a condition holds; else null."""
 
     def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
         """A value that is null for the numbers in some intervals, and for a NaN."""
@@ -109,7 +115,7 @@ class Dialect(Protocol):
     def power(self, number: str, exponent: str, intervals: Sequence[tuple[int, int]]) -> str:
         """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
 
-    def is_in(self, number: str, intervals: Sequence[tuple[int, int]], floating: bool = False) -> str:
+    def is_in(self, number: str, intervals: Sequence[tuple[float, float]], floating: bool = False) -> str:
         """Whether a number is in one of some intervals."""
 
     def is_nan(self, number: str) -> str:

@@ -161,7 +161,8 @@ def _register_query(
     if not data:
         data = content.dialect.step(f"{DATA}_{len(level)}")
         level[data] = words
-    return ValueQuery(content.device, content.dialect, content.enums, value, own.order, own.swapped), data
+    own_query = ValueQuery(content.device, content.dialect, content.enums, value, own.order, own.swapped)
+    return replace(own_query, trigger=own.register.trigger), data
 
 
 def _table_query(layout: DeviceLayout, name: str, table: TableLayout, content: Content) -> Query:
@@ -197,14 +198,13 @@ def _parameter_query(layout: DeviceLayout, name: str, parameters: ParameterSet, 
         else:
             own_condition = is_parameter
         if not parameter.reserved:
-            _add_parameter(layout, content, own, parameter, own_condition, level)
+            _add_parameter(layout, content, own, parameter, parameter.trigger, own_condition, level)
         for inner in parameter.subindices:
             is_subindex = content.dialect.is_in(subindex, list(inner.indices.intervals))
             if not inner.reserved and not parameter.reserved:
                 name_of_inner = f"{own}_{Name.of(inner.name).snake() or inner.indices.low}"
-                _add_parameter(
-                    layout, content, name_of_inner, inner, content.dialect.both(is_parameter, is_subindex), level
-                )
+                own_condition = content.dialect.both(is_parameter, is_subindex)
+                _add_parameter(layout, content, name_of_inner, inner, parameter.trigger, own_condition, level)
     title = f"{parameters.title or Name.of(parameters.name).title()}: the value of the parameter with a `number`."
     arguments = ("number", "subindex", "payload")
     return Query(name, title, arguments, content, judged=False)
@@ -215,6 +215,7 @@ def _add_parameter(
     content: Content,
     column: str,
     fact: Parameter | Subindex,
+    trigger: bool,
     condition: str,
     level: dict[str, str],
 ) -> None:
@@ -223,6 +224,6 @@ def _add_parameter(
     is_whole = dialect.compared(dialect.size("payload"), "=", str(value.size))
     level[data] = dialect.chosen("payload", dialect.both(condition, is_whole))
     orders = Orders(layout.device.byte_order, layout.device.word_order)
-    trigger = fact.trigger if isinstance(fact, Parameter) else False
-    query = ValueQuery(content.device, dialect, content.enums, value.as_answer(trigger), *orders.of(value))
+    answer = value.as_answer(trigger)
+    query = ValueQuery(content.device, dialect, content.enums, answer, *orders.of(value), trigger=trigger)
     content.add_value(column, query, data, 0)

@@ -94,9 +94,17 @@ class Polars:
         """The name of a number by an enum; null where it has none."""
         return f"_names({number}, {enum})"
 
-    def cases(self, number: str, names: Mapping[tuple[int, int], str], nan: str = "") -> str:
-        """The names of the numbers in some intervals, and of a NaN; null for others."""
-        return f"_states({number}, {dict(names)!r}, {nan!r})"
+    def cases(
+        self,
+        number: str,
+        names: Mapping[tuple[int, int], str],
+        nan: str = "",
+        other: tuple[str, str] | None = None,
+    ) -> str:
+        """The names of the numbers in some intervals, of a NaN, and of others where a condition holds; else null."""
+        if other is None:
+            return f"_states({number}, {dict(names)!r}, {nan!r})"
+        return f"_states({number}, {dict(names)!r}, {nan!r}, {other[0]}, {other[1]!r})"
 
     def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
         """A value that is null for the numbers in some intervals, and for a NaN."""
@@ -116,7 +124,7 @@ class Polars:
         """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
         return f"_power({number}, {exponent}, {list(intervals)!r})"
 
-    def is_in(self, number: str, intervals: Sequence[tuple[int, int]], floating: bool = False) -> str:
+    def is_in(self, number: str, intervals: Sequence[tuple[float, float]], floating: bool = False) -> str:
         """Whether a number is in one of some intervals."""
         reals = any(isinstance(bound, float) for interval in intervals for bound in interval)
         return f"{'_is_within' if reals else '_is_in'}({number}, {list(intervals)!r})"

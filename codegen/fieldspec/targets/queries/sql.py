@@ -194,14 +194,22 @@ class Sql:
         """The name of a number by an enum; null where it has none."""
         return f"{enum}({number})"
 
-    def cases(self, number: str, names: Mapping[tuple[int, int], str], nan: str = "") -> str:
-        """The names of the numbers in some intervals, and of a NaN; null for others."""
+    def cases(
+        self,
+        number: str,
+        names: Mapping[tuple[int, int], str],
+        nan: str = "",
+        other: tuple[str, str] | None = None,
+    ) -> str:
+        """The names of the numbers in some intervals, of a NaN, and of others where a condition holds; else null."""
         rows = [
             f"WHEN {number} {f'= {low}' if low == high else f'BETWEEN {low} AND {high}'} THEN {literal(text)}"
             for (low, high), text in names.items()
         ]
         if nan:
             rows.insert(0, f"WHEN isnan({number}) THEN {literal(nan)}")
+        if other is not None:
+            rows.append(f"WHEN {other[0]} THEN {literal(other[1])}")
         return f"CASE {' '.join(rows)} END"
 
     def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
@@ -237,7 +245,7 @@ class Sql:
         quantity = f"{number}::DOUBLE * pow(10, {above}) / pow(10, {below})"
         return f"CASE WHEN {self.is_in(exponent, intervals)} THEN {quantity} END"
 
-    def is_in(self, number: str, intervals: Sequence[tuple[int, int]], floating: bool = False) -> str:
+    def is_in(self, number: str, intervals: Sequence[tuple[float, float]], floating: bool = False) -> str:
         """Whether a number is in one of some intervals."""
         own = f"{number}::DOUBLE" if floating else number
         tests = [f"{own} BETWEEN {low} AND {high}" for low, high in intervals if low != high]

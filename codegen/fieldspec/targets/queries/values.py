@@ -6,6 +6,20 @@ from collections.abc import Callable, Iterator
 from decimal import Decimal
 from fractions import Fraction
 
+from fieldspec.codec.layout.accepted import (
+    Condition,
+    Equals,
+    Fits,
+    HasCharacters,
+    HasDigits,
+    IsBit,
+    Known,
+    PartWithin,
+    RealWithin,
+    Test,
+    Within,
+    range_conditions,
+)
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
@@ -16,7 +30,6 @@ from fieldspec.language.model.encoding import (
     Text,
     Truth,
     Whole,
-    bounds_of,
     is_array,
     is_count,
     is_real,
@@ -24,7 +37,7 @@ from fieldspec.language.model.encoding import (
 )
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.value import Value
+from fieldspec.language.model.value import OUT_OF_RANGE, Value
 from fieldspec.targets.fact_texts import unit_word
 from fieldspec.targets.queries.dialect import DecimalScale, Dialect, Slot
 
@@ -56,7 +69,7 @@ class ValueQuery:
     """The expressions of a value with its orders. `enums` are the enums as the dialect refers to them.
 
     `exponent` reads the exponent of a scale that is elsewhere, None where there is none; `exponents` are the numbers
-    that it may be.
+    that it may be. Of what is read of a `trigger` nothing is stated, but of what is written.
     """
 
     device: Device
@@ -67,6 +80,7 @@ class ValueQuery:
     swapped: bool
     exponent: Reader | None = None
     exponents: tuple[tuple[int, int], ...] = ()
+    trigger: bool = False
 
     def number(self, data: str, offset: int) -> str:
         """The expression of the raw number at an offset of the data. Raises AssertionError for a text and for bytes."""
@@ -91,7 +105,7 @@ class ValueQuery:
         return "" if is_array(self.value.encoding) else self.dialect.as_text(self.number(data, offset))
 
     def columns(self) -> Iterator[ValueColumn]:
-        """The columns: the value as people read it, the raw number where it differs, and the state of a sentinel."""
+        """The columns: the value as people read it, the raw number where it differs, and the state."""
         encoding, value, dialect = self.value.encoding, self.value, self.dialect
         match encoding:
             case Text():
@@ -106,7 +120,7 @@ class ValueQuery:
                 yield from self._number_columns()
             case _:
                 assert_never(encoding)
-        if value.sentinels:
+        if value.sentinels or range_conditions(self.device, value, self.trigger):
             yield ValueColumn("state", self._state)
 
     def _count_columns(self) -> Iterator[ValueColumn]:
@@ -173,39 +187,43 @@ class ValueQuery:
             return
         if enum is not None and enum.open:
             yield ValueRule("unlisted_value", lambda data, offset: dialect.negated(self._is_known(data, offset, True)))
-        if value.ranges is not None or (flags is not None and flags.bounded):
-            yield ValueRule("out_of_range", self._out_of_range)
+        conditions = range_conditions(self.device, value)
+        if conditions:
+            yield ValueRule(OUT_OF_RANGE, lambda data, offset: self._out_of_range(conditions, data, offset))
         if flags is not None:
             used = sum(bit.mask for bit in flags.bits if not bit.reserved)
             spare = ((1 << 8 * value.size) - 1) & ~used
             if spare:
                 yield ValueRule("reserved_bits", lambda data, offset: dialect.mask(self.word(data, offset), spare))
 
-    def _out_of_range(self, data: str, offset: int) -> str:
-        """Whether a number that is no sentinel is in no range, or a field of its bits; empty where none can be."""
-        word = self.device.flags.get(self.value.flags)
-        conditions = [self._out_of_intervals(data, offset)] if self.value.ranges is not None else []
-        for bit in word.bounded if word is not None and self.value.const is None else ():
-            number = self.dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
-            intervals = bit.ranges.intervals if bit.ranges is not None else ()
-            conditions.append(self.dialect.negated(self.dialect.is_in(number, intervals)))
-        tests = [condition for condition in conditions if condition]
+    def _out_of_range(self, conditions: tuple[Condition, ...], data: str, offset: int) -> str:
+        """Whether a number is out of range; empty where none can be."""
+        tests = [self._refused(condition.test, data, offset) for condition in conditions]
         return self.dialect.either(*tests) if len(tests) > 1 else "".join(tests)
 
-    def _out_of_intervals(self, data: str, offset: int) -> str:
-        """Whether a number that is no sentinel is in no range of the value."""
+    def _refused(self, test: Test, data: str, offset: int) -> str:
+        """Whether a number does not pass a test of what is stated of it."""
         value, dialect, number = self.value, self.dialect, self.number(data, offset)
-        floating = is_real(value.encoding)
-        assert value.ranges is not None
-        intervals = [*value.ranges.intervals, *value.special_intervals]
-        lowest, highest = bounds_of(value.encoding)
-        if is_count(value.encoding) and any(low <= lowest and high >= highest for low, high in intervals):
-            return ""
-        condition = dialect.negated(dialect.is_in(number, intervals, floating))
+        match test:
+            case Within():
+                condition = dialect.negated(dialect.is_in(number, [*test.intervals, *test.sentinels]))
+            case RealWithin():
+                condition = dialect.negated(dialect.is_in(number, test.intervals, floating=True))
+                return dialect.both(dialect.negated(dialect.is_nan(number)), condition) if test.takes_nan else condition
+            case PartWithin():
+                bit = test.bit
+                part = dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
+                condition = dialect.negated(dialect.is_in(part, bit.ranges.intervals if bit.ranges is not None else ()))
+                is_other = dialect.negated(dialect.is_in(number, test.sentinels)) if test.sentinels else ""
+                return dialect.both(is_other, condition) if is_other else condition
+            case Equals() | IsBit() | HasDigits() | HasCharacters() | Known() | Fits():
+                raise AssertionError("a codec refuses what does not pass")
+            case _:
+                assert_never(test)
         enum = self.device.enums.get(value.enum)
         if enum is not None and not enum.open:
             condition = dialect.both(self._is_known(data, offset, False), condition)
-        return dialect.both(dialect.negated(dialect.is_nan(number)), condition) if value.absent_nan else condition
+        return condition
 
     def _is_known(self, data: str, offset: int, unavailable: bool) -> str:
         """Whether an enum lists a number, or it is a sentinel."""
@@ -223,7 +241,10 @@ class ValueQuery:
     def _state(self, data: str, offset: int) -> str:
         names = {sentinel.interval: sentinel.name for sentinel in self.value.sentinels if not sentinel.is_nan}
         nan = next((sentinel.name for sentinel in self.value.sentinels if sentinel.is_nan), "")
-        return self.dialect.cases(self.number(data, offset), names, nan)
+        condition = self._out_of_range(range_conditions(self.device, self.value, self.trigger), data, offset)
+        return self.dialect.cases(
+            self.number(data, offset), names, nan, (condition, OUT_OF_RANGE) if condition else None
+        )
 
     def _quantity(self, data: str, offset: int) -> str:
         value, number = self.value, self.number(data, offset)

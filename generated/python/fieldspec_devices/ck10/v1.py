@@ -3532,39 +3532,89 @@ class Point(_Record):
         )
 
     @property
+    def low_speed_state(self) -> str | None:
+        """The state of `low_speed`: out_of_range; None for any other value."""
+        return _state_of(self.low_speed, (), ((1, 35000),))
+
+    @property
+    def high_speed_state(self) -> str | None:
+        """The state of `high_speed`: out_of_range; None for any other value."""
+        return _state_of(self.high_speed, (), ((1, 500000),))
+
+    @property
+    def acceleration_time_state(self) -> str | None:
+        """The state of `acceleration_time`: out_of_range; None for any other value."""
+        return _state_of(self.acceleration_time, (), ((1, 9999),))
+
+    @property
+    def deceleration_time_state(self) -> str | None:
+        """The state of `deceleration_time`: out_of_range; None for any other value."""
+        return _state_of(self.deceleration_time, (), ((1, 9999),))
+
+    @property
     def command_state(self) -> str | None:
-        """The name of the state that `command` stands for; None for a quantity."""
+        """The state of `command`: ignored; None for any other value."""
         return _state_of(self.command, (("ignored", 65535),))
 
     @property
+    def waiting_time_state(self) -> str | None:
+        """The state of `waiting_time`: out_of_range; None for any other value."""
+        return _state_of(self.waiting_time, (), ((0, 60000),))
+
+    @property
     def jump_point_state(self) -> str | None:
-        """The name of the state that `jump_point` stands for; None for a quantity."""
-        return _state_of(self.jump_point, (("ignored", 65535),))
+        """The state of `jump_point`: ignored, out_of_range; None for any other value."""
+        return _state_of(self.jump_point, (("ignored", 65535),), ((0, 127), (10000, 10127)))
 
     @property
     def jump_point_of_input_0_state(self) -> str | None:
-        """The name of the state that `jump_point_of_input_0` stands for; None for a quantity."""
-        return _state_of(self.jump_point_of_input_0, (("ignored", 65535),))
+        """The state of `jump_point_of_input_0`: ignored, out_of_range; None for any other value."""
+        return _state_of(self.jump_point_of_input_0, (("ignored", 65535),), ((0, 127), (10000, 10127)))
 
     @property
     def jump_point_of_input_1_state(self) -> str | None:
-        """The name of the state that `jump_point_of_input_1` stands for; None for a quantity."""
-        return _state_of(self.jump_point_of_input_1, (("ignored", 65535),))
+        """The state of `jump_point_of_input_1`: ignored, out_of_range; None for any other value."""
+        return _state_of(self.jump_point_of_input_1, (("ignored", 65535),), ((0, 127), (10000, 10127)))
 
     @property
     def jump_point_of_input_2_state(self) -> str | None:
-        """The name of the state that `jump_point_of_input_2` stands for; None for a quantity."""
-        return _state_of(self.jump_point_of_input_2, (("ignored", 65535),))
+        """The state of `jump_point_of_input_2`: ignored, out_of_range; None for any other value."""
+        return _state_of(self.jump_point_of_input_2, (("ignored", 65535),), ((0, 127), (10000, 10127)))
+
+    @property
+    def loop_count_state(self) -> str | None:
+        """The state of `loop_count`: out_of_range; None for any other value."""
+        return _state_of(self.loop_count, (), ((0, 100),))
+
+    @property
+    def loop_jump_point_state(self) -> str | None:
+        """The state of `loop_jump_point`: out_of_range; None for any other value."""
+        return _state_of(self.loop_jump_point, (), ((0, 127), (10000, 10127)))
+
+    @property
+    def output_setting_state(self) -> str | None:
+        """The state of `output_setting`: out_of_range; None for any other value."""
+        return _state_of(self.output_setting, (), ((0, 23),))
 
     @property
     def clear_loop_counter_of_state(self) -> str | None:
-        """The name of the state that `clear_loop_counter_of` stands for; None for a quantity."""
-        return _state_of(self.clear_loop_counter_of, (("ignored", 65535),))
+        """The state of `clear_loop_counter_of`: ignored, out_of_range; None for any other value."""
+        return _state_of(self.clear_loop_counter_of, (("ignored", 65535),), ((0, 127),))
+
+    @property
+    def push_torque_ratio_state(self) -> str | None:
+        """The state of `push_torque_ratio`: out_of_range; None for any other value."""
+        return _state_of(self.push_torque_ratio, (), ((20, 90),))
+
+    @property
+    def push_speed_state(self) -> str | None:
+        """The state of `push_speed`: out_of_range; None for any other value."""
+        return _state_of(self.push_speed, (), ((1, 33333),))
 
     @property
     def push_mode_state(self) -> str | None:
-        """The name of the state that `push_mode` stands for; None for a quantity."""
-        return _state_of(self.push_mode, (("stop_mode", 0),))
+        """The state of `push_mode`: stop_mode, out_of_range; None for any other value."""
+        return _state_of(self.push_mode, (("stop_mode", 0),), ((0, 10000),))
 
 
 _READ_REGISTERS_RESPONSE_STRUCT = _Repeated(">B", "H")
@@ -3691,6 +3741,11 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 125),))
         )
+
+    @property
+    def word_count_state(self) -> str | None:
+        """The state of `word_count`: out_of_range; None for any other value."""
+        return _state_of(self.word_count, (), ((1, 125),))
 
     def _to_rtu(self, unit_address: int) -> bytes:
         try:

@@ -18,6 +18,7 @@ from enum import IntEnum as _IntEnum
 from struct import Struct as _Struct
 from struct import error as _StructError
 
+from .._absent import state_of as _state_of
 from .._checks import BYTES as _BYTES
 from .._codes import by_printed_name as _by_printed_name
 from .._conversions import Repeated as _Repeated
@@ -1396,6 +1397,11 @@ class AlarmHistoryEntry(_Record):
             or _refused_number("alarm_code", self.alarm_code, 0, 255)
         )
 
+    @property
+    def minutes_state(self) -> str | None:
+        """The state of `minutes`: out_of_range; None for any other value."""
+        return _state_of(self.minutes, (), ((0, 60),))
+
 
 _POINT_PACK, _POINT_UNPACK = _packing("<BBiBBii")
 
@@ -1595,6 +1601,36 @@ class Point(_Record):
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
+    @property
+    def number_state(self) -> str | None:
+        """The state of `number`: out_of_range; None for any other value."""
+        return _state_of(self.number, (), ((1, 31),))
+
+    @property
+    def distance_state(self) -> str | None:
+        """The state of `distance`: out_of_range; None for any other value."""
+        return _state_of(self.distance, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
+
+    @property
+    def zone_limit_1_state(self) -> str | None:
+        """The state of `zone_limit_1`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_1, (), ((-134217727, 134217727),))
+
+    @property
+    def zone_limit_2_state(self) -> str | None:
+        """The state of `zone_limit_2`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_2, (), ((-134217727, 134217727),))
+
 
 _TEMPORARY_POINT_PACK, _TEMPORARY_POINT_UNPACK = _packing("<BBiBBii")
 
@@ -1784,6 +1820,31 @@ class TemporaryPoint(_Record):
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
 
+    @property
+    def distance_state(self) -> str | None:
+        """The state of `distance`: out_of_range; None for any other value."""
+        return _state_of(self.distance, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
+
+    @property
+    def zone_limit_1_state(self) -> str | None:
+        """The state of `zone_limit_1`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_1, (), ((-134217727, 134217727),))
+
+    @property
+    def zone_limit_2_state(self) -> str | None:
+        """The state of `zone_limit_2`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_2, (), ((-134217727, 134217727),))
+
 
 _READ_POINTS_RESPONSE_STRUCT = _Repeated(">", "16s")
 
@@ -1898,6 +1959,11 @@ class ReadPointsRequest(_RequestOf["ReadPointsResponse"]):
 
     def _refused(self) -> _CodecError | None:
         return _refused_number("first_point", self.first_point, 0, 255, ((1, 31),))
+
+    @property
+    def first_point_state(self) -> str | None:
+        """The state of `first_point`: out_of_range; None for any other value."""
+        return _state_of(self.first_point, (), ((1, 31),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -2848,6 +2914,11 @@ class WriteParameterRequest(_RequestOf["WriteParameterResponse"]):
             or _refused_number("value", self.value, 0, 65535)
         )
 
+    @property
+    def parameter_number_state(self) -> str | None:
+        """The state of `parameter_number`: out_of_range; None for any other value."""
+        return _state_of(self.parameter_number, (), ((0, 31),))
+
     def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
@@ -3181,6 +3252,16 @@ class ClearPointsRequest(_RequestOf["ClearPointsResponse"]):
             _refused_number("first_point", self.first_point, 0, 255, ((1, 31),))
             or _refused_number("point_count", self.point_count, 0, 255, ((1, 31),))
         )
+
+    @property
+    def first_point_state(self) -> str | None:
+        """The state of `first_point`: out_of_range; None for any other value."""
+        return _state_of(self.first_point, (), ((1, 31),))
+
+    @property
+    def point_count_state(self) -> str | None:
+        """The state of `point_count`: out_of_range; None for any other value."""
+        return _state_of(self.point_count, (), ((1, 31),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -4244,6 +4325,21 @@ class MovePositiveDistanceRequest(_RequestOf["MovePositiveDistanceResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
+    @property
+    def distance_state(self) -> str | None:
+        """The state of `distance`: out_of_range; None for any other value."""
+        return _state_of(self.distance, (), ((1, 255),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((1, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
+
     def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
@@ -4454,6 +4550,21 @@ class MoveNegativeDistanceRequest(_RequestOf["MoveNegativeDistanceResponse"]):
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((1, 255),))
 
+    @property
+    def distance_state(self) -> str | None:
+        """The state of `distance`: out_of_range; None for any other value."""
+        return _state_of(self.distance, (), ((1, 255),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((1, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
+
     def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_distance = self.distance
@@ -4620,6 +4731,11 @@ class MoveOpenRequest(_RequestOf["MoveOpenResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
 
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((1, 100),))
+
     def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
@@ -4771,6 +4887,11 @@ class MoveCloseRequest(_RequestOf["MoveCloseResponse"]):
 
     def _refused(self) -> _CodecError | None:
         return _refused_number("speed", self.speed, 0, 255, ((1, 100),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((1, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -4956,6 +5077,16 @@ class MoveRelativeRequest(_RequestOf["MoveRelativeResponse"]):
     @distance_mm.setter
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
+
+    @property
+    def distance_state(self) -> str | None:
+        """The state of `distance`: out_of_range; None for any other value."""
+        return _state_of(self.distance, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -5150,6 +5281,16 @@ class MoveAbsoluteRequest(_RequestOf["MoveAbsoluteResponse"]):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
+    @property
+    def position_state(self) -> str | None:
+        """The state of `position`: out_of_range; None for any other value."""
+        return _state_of(self.position, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
     def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_position = self.position
@@ -5317,6 +5458,16 @@ class MoveToPointRequest(_RequestOf["MoveToPointResponse"]):
             _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
             or _refused_number("speed", self.speed, 0, 255, ((0, 100),))
         )
+
+    @property
+    def point_number_state(self) -> str | None:
+        """The state of `point_number`: out_of_range; None for any other value."""
+        return _state_of(self.point_number, (), ((1, 31),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -5487,6 +5638,16 @@ class GripOpenRequest(_RequestOf["GripOpenResponse"]):
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
 
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
+
     def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_speed = self.speed
@@ -5655,6 +5816,16 @@ class GripCloseRequest(_RequestOf["GripCloseResponse"]):
             _refused_number("speed", self.speed, 0, 255, ((0, 100),))
             or _refused_number("force", self.force, 0, 255, ((0, 100),))
         )
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -5856,6 +6027,21 @@ class GripRelativeRequest(_RequestOf["GripRelativeResponse"]):
     @distance_mm.setter
     def distance_mm(self, value: _Quantity) -> None:
         self.distance = _counts("distance", value, (1, 0, 100), ((-134217727, 134217727),))
+
+    @property
+    def distance_state(self) -> str | None:
+        """The state of `distance`: out_of_range; None for any other value."""
+        return _state_of(self.distance, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -6066,6 +6252,21 @@ class GripAbsoluteRequest(_RequestOf["GripAbsoluteResponse"]):
     @position_mm.setter
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
+
+    @property
+    def position_state(self) -> str | None:
+        """The state of `position`: out_of_range; None for any other value."""
+        return _state_of(self.position, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -6332,6 +6533,26 @@ class GripOpenWithZoneRequest(_RequestOf["GripOpenWithZoneResponse"]):
     @zone_limit_2_mm.setter
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
+
+    @property
+    def zone_limit_1_state(self) -> str | None:
+        """The state of `zone_limit_1`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_1, (), ((-134217727, 134217727),))
+
+    @property
+    def zone_limit_2_state(self) -> str | None:
+        """The state of `zone_limit_2`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_2, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -6601,6 +6822,26 @@ class GripCloseWithZoneRequest(_RequestOf["GripCloseWithZoneResponse"]):
     @zone_limit_2_mm.setter
     def zone_limit_2_mm(self, value: _Quantity) -> None:
         self.zone_limit_2 = _counts("zone_limit_2", value, (1, 0, 100), ((-134217727, 134217727),))
+
+    @property
+    def zone_limit_1_state(self) -> str | None:
+        """The state of `zone_limit_1`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_1, (), ((-134217727, 134217727),))
+
+    @property
+    def zone_limit_2_state(self) -> str | None:
+        """The state of `zone_limit_2`: out_of_range; None for any other value."""
+        return _state_of(self.zone_limit_2, (), ((-134217727, 134217727),))
+
+    @property
+    def speed_state(self) -> str | None:
+        """The state of `speed`: out_of_range; None for any other value."""
+        return _state_of(self.speed, (), ((0, 100),))
+
+    @property
+    def force_state(self) -> str | None:
+        """The state of `force`: out_of_range; None for any other value."""
+        return _state_of(self.force, (), ((0, 100),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -7189,6 +7430,11 @@ class ReadCurrentPositionResponse(_Record):
     def position_mm(self, value: _Quantity) -> None:
         self.position = _counts("position", value, (1, 0, 100), ((-134217727, 134217727),))
 
+    @property
+    def position_state(self) -> str | None:
+        """The state of `position`: out_of_range; None for any other value."""
+        return _state_of(self.position, (), ((-134217727, 134217727),))
+
     def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
             raw_position = self.position
@@ -7347,6 +7593,11 @@ class ReadCurrentPointNumberResponse(_Record):
 
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
+
+    @property
+    def point_number_state(self) -> str | None:
+        """The state of `point_number`: out_of_range; None for any other value."""
+        return _state_of(self.point_number, (), ((1, 31),))
 
     def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:
@@ -7597,6 +7848,11 @@ class ReadParameterRequest(_RequestOf["ReadParameterResponse"]):
     def _refused(self) -> _CodecError | None:
         return _refused_number("parameter_number", self.parameter_number, 0, 255, ((0, 31),))
 
+    @property
+    def parameter_number_state(self) -> str | None:
+        """The state of `parameter_number`: out_of_range; None for any other value."""
+        return _state_of(self.parameter_number, (), ((0, 31),))
+
     def _to_serial(self, unit_address: int) -> bytes:
         try:
             raw_parameter_number = self.parameter_number
@@ -7776,6 +8032,11 @@ class ReadPointRequest(_RequestOf["ReadPointResponse"]):
 
     def _refused(self) -> _CodecError | None:
         return _refused_number("point_number", self.point_number, 0, 255, ((1, 31),))
+
+    @property
+    def point_number_state(self) -> str | None:
+        """The state of `point_number`: out_of_range; None for any other value."""
+        return _state_of(self.point_number, (), ((1, 31),))
 
     def _to_serial(self, unit_address: int) -> bytes:
         try:
@@ -8372,6 +8633,11 @@ class ReadAccumulatedTimeResponse(_Record):
             _refused_number("hours", self.hours, 0, 65535)
             or _refused_number("minutes", self.minutes, 0, 255, ((0, 60),))
         )
+
+    @property
+    def minutes_state(self) -> str | None:
+        """The state of `minutes`: out_of_range; None for any other value."""
+        return _state_of(self.minutes, (), ((0, 60),))
 
     def _to_serial(self, unit_address: int, part_status: int) -> bytes:
         try:

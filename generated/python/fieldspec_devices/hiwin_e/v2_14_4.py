@@ -17,6 +17,7 @@ from __future__ import annotations
 from enum import IntEnum as _IntEnum
 from struct import error as _StructError
 
+from .._absent import state_of as _state_of
 from .._choices import Choice as _Choice
 from .._codes import by_number as _by_number
 from .._codes import by_printed_name as _by_printed_name
@@ -7147,6 +7148,21 @@ class Telegram9Request(_RequestOf["Telegram9Response"]):
     def mdi_deceleration_percent(self, value: _Quantity) -> None:
         self.mdi_deceleration = _counts("mdi_deceleration", value, (25, 0, 4096), ((0, 16384),))
 
+    @property
+    def mdi_velocity_state(self) -> str | None:
+        """The state of `mdi_velocity`: out_of_range; None for any other value."""
+        return _state_of(self.mdi_velocity, (), ((0, 2147483647),))
+
+    @property
+    def mdi_acceleration_state(self) -> str | None:
+        """The state of `mdi_acceleration`: out_of_range; None for any other value."""
+        return _state_of(self.mdi_acceleration, (), ((0, 16384),))
+
+    @property
+    def mdi_deceleration_state(self) -> str | None:
+        """The state of `mdi_deceleration`: out_of_range; None for any other value."""
+        return _state_of(self.mdi_deceleration, (), ((0, 16384),))
+
     def _to_cyclic(self) -> bytes:
         try:
             raw_mdi_velocity = self.mdi_velocity
@@ -7641,6 +7657,11 @@ class Telegram102Request(_RequestOf["Telegram102Response"]):
     @torque_reduction_percent.setter
     def torque_reduction_percent(self, value: _Quantity) -> None:
         self.torque_reduction = _counts("torque_reduction", value, (25, 0, 4096), ((0, 16384),))
+
+    @property
+    def torque_reduction_state(self) -> str | None:
+        """The state of `torque_reduction`: out_of_range; None for any other value."""
+        return _state_of(self.torque_reduction, (), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
         try:
@@ -8150,6 +8171,11 @@ class Telegram105Request(_RequestOf["Telegram105Response"]):
     @position_controller_gain_per_s.setter
     def position_controller_gain_per_s(self, value: _Quantity) -> None:
         self.position_controller_gain = _counts("position_controller_gain", value, (1, 0, 1000), ((-2147483648, 2147483647),))
+
+    @property
+    def torque_reduction_state(self) -> str | None:
+        """The state of `torque_reduction`: out_of_range; None for any other value."""
+        return _state_of(self.torque_reduction, (), ((0, 16384),))
 
     def _to_cyclic(self) -> bytes:
         try:
@@ -8763,6 +8789,26 @@ class Telegram111Request(_RequestOf["Telegram111Response"]):
     def mdi_deceleration_percent(self, value: _Quantity) -> None:
         self.mdi_deceleration = _counts("mdi_deceleration", value, (25, 0, 4096), ((0, 16384),))
 
+    @property
+    def velocity_override_state(self) -> str | None:
+        """The state of `velocity_override`: out_of_range; None for any other value."""
+        return _state_of(self.velocity_override, (), ((0, 32767),))
+
+    @property
+    def mdi_velocity_state(self) -> str | None:
+        """The state of `mdi_velocity`: out_of_range; None for any other value."""
+        return _state_of(self.mdi_velocity, (), ((0, 2147483647),))
+
+    @property
+    def mdi_acceleration_state(self) -> str | None:
+        """The state of `mdi_acceleration`: out_of_range; None for any other value."""
+        return _state_of(self.mdi_acceleration, (), ((0, 16384),))
+
+    @property
+    def mdi_deceleration_state(self) -> str | None:
+        """The state of `mdi_deceleration`: out_of_range; None for any other value."""
+        return _state_of(self.mdi_deceleration, (), ((0, 16384),))
+
     def _to_cyclic(self) -> bytes:
         try:
             raw_velocity_override = self.velocity_override
@@ -9062,6 +9108,16 @@ class Telegram750Request(_RequestOf["Telegram750Response"]):
     @negative_torque_limit_percent.setter
     def negative_torque_limit_percent(self, value: _Quantity) -> None:
         self.negative_torque_limit = _counts("negative_torque_limit", value, (25, 0, 4096), ((-32768, 0),))
+
+    @property
+    def positive_torque_limit_state(self) -> str | None:
+        """The state of `positive_torque_limit`: out_of_range; None for any other value."""
+        return _state_of(self.positive_torque_limit, (), ((0, 32767),))
+
+    @property
+    def negative_torque_limit_state(self) -> str | None:
+        """The state of `negative_torque_limit`: out_of_range; None for any other value."""
+        return _state_of(self.negative_torque_limit, (), ((-32768, 0),))
 
     def _to_cyclic(self) -> bytes:
         try:

@@ -1802,6 +1802,11 @@ class ExceptionRecord(_Record):
     def _refused(self) -> _CodecError | None:
         return _refused_number("exception_code", self.exception_code, 0, 255, ((1, 3),))
 
+    @property
+    def exception_code_state(self) -> str | None:
+        """The state of `exception_code`: out_of_range; None for any other value."""
+        return _state_of(self.exception_code, (), ((1, 3),))
+
 
 _POINT_PACK, _POINT_UNPACK = _packing(">HiHH2xiiHHHh")
 
@@ -2031,14 +2036,39 @@ class Point(_Record):
         self.torque_limit = _counts("torque_limit", value, (1, 0, 10), ((0, 1000),))
 
     @property
+    def mode_state(self) -> str | None:
+        """The state of `mode`: out_of_range; None for any other value."""
+        return _state_of(self.mode, (), ((0, 16),))
+
+    @property
     def speed_state(self) -> str | None:
-        """The name of the state that `speed` stands for; None for a quantity."""
-        return _state_of(self.speed, (("start_speed", 0),))
+        """The state of `speed`: start_speed, out_of_range; None for any other value."""
+        return _state_of(self.speed, (("start_speed", 0),), ((0, 100),))
+
+    @property
+    def torque_limit_state(self) -> str | None:
+        """The state of `torque_limit`: out_of_range; None for any other value."""
+        return _state_of(self.torque_limit, (), ((0, 1000),))
+
+    @property
+    def acceleration_time_state(self) -> str | None:
+        """The state of `acceleration_time`: out_of_range; None for any other value."""
+        return _state_of(self.acceleration_time, (), ((1, 30000),))
+
+    @property
+    def deceleration_time_state(self) -> str | None:
+        """The state of `deceleration_time`: out_of_range; None for any other value."""
+        return _state_of(self.deceleration_time, (), ((1, 30000),))
+
+    @property
+    def wait_time_state(self) -> str | None:
+        """The state of `wait_time`: out_of_range; None for any other value."""
+        return _state_of(self.wait_time, (), ((0, 30000),))
 
     @property
     def next_point_state(self) -> str | None:
-        """The name of the state that `next_point` stands for; None for a quantity."""
-        return _state_of(self.next_point, (("end", -1),))
+        """The state of `next_point`: end, out_of_range; None for any other value."""
+        return _state_of(self.next_point, (("end", -1),), ((-1, -1), (1, 127)))
 
 
 _READ_REGISTERS_RESPONSE_STRUCT = _Repeated(">B", "H")
@@ -2165,6 +2195,11 @@ class ReadRegistersRequest(_RequestOf["ReadRegistersResponse"]):
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 60),))
         )
+
+    @property
+    def word_count_state(self) -> str | None:
+        """The state of `word_count`: out_of_range; None for any other value."""
+        return _state_of(self.word_count, (), ((1, 60),))
 
     def _to_rtu(self, unit_address: int) -> bytes:
         try:
@@ -2567,6 +2602,11 @@ class WriteRegistersResponse(_Record):
             _refused_number("address", self.address, 0, 65535)
             or _refused_number("word_count", self.word_count, 0, 65535, ((1, 59),))
         )
+
+    @property
+    def word_count_state(self) -> str | None:
+        """The state of `word_count`: out_of_range; None for any other value."""
+        return _state_of(self.word_count, (), ((1, 59),))
 
     def _to_rtu(self, unit_address: int) -> bytes:
         try:

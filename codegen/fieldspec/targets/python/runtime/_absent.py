@@ -11,6 +11,7 @@ from ._typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from typing import Any
 
+    from ._refusals import BoundedBits
     from ._typing import Absent, Others, Quantity
 
 _REALS = {2: Struct(">e"), 4: Struct(">f"), 8: Struct(">d")}
@@ -29,12 +30,24 @@ LEFT_OUT = LeftOut()
 """Stands for an argument that a call leaves out, where None is an absent value."""
 
 
-def state_of(value: float, absent: Absent) -> str | None:
-    """The name of the state that a value stands for, None for a quantity. Every NaN is the same."""
+OUT_OF_RANGE = "out_of_range"
+"""The state of a value that is read outside of what is stated of it. It is a quantity all the same."""
+
+
+def state_of(
+    value: Any, absent: Absent = (), ranges: tuple[tuple[float, float], ...] = (), bits: tuple[BoundedBits, ...] = ()
+) -> str | None:
+    """The name of the state that a value stands for, `out_of_range` outside of `ranges`, where there are any, and
+    where a field of `bits` is outside of its own; None for any other value. Every NaN is the same.
+    """
+    number = getattr(value, "raw", value)
     for name, other in absent:
-        if is_among(value, (other,)):
+        if is_among(number, (other,)):
             return name
-    return None
+    is_within = not ranges or any(low <= number <= high for low, high in ranges)
+    for _, mask, images, _ in bits:
+        is_within &= any(low <= number & mask <= high for low, high in images)
+    return None if is_within else OUT_OF_RANGE
 
 
 def is_among(value: float, others: Others) -> bool:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from struct import pack, unpack
 
-from ._absent import first_number, is_among, state_of
+from ._absent import first_number, is_among
 from ._carried import RecordValue
 from ._error import CodecError
 from ._quantities import Ratio, power_of_ten
@@ -93,9 +93,9 @@ class Register(Generic[T]):
         """The values that stand for a state and are no quantity, by the names of their states."""
         return {state: first_number(number) for state, number in self.value.absent}
 
-    def state_of(self, value: float) -> str | None:
-        """The name of the state that a value stands for; None for a quantity."""
-        return state_of(value, self.value.absent)
+    def state_of(self, value: T | float) -> str | None:
+        """The name of the state that a value stands for, or `out_of_range`; None for any other value."""
+        return self.value.state_of(value)
 
     @property
     def scale(self) -> float:

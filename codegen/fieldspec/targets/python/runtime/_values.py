@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from typing import Any, TypeVar
 
     from ._refusals import BoundedBits
-    from ._typing import Absent, Data, Quantity
+    from ._typing import Absent, Data, Quantity, Stated
 
     E = TypeVar("E", bound=IntEnum)
     F = TypeVar("F", bound=Flags)
@@ -48,10 +48,11 @@ class Value(Generic[T]):
 
     `ranges` are in counts. The scale, if there is one, is (a, b, c) of unit = (count * a + b) / c. `absent` are the
     states that counts stand for, each with its name, and `others` these counts: they may be outside the ranges, and
-    are no quantity.
+    are no quantity. `stated` are the ranges of what is read, and of fields of its bits, where they differ from those
+    of what may be written.
     """
 
-    __slots__ = ("absent", "high", "low", "others", "ranges", "ratio", "size", "struct", "swapped", "unit")
+    __slots__ = ("absent", "high", "low", "others", "ranges", "ratio", "size", "stated", "struct", "swapped", "unit")
 
     def __init__(
         self,
@@ -62,6 +63,7 @@ class Value(Generic[T]):
         unit: str = "",
         ratio: tuple[int, int, int] = (1, 0, 1),
         absent: Absent = (),
+        stated: Stated | None = None,
     ) -> None:
         self.struct: Struct | Integer | Digits
         if " " in letters:
@@ -75,6 +77,7 @@ class Value(Generic[T]):
             self.low, self.high = _LIMITS.get(letters[-1], (0, 0))
         self.ranges, self.unit, self.ratio = ranges, unit, ratio
         self.absent, self.others = absent, tuple([value for _, value in absent])
+        self.stated: Stated = (ranges,) if stated is None else stated
 
     def decode(self, name: str, data: Data) -> T:
         """The value in exactly `size` bytes. Raises CodecError."""
@@ -139,6 +142,10 @@ class Value(Generic[T]):
             )
         return count
 
+    def state_of(self, value: T | float) -> str | None:
+        """The name of the state that a value stands for, or `out_of_range`; None for any other value."""
+        return state_of(value, self.absent, *self.stated)
+
     def refused(self, name: str, value: Any) -> CodecError | None:
         """Why a value cannot be encoded; None for one that can."""
         raise NotImplementedError
@@ -183,8 +190,8 @@ class Setting(Number):
 
     __slots__ = ("const",)
 
-    def __init__(self, letters: str, const: int, *, swapped: bool = False) -> None:
-        super().__init__(letters, swapped=swapped)
+    def __init__(self, letters: str, const: int, *, swapped: bool = False, stated: Stated = ()) -> None:
+        super().__init__(letters, swapped=swapped, stated=stated)
         self.const = const
 
     def refused(self, name: str, value: Any) -> CodecError | None:
@@ -206,8 +213,9 @@ class Closed(Value[E]):
         *,
         swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
+        stated: Stated | None = None,
     ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges)
+        super().__init__(letters, swapped=swapped, ranges=ranges, stated=stated)
         self.enum, self.members = enum, members
 
     def of_raw(self, name: str, raw: int) -> E:
@@ -235,8 +243,9 @@ class Open(Value["E | int"], Generic[E]):
         ranges: tuple[tuple[int, int], ...] = (),
         absent: Absent = (),
         closed: bool = False,
+        stated: Stated | None = None,
     ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent)
+        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent, stated=stated)
         self.enum, self.members, self.closed = enum, members, closed
 
     def of_raw(self, name: str, raw: int) -> E | int:
@@ -267,7 +276,7 @@ class Trigger(Open[E]):
         ranges: tuple[tuple[int, int], ...] = (),
         absent: Absent = (),
     ) -> None:
-        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, absent=absent, closed=True)
+        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, absent=absent, closed=True, stated=())
 
     def of_raw(self, name: str, raw: int) -> E | int:
         return self.members.get(raw, raw)
@@ -287,8 +296,10 @@ class Word(Value[F]):
         ranges: tuple[tuple[int, int], ...] = (),
         absent: Absent = (),
         bits: tuple[BoundedBits, ...] = (),
+        stated: Stated | None = None,
     ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent)
+        stated = (ranges, bits) if stated is None else stated
+        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent, stated=stated)
         self.flags, self.bits = flags, bits
 
     def of_raw(self, name: str, raw: int) -> F:

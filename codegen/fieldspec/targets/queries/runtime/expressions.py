@@ -89,8 +89,12 @@ def _names(number: _pl.Expr, names: dict[int, str]) -> _pl.Expr:
     return number.cast(_pl.Int128).replace_strict(known, list(names.values()), default=None, return_dtype=_pl.String)
 
 
-def _states(number: _pl.Expr, names: dict[tuple[int, int], str], nan: str) -> _pl.Expr:
+def _states(
+    number: _pl.Expr, names: dict[tuple[int, int], str], nan: str, condition: _pl.Expr | None = None, other: str = ""
+) -> _pl.Expr:
     state = _pl.lit(None, dtype=_pl.String)
+    if condition is not None:
+        state = _pl.when(condition).then(_pl.lit(other)).otherwise(state)
     for interval, name in names.items():
         state = _pl.when(_is_in(number, [interval])).then(_pl.lit(name)).otherwise(state)
     return _pl.when(number.is_nan()).then(_pl.lit(nan)).otherwise(state) if nan else state
