@@ -10428,7 +10428,7 @@ static inline bool ck10_point_push_speed_is_out_of_range(uint32_t value)
 /** Whether point.push_mode is outside of its stated range. */
 static inline bool ck10_point_push_mode_is_out_of_range(uint16_t value)
 {
-    return !((value <= 10000u) || (value == 0u));
+    return !(value <= 10000u);
 }
 
 /** Whether read_registers_request.word_count is outside of its stated range. */

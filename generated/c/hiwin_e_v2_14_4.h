@@ -9972,7 +9972,7 @@ static inline bool hiwin_e_par_servo_parameters_positive_fixed_stop_tolerance_is
 /** Whether servo_parameters.negative_fixed_stop_tolerance is outside of its stated range. */
 static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_out_of_range(uint32_t value)
 {
-    return !((value <= 2147483647u) || (value == 0u));
+    return !(value <= 2147483647u);
 }
 
 /** Whether servo_parameters.positive_fixed_stop_torque is outside of its stated range. */
@@ -9984,7 +9984,7 @@ static inline bool hiwin_e_par_servo_parameters_positive_fixed_stop_torque_is_ou
 /** Whether servo_parameters.negative_fixed_stop_torque is outside of its stated range. */
 static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_out_of_range(uint32_t value)
 {
-    return !((value <= 2147483647u) || (value == 0u));
+    return !(value <= 2147483647u);
 }
 
 /** Whether servo_parameters.fixed_stop_following_error is outside of its stated range. */

@@ -5599,7 +5599,7 @@ static inline bool tc100_point_mode_is_out_of_range(uint16_t value)
 /** Whether point.speed is outside of its stated range. */
 static inline bool tc100_point_speed_is_out_of_range(uint16_t value)
 {
-    return !((value <= 100u) || (value == 0u));
+    return !(value <= 100u);
 }
 
 /** Whether point.torque_limit is outside of its stated range. */
@@ -5617,7 +5617,7 @@ static inline bool tc100_point_wait_time_is_out_of_range(uint16_t value)
 /** Whether point.next_point is outside of its stated range. */
 static inline bool tc100_point_next_point_is_out_of_range(int16_t value)
 {
-    return !((value == (-1)) || (value >= 1 && value <= 127) || (value == (-1)));
+    return !((value == (-1)) || (value >= 1 && value <= 127));
 }
 
 /** Whether read_registers_request.word_count is outside of its stated range. */
@@ -5653,7 +5653,7 @@ static inline bool tc100_write_registers_response_word_count_is_out_of_range(uin
 /** Whether motion_speed is outside of its stated range. */
 static inline bool tc100_reg_motion_speed_is_out_of_range(uint16_t value)
 {
-    return !((value <= 100u) || (value == 0u));
+    return !(value <= 100u);
 }
 
 /** Whether simulated_inputs is outside of its stated range. */
@@ -5755,13 +5755,13 @@ static inline bool tc100_reg_jog_wait_time_is_out_of_range(uint16_t value)
 /** Whether homing_speed is outside of its stated range. */
 static inline bool tc100_reg_homing_speed_is_out_of_range(uint16_t value)
 {
-    return !((value <= 100u) || (value == 0u));
+    return !(value <= 100u);
 }
 
 /** Whether homing_offset_speed is outside of its stated range. */
 static inline bool tc100_reg_homing_offset_speed_is_out_of_range(uint16_t value)
 {
-    return !((value <= 100u) || (value == 0u));
+    return !(value <= 100u);
 }
 
 /** Whether homing_torque_limit is outside of its stated range. */
@@ -5791,7 +5791,7 @@ static inline bool tc100_reg_homing_z_phase_speed_2_is_out_of_range(uint16_t val
 /** Whether executed_point is outside of its stated range. */
 static inline bool tc100_reg_executed_point_is_out_of_range(int16_t value)
 {
-    return !((value >= (-1) && value <= 127) || (value == (-1)));
+    return !(value >= (-1) && value <= 127);
 }
 
 /** Whether output_states is outside of its stated range. */

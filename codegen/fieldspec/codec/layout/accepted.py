@@ -21,7 +21,7 @@ from fieldspec.language.model.encoding import (
     bounds_of,
     real_bits,
 )
-from fieldspec.language.model.ranges import merged
+from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.value import OUT_OF_RANGE
 
 if TYPE_CHECKING:
@@ -167,7 +167,7 @@ def _remarked(device: Device, value: Value, encoding: Encoding) -> list[Conditio
         case Whole() | Digits():
             tests: list[Test] = [*_parts(device, value)]
             if value.ranges is not None and not value.ranges.includes(value.low, value.high):
-                tests.insert(0, Within(value.ranges.intervals, value.special_intervals))
+                tests.insert(0, _within(value, value.ranges))
             return [Condition(test, OUT_OF_RANGE) for test in tests]
         case Real():
             return _real_range(value)
@@ -283,6 +283,11 @@ def writable_numbers(value: Value) -> Within:
     ranges = value.writable_ranges
     if ranges is None:
         return Within((bounds_of(value.encoding),))
+    return _within(value, ranges)
+
+
+def _within(value: Value, ranges: Ranges) -> Within:
+    """The numbers in some ranges, and the special values that are not."""
     further = tuple(interval for interval in value.special_intervals if not ranges.includes(*interval))
     return Within(tuple(sorted(ranges.intervals)), further)
 
