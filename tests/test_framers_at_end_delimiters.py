@@ -16,9 +16,9 @@ from external_tools import require_tool
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.pipeline import layouts, load
 from fieldspec.targets.js.backend import shared
-from fieldspec.targets.js.module import module_texts
 from fieldspec.targets.python.backend import PACKAGE, files
 from fieldspec.targets.python.backend import shared as python_modules
+from javascript_modules import module_code
 from python_package import link_of, write
 from random_devices.framer_judge import SCRIPT
 from random_devices.python_judge import module_of_device
@@ -129,7 +129,7 @@ def streams(folder: Path, jobs: list[tuple[str, str, list[bytes | None]]]) -> li
         framer = getattr(link_of(ender_module(), link), f"{direction}_framer")()
         frames = [framer.idle() if piece is None else framer.feed(piece) for piece in pieces]
         results.append((frames, framer.dropped))
-    write(folder, {**shared(), "device/module.js": module_texts(ender())[0]})
+    write(folder, {**shared(), "device/module.js": module_code(ender())})
     rows: list[dict[str, Any]] = [
         {
             "framer": f"{link}{direction.capitalize()}Framer",

@@ -47,7 +47,8 @@ def test_states_have_names_and_are_no_quantities() -> None:
     assert run.returncode == 0, run.stderr
     nan, counts, real, record, bits, refusals, reals = json.loads(run.stdout)
     assert nan == [None, 5.5, "not_measured", None]
-    assert counts == [None, "not_measured", -0x8000, None]
+    # The ratio has a range and no special value.
+    assert counts == [None, "not_measured", -0x8000, {"values": {}}]
     assert real == [None, "overflow", None]
     assert record == ["not_measured", "too_far", None, None, ["not_measured", "too_far"]]
     assert bits == ["00007fc0"] * 3

@@ -13,7 +13,7 @@ import pytest
 from external_tools import require_tool
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.targets.js.backend import shared
-from fieldspec.targets.js.module import module_texts
+from javascript_modules import module_code
 from js_output.javascript import module_path
 from layouts import all_layouts
 from python_package import link_of, module_of, write
@@ -71,7 +71,7 @@ def camel(name: str) -> str:
 
 def test_streams_are_cut_as_in_python_where_no_length_determines_the_end(tmp_path: Path) -> None:
     layout, module = linker(), linker_module()
-    write(tmp_path, {**shared(), "device/module.js": module_texts(layout)[0]})
+    write(tmp_path, {**shared(), "device/module.js": module_code(layout)})
     jobs, expected = [], []
     for link in layout.links:
         for direction in DIRECTIONS:

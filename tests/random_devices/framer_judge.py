@@ -17,7 +17,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.reference.framing import Framing
 from fieldspec.foundation.names import Name
 from fieldspec.targets.js.backend import shared
-from fieldspec.targets.js.module import module_texts
+from javascript_modules import module_code
 from python_package import link_of
 from random_devices.framer_streams import Stream, streams
 from random_devices.python_judge import module_of_device
@@ -50,7 +50,7 @@ class Framers:
     def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
         self.layout, self.folder = layout, folder / f"framers_{number}"
         self.module = module_of_device(layout, number)
-        for path, text in {**shared(), "device/module.js": module_texts(layout)[0]}.items():
+        for path, text in {**shared(), "device/module.js": module_code(layout)}.items():
             place = self.folder / path
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(text, "utf-8")

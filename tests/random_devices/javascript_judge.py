@@ -19,7 +19,7 @@ from fieldspec.language.model.value import Value
 from fieldspec.targets.js.backend import shared
 from fieldspec.targets.js.links import WIDE
 from fieldspec.targets.js.members import Member, members_of
-from fieldspec.targets.js.module import module_texts
+from javascript_modules import module_code
 from random_devices.quantities import Measured, StatedValue
 from random_devices.queries import (
     ABSENT_OFFSET,
@@ -41,7 +41,7 @@ class JavaScript:
 
     def __init__(self, layout: DeviceLayout, folder: Path, number: int) -> None:
         self.layout, self.folder = layout, folder / f"javascript_{number}"
-        for path, text in {**shared(), "device/module.js": module_texts(layout)[0]}.items():
+        for path, text in {**shared(), "device/module.js": module_code(layout)}.items():
             place = self.folder / path
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(text, "utf-8")
