@@ -49,7 +49,7 @@ def test_states_have_names_and_are_no_quantities() -> None:
     assert nan == [None, 5.5, "not_measured", None]
     # The ratio has a range and no special value.
     assert counts == [None, "not_measured", -0x8000, {"values": {}}]
-    assert real == [None, "overflow", None]
+    assert real == [None, "overflow", "out_of_range"]
     assert record == ["not_measured", "too_far", None, None, ["not_measured", "too_far"]]
     assert bits == ["00007fc0"] * 3
     assert refusals == ["out_of_range"] * 4 + ["wrong_type"] * 2
