@@ -10,7 +10,7 @@ let client;
 /** A client of the server that the settings name. */
 function newClient() {
   const settings = vscode.workspace.getConfiguration("fieldspec");
-  const [command, ...first] = settings.get("command");
+  const [command, ...first] = settings.get("program");
   const manuals = settings.get("manuals");
   const server = { command, args: [...first, "lsp", ...(manuals ? ["--manuals", manuals] : [])] };
   return new LanguageClient("fieldspec", "fieldspec", server, {

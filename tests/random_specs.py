@@ -35,6 +35,8 @@ FORMS: dict[str, tuple[str, ...]] = {
     "gaps": ("16: nothing", "0..99999999: all", "x: y"),
     "sha256": ("0" * 64,),
     "manual": ("0" * 64,),
+    "url": ("https://example.com/manual",),
+    "read": ("2026-01-31",),
     "state": ("0" * 16,),
     "endurance": ("limited", "unlimited"),
     "unit": ("mm", "%", "furlong", "*/", "0.1%"),

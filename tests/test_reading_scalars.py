@@ -140,7 +140,7 @@ FINDINGS = {
     "a scalar in a list of mappings": ("wrong_type", "registers: [«a»]\n", "Registers"),
     "a name with capitals": ("wrong_form", ROW.format("enum: «ServoOn»"), "lower case"),
     "a name of 65 characters": ("wrong_form", ROW.format(f"enum: «{'a' * 65}»"), "lower case"),
-    "a source without a line": ("wrong_form", ROW.format("source: «8.2»"), "L1622"),
+    "a source in words": ("wrong_form", ROW.format("source: «8.2 line 5»"), "L1622"),
     "a range with a hyphen": ("wrong_form", ROW.format("range: «0-5»"), "low..high"),
     "a range of words": ("wrong_form", ROW.format("range: «any»"), "low..high"),
     "an address that is too high": ("wrong_value", ROW.replace("at: 1", "at: «0x10000»").format("words: 1"), "address"),

@@ -87,4 +87,4 @@ def test_its_settings_and_commands_are_those_that_the_package_states() -> None:
 
 def test_the_program_that_runs_cannot_be_chosen_by_a_workspace() -> None:
     properties = PACKAGE["contributes"]["configuration"]["properties"]
-    assert properties["fieldspec.command"]["scope"] == "machine"
+    assert properties["fieldspec.program"]["scope"] == "machine"
