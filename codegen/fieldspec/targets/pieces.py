@@ -49,21 +49,17 @@ class Pieces:
         make: Callable[[], Result],
     ) -> Result:
         """The piece of a kind that was made of the same, or else what `make` gives."""
-        key = (
-            kind,
-            words,
-            names and names.key,
-            tuple(map(id, facts)),
-        )  # as long as the piece is there, no other object gets an identity
-        known = self._pieces.get(key)
-        if known is not None and (names is None or names.gives(known[1])):
-            return cast("Result", known[2])
+        # As long as the piece is there, no other object gets the identity of a fact.
+        key = (kind, words, names and names.key, tuple(map(id, facts)))
+        remembered = self._pieces.get(key)
+        if remembered is not None and (names is None or names.gives(remembered[1])):
+            return cast("Result", remembered[2])
         if names is None:
             result, requested_names = make(), {}
         else:
             with names.noting() as requested_names:
                 result = make()
-        if known is None and len(self._pieces) >= MOST:
+        if remembered is None and len(self._pieces) >= MOST:
             del self._pieces[next(iter(self._pieces))]
         self._pieces[key] = facts, tuple(requested_names.items()), result
         return result

@@ -50,17 +50,17 @@ def explained(
     tells which message and which registers the response is about, if the response does not.
     Raises KeyError for a link that the device does not have, and nothing for any bytes.
     """
-    known = _EXPLAINED.get_or_compute(layout, lambda _: {})
+    remembered = _EXPLAINED.get_or_compute(layout, lambda _: {})
     key = link, direction, frame, message, request
-    explanation = known.get(key)
+    explanation = remembered.get(key)
     if explanation is None:
         is_answer = request and direction == "response"
         of_request = explained(layout, link, "request", request, message) if is_answer else None
         explanation = explained_after(layout, link, direction, frame, message, of_request)
-        if len(known) >= _MOST_REMEMBERED:
-            del known[next(iter(known))]
         if len(frame) + len(request) <= _LONGEST_REMEMBERED:
-            known[key] = explanation
+            if len(remembered) >= _MOST_REMEMBERED:
+                del remembered[next(iter(remembered))]
+            remembered[key] = explanation
     return explanation
 
 

@@ -157,7 +157,7 @@ class Expansion(Lookup):
 
     def _type(self, term: Term) -> Type:
         name = term.token.text
-        if isinstance(term, Named) and term.of is None and name not in (*_TYPES, *self.scope):
+        if isinstance(term, Named) and term.structure is None and name not in (*_TYPES, *self.scope):
             raise self.fail(term.token, f"{name} is no type{near_text(name, _TYPES)}")
         if name in _WIDE:
             raise self.fail(term.token, f"not every controller has {name}: take the type from a slot")
@@ -182,7 +182,7 @@ class Expansion(Lookup):
                 return self._choice(step)
             case Selected():
                 branches = self.value(step.branches)
-                return (Selection(self.expression(step.of), branches),) if branches else ()
+                return (Selection(self.expression(step.selector), branches),) if branches else ()
             case Iteration():
                 index = self._place(step.index)
                 first, last = (self._fitting(term.token, index.type, term) for term in (step.first, step.last))
@@ -218,7 +218,7 @@ class Expansion(Lookup):
 
     def _write(self, step: Insertion) -> Sequence[Statement]:
         name, argument = step.token.text, step.argument
-        is_path = isinstance(step.name, Indexed) or step.name.of is not None
+        is_path = isinstance(step.name, Indexed) or step.name.structure is not None
         if argument is None and (is_path or name in self.scope or name in self.arguments):
             statements = self.value(step.name)
             if not isinstance(statements, Sequence):
@@ -226,8 +226,8 @@ class Expansion(Lookup):
             return statements
         action = self.source.actions.get(name)
         if action is None:
-            known = self.source.actions if argument is not None else (*self.source.actions, *self.scope)
-            raise self.fail(step.token, f"no action is called {name}{near_text(name, known)}")
+            actions = self.source.actions if argument is not None else (*self.source.actions, *self.scope)
+            raise self.fail(step.token, f"no action is called {name}{near_text(name, actions)}")
         if bool(action.parameter) != (argument is not None):
             raise self.fail(step.token, f"{name} has {'one argument' if action.parameter else 'no argument'}")
         argument_text = argument.token.text if argument is not None else ""

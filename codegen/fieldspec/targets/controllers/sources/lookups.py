@@ -71,26 +71,26 @@ class Lookup:
         if not isinstance(term, Named):
             return self.expression(term)
         token = term.token
-        if term.of is None:
+        if term.structure is None:
             name = token.text
             if name in self.arguments:
                 return self.arguments[name]
             if name in self.source.properties:
                 return self.property(name)
             if name not in self.scope:
-                known = (*self.arguments, *self.scope, *self.source.properties)
-                raise self.fail(token, f"nothing is called {name}{near_text(name, known)}")
+                names = (*self.arguments, *self.scope, *self.source.properties)
+                raise self.fail(token, f"nothing is called {name}{near_text(name, names)}")
             if callable(self.scope[name]):
                 self.scope[name] = self.scope[name]()
             return self.scope[name]
-        outer = self.value(term.of)
+        outer = self.value(term.structure)
         if isinstance(outer, dict):
             if token.text in outer:
                 return outer[token.text]
-            raise self.fail(token, f"{term.of.token.text} has no {token.text}{near_text(token.text, outer)}")
+            raise self.fail(token, f"{term.structure.token.text} has no {token.text}{near_text(token.text, outer)}")
         kind = outer.type if isinstance(outer, _EXPRESSION_CLASSES) else None
         if not isinstance(kind, StructType):
-            raise self.fail(token, f"{term.of.token.text} has no members")
+            raise self.fail(token, f"{term.structure.token.text} has no members")
         members = self.members.get(kind.name, {})
         if token.text not in members:
             raise self.fail(token, f"{kind.name} has no member {token.text}{near_text(token.text, members)}")
@@ -109,16 +109,16 @@ class Lookup:
             case Literal():
                 return self._number(term.token, expected)
             case Inverted():
-                inverted = self.truth(term.of)
+                inverted = self.truth(term.operand)
                 return Truth(not inverted.value) if isinstance(inverted, Truth) else Negation(inverted)
             case Joined():
                 return self._joined(term) if term.token.text in ("AND", "OR") else self._operation(term)
             case Applied():
                 return self._call(term)
             case Indexed():
-                array, index = self.expression(term.of), self.expression(term.index, INT)
+                array, index = self.expression(term.array), self.expression(term.index, INT)
                 if not isinstance(array.type, ArrayType):
-                    raise self.fail(term.token, f"{term.of.token.text} is no array")
+                    raise self.fail(term.token, f"{term.array.token.text} is no array")
                 return Element(array, index, array.type.of)
             case _:
                 assert_never(term)
@@ -208,10 +208,10 @@ class Lookup:
         return routine.called(**values)
 
 
-def near_text(name: str, known: Iterable[str]) -> str:
+def near_text(name: str, names: Iterable[str]) -> str:
     """What may be meant by a name that is not known, as the end of an error."""
-    matches = get_close_matches(name, [*known], 1)
-    return f": is it {matches[0]}?" if matches else f"; there is {', '.join(sorted(known))}"
+    matches = get_close_matches(name, [*names], 1)
+    return f": is it {matches[0]}?" if matches else f"; there is {', '.join(sorted(names))}"
 
 
 def type_name(kind: Type) -> str:

@@ -42,10 +42,10 @@ def wrong(token: Token, text: str, trace: Sequence[str] = ()) -> SourceError:
 
 @dataclass(frozen=True, slots=True)
 class Named:
-    """A variable, a constant, a property or a slot; behind a dot, a member of `of`."""
+    """A variable, a constant, a property or a slot; behind a dot, a member of its `structure`."""
 
     token: Token
-    of: Term | None = None
+    structure: Term | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Indexed:
     """An element of an array."""
 
     token: Token
-    of: Term
+    array: Term
     index: Term
 
 
@@ -69,7 +69,7 @@ class Inverted:
     """NOT of a truth."""
 
     token: Token
-    of: Term
+    operand: Term
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +140,7 @@ class Selected:
     """CASE, whose branches are a slot."""
 
     token: Token
-    of: Term
+    selector: Term
     branches: Term
 
 

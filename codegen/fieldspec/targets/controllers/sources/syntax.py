@@ -215,8 +215,8 @@ class _Parser:
         while self.here.text in _LEVELS[level]:
             operator = self.take()
             right = self.term(level + 1)
-            same = isinstance(left, Joined) and left.token.text == operator.text and operator.text in _CHAINED
-            parts = left.parts if same and isinstance(left, Joined) else (left,)
+            continues = operator.text in _CHAINED and left.token.text == operator.text
+            parts = left.parts if continues and isinstance(left, Joined) else (left,)
             left = Joined(operator, (*parts, right))
         return left
 

@@ -93,16 +93,16 @@ def _node(messages: list[Any], node: str, rows: FormatRows) -> str:
     """The node that the device is: the one that is named, or that sends most messages. Raises ListError."""
     senders = Counter(sender for message in messages for sender in message.senders if sender != _NOBODY)
     receivers = {receiver for message in messages for receiver in message.receivers}
-    known = sorted({*senders, *receivers} - {_NOBODY})
-    if node and node not in known:
-        raise ListError(f"has no node {node}; there are {', '.join(known) or 'none'}")
+    nodes = sorted({*senders, *receivers} - {_NOBODY})
+    if node and node not in nodes:
+        raise ListError(f"has no node {node}; there are {', '.join(nodes) or 'none'}")
     if node or not senders:
         return node
     own_node: str
     (own_node, count), *further = sorted(senders.items(), key=lambda pair: (-pair[1], pair[0]))
     if further and further[0][1] == count:
-        raise ListError(f"has nodes that send as many messages ({', '.join(known)}); choose one with --node")
-    if len(known) > 1:
+        raise ListError(f"has nodes that send as many messages ({', '.join(nodes)}); choose one with --node")
+    if len(nodes) > 1:
         evidence = f"it sends {count} messages, more than any other node"
         rows.assumptions.append(Assumption("node", own_node, evidence, "--node"))
     return own_node
@@ -163,8 +163,8 @@ def _message_cells(message: Any) -> dict[str, str]:
 
 def _attributes(owner: Any) -> dict[str, str]:
     attributes = owner.dbc.attributes if owner.dbc is not None else {}
-    known = ("GenMsgCycleTime", "GenSigStartValue")
-    return {name: str(attribute.value) for name, attribute in attributes.items() if name not in known}
+    used = ("GenMsgCycleTime", "GenSigStartValue")
+    return {name: str(attribute.value) for name, attribute in attributes.items() if name not in used}
 
 
 def _signal_cells(signal: Any) -> dict[str, str]:
