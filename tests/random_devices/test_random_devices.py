@@ -16,7 +16,7 @@ from random_devices.key_counts import BATCH, KeyCounts, counts_of
 from random_devices.queries import Answer, Query
 from random_devices.schema_keys import KEYS, MAPPINGS, known_keys
 
-SEEDS = (1,)
+SEEDS = (1, 2, 3)
 COUNT = 12
 CHEAP = 8
 """Judges that are asked about each device, or about one of so few, cost less than the others."""
