@@ -151,7 +151,7 @@ class Conditions:
         return [(either(tests), [self.draft.fail(reason)]) for reason, tests in branches.items()]
 
     def begun(self, kind: Moving, is_standing: Expression) -> tuple[list[Statement], Branch]:
-        """Sees whether a motion that lasts has begun, and the branch where it has not: the device may have refused it."""
+        """Sees whether a motion that lasts has begun; the branch is for one that has not: it may be refused."""
         draft = self.draft
         standing = draft.flag("xStanding", "the device stands")
         moved = draft.flag("xMoved", "the device was seen to move")
