@@ -11,7 +11,7 @@ from contextlib import redirect_stdout
 
 import pytest
 
-from fieldspec.cli import main, parser
+from fieldspec.cli import _parser, main
 from fieldspec.command.console.option_types import natural, positive, seconds, whole
 from fieldspec.command.console.usage import unknown
 
@@ -83,5 +83,5 @@ def test_the_help_of_live_has_its_options_in_groups() -> None:
 
 def test_the_help_of_live_ends_with_three_examples_that_exist() -> None:
     examples = help_of("live").partition("\nexamples:\n")[2].splitlines()
-    commands = [parser().parse_args(shlex.split(line)[1:]).verb_of_device for line in examples]
+    commands = [_parser().parse_args(shlex.split(line)[1:]).verb_of_device for line in examples]
     assert commands == ["find", "read", "write"]
