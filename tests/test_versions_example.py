@@ -68,7 +68,7 @@ class Project:
         path = re.match(r"`((?:specs|generated)/[\w./-]+)`", before)
         if kind == "yaml" and path:
             file = self.folder / path[1]
-            previous = file.read_text("utf-8") + "\n" if before.endswith("goes on") else ""
+            previous = file.read_text("utf-8") + "\n" if before.endswith("continues") else ""
             file.write_text(previous + block, "utf-8")
         elif kind == "markdown" and path:
             self.compare(before, block, (self.folder / path[1]).read_text("utf-8"))
