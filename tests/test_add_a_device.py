@@ -41,7 +41,8 @@ def files() -> dict[str, str]:
 
 def project_file() -> str:
     """The project file on its page."""
-    (text,) = re.findall(r"^`fieldspec.yaml`\n\n```yaml\n(.*?)```", PROJECT.read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    page = PROJECT.read_text("utf-8")
+    (text,) = re.findall(r"^`fieldspec.yaml`\n\n```yaml\n(.*?)```", page, re.DOTALL | re.MULTILINE)
     return str(text)
 
 
