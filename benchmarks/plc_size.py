@@ -1,7 +1,7 @@
 """Writes docs/plc-sizes.md: code and data of the generated function blocks on a Cortex-M3.
 
-`make plc-sizes`. Needs matiec (see CONTRIBUTING.md), gcc-arm-none-eabi and libnewlib-arm-none-eabi. matiec translates the
-output `iec` to C, and gcc compiles it for size; no vendor's compiler takes part.
+`make plc-sizes`. Needs matiec (see CONTRIBUTING.md), gcc-arm-none-eabi and libnewlib-arm-none-eabi. matiec translates
+the output `iec` to C, and gcc compiles it for size; no vendor's compiler takes part.
 """
 
 from __future__ import annotations
