@@ -22,8 +22,8 @@ FLAGS = ("-std=gnu11", "-Os", "-mcpu=cortex-m3", "-mthumb", "-ffunction-sections
 PAGE = ROOT / "docs" / "plc-sizes.md"
 HEAD = """# Sizes of the function blocks
 
-Sizes of the [function blocks](plc-blocks.md) on a small controller, in bytes: the output `iec`, translated by matiec and
-compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes this page. A vendor's compiler gives other
+Sizes of the [function blocks](plc-blocks.md) on a small controller, in bytes: the output `iec`, translated by matiec
+and compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes this page. A vendor's compiler gives other
 figures; these compare the blocks with each other and show the order of magnitude.
 
 *code* is the body of the block. The functions that blocks call exist once for each device; the line above each table
