@@ -23,8 +23,8 @@ PAGE = ROOT / "docs" / "plc-sizes.md"
 HEAD = """# Sizes of the function blocks
 
 Sizes of the [function blocks](plc-blocks.md) on a small controller, in bytes: the output `iec`, translated by matiec
-and compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes this page. A vendor's compiler gives other
-figures; these compare the blocks with each other and show the order of magnitude.
+and compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes this page. A vendor's compiler gives
+other figures; these compare the blocks with each other and show the order of magnitude.
 
 *code* is the body of the block. The functions that blocks call exist once for each device; the line above each table
 has their sum, for a program that uses all of them. *data* is one instance. matiec copies each struct that a block is

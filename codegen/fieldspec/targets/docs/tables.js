@@ -186,7 +186,7 @@
     }
   }, { rootMargin: "400px" });
   blocks.forEach((block) => near.observe(block));
-  const reachAll = () => blocks.filter((block) => block.scrollWidth > block.clientWidth).forEach(reach);
+  const reachAll = () => blocks.filter((block) => block.scrollWidth > block.clientWidth || block.scrollHeight > block.clientHeight).forEach(reach);
   window.addEventListener("resize", reachAll);
   reachAll();
 
