@@ -168,7 +168,7 @@ def _column(table: SectionTable, number: int) -> _Column:
     return _Column(
         clean(table.columns[number].replace("_", " ")),
         all(cell is None or isinstance(cell, int) for cell in cells),
-        tuple(clean(cell_text(cell)) for cell in cells),
+        tuple(clean(cell_text(cell, table.columns[number])) for cell in cells),
     )
 
 
