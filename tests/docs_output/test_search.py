@@ -53,7 +53,7 @@ FACTS = [
     # a frame is for the lab
     ("tc100/2.0.html", "01 06 20 1E 00 03 A2 0D", "lab.html#version=2.0&frames=01+06+20+1E+00+03+A2+0D"),
     ("tc100/2.0.html", "0106201E0003A20D", "lab.html#version=2.0&frames=0106201E0003A20D"),
-    ("index.html", "01 06 20 1E 00 03 A2 0D", "ck10/lab.html#frames=01+06+20+1E+00+03+A2+0D"),
+    ("index.html", "01 06 20 1E 00 03 A2 0D", "axis/lab.html#frames=01+06+20+1E+00+03+A2+0D"),
     # anything on any device
     ("index.html", "0x7E6", "ck10/1.html#registers/push_mode"),
     ("index.html", "tc100 alarm 12", "tc100/2.0.html#enums/alarm_code/motor_disconnected"),
