@@ -53,15 +53,15 @@ def test_a_door_is_short_and_ends_in_a_result_with_links_to_reference(page: str)
 
 
 def test_guides_and_reference_that_people_write_have_a_bound() -> None:
-    written = [page for group in ("Guides", "Reference") for page in GROUPS[group] if page not in GENERATED]
-    count = sum(len(text.split()) for text in (README, INDEX, *map(text_of, written)))
+    pages = [page for group in ("Guides", "Reference") for page in GROUPS[group] if page not in GENERATED]
+    count = sum(len(text.split()) for text in (README, INDEX, *map(text_of, pages)))
     assert count <= MOST_WORDS
 
 
 @pytest.mark.parametrize("group", GROUPS)
 def test_a_group_is_in_plain_english(group: str) -> None:
-    found = [f"{page}.md:{hit}" for page in GROUPS[group] for hit in hits(text_of(page))]
-    assert len(found) <= CEILINGS[group], "\n".join(found)
+    all_hits = [f"{page}.md:{hit}" for page in GROUPS[group] for hit in hits(text_of(page))]
+    assert len(all_hits) <= CEILINGS[group], "\n".join(all_hits)
 
 
 @pytest.mark.parametrize("text", [README, INDEX], ids=["README", "index"])
