@@ -89,3 +89,19 @@ def test_a_page_has_an_icon(browser: webdriver.Chrome, folder: Path) -> None:
         const icon = new Image(); icon.src = document.querySelector("link[rel=icon]").href;
         return icon.decode().then(() => icon.naturalWidth);"""
     assert browser.execute_script(script) > 0
+
+
+@pytest.mark.parametrize("path", ["tc100/2.0.html", "ck10/1.html", "esc11/1.17.html", "hiwin-e/2.14.4.html"])
+def test_no_group_of_a_page_is_out_of_sight(browser: webdriver.Chrome, path: str) -> None:
+    browser.get((GENERATED / path).as_uri())
+    script = "return [...document.querySelectorAll('main > section')].map(section => section.offsetHeight)"
+    assert max(browser.execute_script(script)) < 40_000  # pixels; the examples of a TC100 had 57,000
+
+
+def test_the_tables_of_an_example_open_at_a_click(browser: webdriver.Chrome, folder: Path) -> None:
+    browser.get((folder / "esc11/1.17.html").as_uri())
+    example = browser.find_element(By.CSS_SELECTOR, "section[id^='examples/']")
+    summary, table = (example.find_element(By.TAG_NAME, name) for name in ("summary", "table"))
+    before = table.is_displayed()
+    browser.execute_script("arguments[0].click()", summary)
+    assert (before, table.is_displayed()) == (False, True)
