@@ -54,6 +54,16 @@ def run(command: str, folder: Path) -> str:
     return ran.stdout
 
 
+def test_the_project_is_started_as_the_page_says(tmp_path: Path) -> None:
+    (command,) = code_blocks("sh", PAGE.read_text("utf-8"))
+    words = [sys.executable, "-m", "fieldspec", *shlex.split(command)[1:]]
+    subprocess.run(words, cwd=tmp_path, capture_output=True, check=True)
+    assert {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.yaml")} >= {
+        "fieldspec.yaml",
+        "specs/lifter/device.yaml",
+    }
+
+
 def test_the_frames_of_the_page_are_right() -> None:
     (frames,) = (
         text for text in code_blocks("yaml", RECIPES.read_text("utf-8")) if text.startswith("links:\n  - name: bus")

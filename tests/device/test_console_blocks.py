@@ -151,9 +151,10 @@ def test_the_commands_of_the_guide_on_real_devices_run(session: Session, monkeyp
         assert_prints(session.run(line, len(expected)), expected, line)
 
 
-def test_the_commands_of_the_door_for_units_run(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("page", ["unit.md", "plc.md"])
+def test_the_commands_of_a_door_run(page: str, session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("fieldspec.command.live.connection.has_line_settings", lambda place: True)
-    for line, expected in commands("unit.md"):
+    for line, expected in commands(page):
         if "find" not in line:  # which takes minutes here; its own tests have it
             assert_prints(session.run(line, len(expected)), expected, line)
 
