@@ -52,9 +52,9 @@ def add_live(live: VerbParser) -> None:
     )
     live.add_argument("arguments", nargs="*", default=[], metavar="ARGUMENT", help=names)
     live.examples = (
-        "fieldspec live tc100 find --port /dev/ttyUSB0",
-        "fieldspec live tc100 read actual_position alarm --port /dev/ttyUSB0",
-        "fieldspec live tc100 write motion_speed=50% --port /dev/ttyUSB0 --dry-run",
+        "fieldspec live DEVICE find --port /dev/ttyUSB0",
+        "fieldspec live DEVICE read actual_position --port /dev/ttyUSB0",
+        "fieldspec live DEVICE write NAME=VALUE --port /dev/ttyUSB0 --dry-run",
     )
     _add_connection(live)
     watch = live.add_argument_group("watch")
