@@ -38,8 +38,10 @@ _USES = {
 }
 
 
-def transfer_values(client: Client, access: Access, arguments: argparse.Namespace, begins: Callable[[], bool]) -> int:
-    """Carries out one of the verbs, if the device `begins`. Exit code 1 for findings, differences and failures.
+def transfer_values(
+    client: Client, access: Access, arguments: argparse.Namespace, open_device: Callable[[], bool]
+) -> int:
+    """Carries out one of the verbs, after `open_device`. Exit code 1 for findings, differences and failures.
 
     Raises UsageError.
     """
@@ -56,7 +58,7 @@ def transfer_values(client: Client, access: Access, arguments: argparse.Namespac
     try:
         suffix(path.name)
         if verb in ("download", "backup"):
-            return _save(client, access, path, verb, arguments, begins)
+            return _save(client, access, path, verb, arguments, open_device)
         content = list_files.content(words[0])
         sheet = file_sheet(path.name, content)
     except ListError as error:
@@ -68,7 +70,7 @@ def transfer_values(client: Client, access: Access, arguments: argparse.Namespac
     if findings:
         _print_findings(words[0], sheet, findings)
         return 1
-    if not begins():
+    if not open_device():
         return 1
     if verb == "compare":
         return _compare(client, access, assignments, arguments)
@@ -89,7 +91,12 @@ def _print_findings(name: str, sheet: Sheet, findings: Sequence[ListFinding]) ->
 
 
 def _save(
-    client: Client, access: Access, path: Path, verb: str, arguments: argparse.Namespace, begins: Callable[[], bool]
+    client: Client,
+    access: Access,
+    path: Path,
+    verb: str,
+    arguments: argparse.Namespace,
+    open_device: Callable[[], bool],
 ) -> int:
     """Reads values into a file, which is replaced all or nothing."""
     table = _table(client, arguments) if verb == "download" else ""
@@ -99,7 +106,7 @@ def _save(
     if not chosen:
         raise UsageError(f"{client.layout.device.id} has no values that can be both read and written")
     storage.require_writable(path)
-    begins()
+    open_device()
     with progress(access.size(chosen), "reading") as done:
         values = [value for value in access.read(client, chosen, done) if not value.is_absent]
     content = file_content(path.name, table_list(access, table, values) if table else settings_list(access, values))

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from fieldspec.tools.live.access import Access, Assignment
 
 
-def write_values(client: Client, access: Access, arguments: argparse.Namespace, begins: Callable[[], bool]) -> int:
-    """Writes what `NAME=VALUE` asks for, if the device `begins`. Exit code 1 where it does not hold it then.
+def write_values(client: Client, access: Access, arguments: argparse.Namespace, open_device: Callable[[], bool]) -> int:
+    """Writes what `NAME=VALUE` asks for, after `open_device`. Exit code 1 where it does not hold it then.
 
     Raises UsageError.
     """
@@ -37,7 +37,7 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace, 
         for names, frame in frames:
             print_line(f"{names}: {frame.hex(' ').upper()}")
         return 0
-    if not begins():
+    if not open_device():
         return 1
     if any(item.hazards for item in chosen):
         if can_ask(arguments):
