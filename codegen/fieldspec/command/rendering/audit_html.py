@@ -14,7 +14,7 @@ from fieldspec.language.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation
 from fieldspec.targets.docs.site import SCRIPTS, PagePlace, policy
-from fieldspec.targets.templates import fill, text
+from fieldspec.targets.templates import fill, style_sheet
 from fieldspec.tools.audit.section import Cell, Figure, Report, Section, SectionTable
 
 BROAD = 8
@@ -98,7 +98,7 @@ def rendered(report: Report, device: Device, links: Mapping[str, str], place: Pa
     """
     sections = [_section(section, links) for section in report.sections]
     findings = [finding for section in report.sections for finding in _findings(section)]
-    style = text("targets/page.css") + text("command/rendering/audit.css") + _width_rules(sections)
+    style = style_sheet("targets/page.css", "command/rendering/audit.css") + _width_rules(sections)
     return fill(
         "audit.html.j2",
         title=clean(f"Audit of {report.title}"),
