@@ -76,7 +76,12 @@ def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None
 
 def _places(record: RecordLayout) -> dict[Place, Numbers]:
     places = (
-        numbers_at(field.field, field.offset, field.order, field.order)
+        numbers_at(
+            field.field,
+            field.offset,
+            field.order,
+            ("little" if field.order == "big" else "big") if field.swapped else field.order,
+        )
         for field in record.fields
         if not field.cases and not field.swapped and record.has_place(field)
     )
