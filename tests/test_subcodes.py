@@ -10,7 +10,7 @@ from fieldspec.codec.layout.device import device_layout
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
-from python_package import codec_error, module_of
+from python_package import codec_error, module_apart, module_of
 from simulators import Unit
 from spec_files import gadget
 
@@ -145,7 +145,7 @@ def test_subcodes_of_two_words_tell_messages_apart_in_any_order_of_words(
     byte: str, word: str, start: str, halt: str
 ) -> None:
     layout = device_layout(gadget(SWAPPED.format(byte=byte, word=word)).at("")[0])
-    module, host = module_of(layout), codec(layout).links["line"]
+    module, host = module_apart(layout, f"subcodes_{byte}_{word}"), codec(layout).links["line"]
     for name, frame in (("start", bytes.fromhex(start)), ("halt", bytes.fromhex(halt))):
         decoded = host.decode(frame, "response")
         assert decoded.message is not None
