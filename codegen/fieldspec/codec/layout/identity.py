@@ -9,32 +9,25 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping
-from decimal import Decimal
 from itertools import chain
 from operator import attrgetter
 from typing import TypeVar
 
 from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.identity_words import Words, bounding, order_of, orders_in, shortest, value_words
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
-from fieldspec.foundation.classes import TYPE_CHECKING, attributes
+from fieldspec.foundation.classes import attributes
 from fieldspec.language.model.address_space import WHOLE, WORD
 from fieldspec.language.model.attributes import descendants
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.link import Serial
-from fieldspec.language.model.ranges import Ranges, merged
-from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import STEP_FIELDS, Field, RegisterAccess, Segments
 from fieldspec.language.model.texts import Limit
-from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED, ParameterPart, Sentinel, Value
-
-if TYPE_CHECKING:
-    from fractions import Fraction
+from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED
 
 T = TypeVar("T")
-Words = tuple[object, ...]
 
 _HASHED_ROLES = {"checksum": "check", "unit_address": "station"}
 """The words for roles in the hash. With them, a rename of a role changes no identity."""
@@ -66,68 +59,6 @@ def identity(
     ):
         digest.update(("\x1f".join(map(str, words)) + "\n").encode())
     return digest.hexdigest()[:16]
-
-
-def _last(sentinel: Sentinel) -> Words:
-    if sentinel.is_nan:
-        return ("NaN",)
-    return () if sentinel.last is None else (sentinel.last,)
-
-
-def _value(value: Value | None) -> Words:
-    if value is None:
-        return ()
-    sentinels = sorted((sentinel.value, sentinel.name, *_last(sentinel)) for sentinel in value.sentinels)
-    scaled = (_shortest(value.scale), _shortest(value.offset), value.unit)
-    ranges, write_ranges = (
-        _bounding(own, value.low, value.high, int(is_exact(value.encoding)))
-        for own in (value.ranges, value.write_ranges)
-    )
-    return (
-        value.type.name,
-        value.size,
-        *scaled,
-        ranges,
-        value.const,
-        value.enum,
-        value.flags,
-        sentinels,
-        _part(value.parameter),
-        *((write_ranges,) if value.write_ranges is not None and write_ranges != ranges else ()),
-        *((value.digits, value.places) if value.digits else ()),
-        *(("blanks",) if value.has_blanks else ()),
-        *((value.text_form,) if value.text_form is not None else ()),
-        *(("turned",) if value.text_form is not None and value.text_form.is_turned else ()),
-        *(("width", value.width) if value.width else ()),
-        *(("characters", value.characters) if value.characters not in (None, value.size) else ()),
-        *(("default", value.default) if value.default is not None else ()),
-    )
-
-
-def _bounding(ranges: Ranges | None, low: int, high: int, step: int = 1) -> list[tuple[int, int]] | None:
-    """The intervals of ranges that leave out a number; None where they have all that the wire can carry."""
-    intervals = merged(ranges.intervals, step) if ranges is not None else [(low, high)]
-    return None if intervals == [(low, high)] else intervals
-
-
-def _order(value: Value | None, order: str) -> str:
-    """The order of the bytes of a value; empty where it has none, whatever is stated."""
-    return order if value is None or value.has_order else ""
-
-
-def _shortest(number: Decimal | Fraction) -> Decimal | Fraction | str:
-    """The digits of a number without zeros at the end."""
-    return f"{number.normalize():f}" if isinstance(number, Decimal) else number
-
-
-def _part(part: ParameterPart | None) -> str | None:
-    """The part that a value has in an access to parameters: number, subindex or value."""
-    if part is None:
-        return None
-    text = f"ParameterPart(set={part.set!r}, part={part.part!r}, number={part.number!r})"
-    if part.sizes is None:
-        return text
-    return f"{text} by {part.sizes.by}: {[(case.bytes, case.when) for case in part.sizes.cases]}"
 
 
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
@@ -168,8 +99,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         for frame in (link_layout.request, link_layout.response):
             for part in frame.parts:
                 role = _HASHED_ROLES.get(part.role, part.role)
-                order = _order(part.value, part.order)
-                yield part.name, role, part.offset, part.size, part.algorithm, order, *_value(part.value)
+                order = order_of(part.value, part.order)
+                yield part.name, role, part.offset, part.size, part.algorithm, order, *value_words(part.value)
                 yield from _span(part)
 
 
@@ -202,7 +133,7 @@ def _record(record: RecordLayout) -> Iterator[Words]:
 
 def _field(field: FieldLayout) -> Iterator[Words]:
     inner = field.record.name if field.record else ""
-    order = _order(field.value, field.order)
+    order = order_of(field.value, field.order)
     yield "field", field.name, field.offset, field.size, field.count, inner, order, field.swapped
     spec = field.field
     filled = spec.value.default if spec.value and spec.reserved else None
@@ -214,9 +145,9 @@ def _field(field: FieldLayout) -> Iterator[Words]:
         yield "bits of", field.bits_of
     if spec.count == 1:
         yield ("a list",)
-    yield text, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
+    yield text, spec.reserved, spec.repeat, spec.same_as, filled, *value_words(field.value)
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):
-        yield "case", sorted(case.numbers), _order(case.value, case.order), case.swapped, *_value(case.value)
+        yield "case", sorted(case.numbers), order_of(case.value, case.order), case.swapped, *value_words(case.value)
 
 
 def _access(access: RegisterAccess | None) -> str | None:
@@ -307,10 +238,10 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
             register_layout.words,
             register_layout.count,
             register_layout.stride if register_layout.count > 1 else register_layout.words,
-            _order(register.value, register_layout.order),
+            order_of(register.value, register_layout.order),
             register_layout.swapped,
         )
-        yield register.index_from, register.access, register.trigger, register.atomic, *_value(register.value)
+        yield register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
 
 
 def _tables(device: Device) -> Iterator[Words]:
@@ -328,10 +259,14 @@ def _signals(
     """Signals that no field has with their name and their value, and fields that have one under another name."""
     bodies = (*records.values(), *(body for message in messages.values() for body in message.bodies))
     fields = [field.field for body in bodies for field in body.fields if field.field.signal]
-    alike = {field.signal for field in fields if _value(field.value) == _value(device.signals[field.signal].value)}
+    alike = {
+        field.signal for field in fields if value_words(field.value) == value_words(device.signals[field.signal].value)
+    }
     renamed = {(field.name, field.signal) for field in fields if field.name != field.signal}
     yield from (("field of signal", *names) for names in sorted(renamed))
-    yield from (("signal", name, *_value(signal.value)) for name, signal in device.signals.items() if name not in alike)
+    yield from (
+        ("signal", name, *value_words(signal.value)) for name, signal in device.signals.items() if name not in alike
+    )
 
 
 def _parameters(device: Device) -> Iterator[Words]:
@@ -347,13 +282,13 @@ def _parameters(device: Device) -> Iterator[Words]:
                 parameter.access,
                 parameter.count,
                 parameter.elements or 1,
-                *_value(parameter.value),
+                *value_words(parameter.value),
             )
-            yield _orders(device, parameter.value)
+            yield orders_in(device, parameter.value)
             for inner in sorted(parameter.subindices, key=lambda inner: inner.indices.intervals):
                 if inner.reserved:
                     continue
-                yield "subindex", inner.name, inner.indices, *_value(inner.value), *_orders(device, inner.value)
+                yield "subindex", inner.name, inner.indices, *value_words(inner.value), *orders_in(device, inner.value)
                 if inner.access:
                     yield "access", inner.access
 
@@ -380,21 +315,16 @@ def _words(device: Device) -> Iterator[Words]:
     for flags in _by_name(device.flags):
         bits = [
             (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.edge)
-            + ((bit.signed, str(_shortest(bit.scale)), str(_shortest(bit.offset)), bit.unit) if bit.is_number else ())
-            + ((ranges,) if (ranges := _bounding(bit.ranges, bit.low, bit.high)) is not None else ())
+            + ((bit.signed, str(shortest(bit.scale)), str(shortest(bit.offset)), bit.unit) if bit.is_number else ())
+            + ((ranges,) if (ranges := bounding(bit.ranges, bit.low, bit.high)) is not None else ())
             + (("default", bit.default) if bit.default is not None else ())
             for bit in sorted(flags.bits, key=attrgetter("first", "name"))
             if not bit.reserved
         ]
         states = sorted((state.name, flags.masked(state)) for state in flags.states)
         yield "flags", flags.name, flags.type.name, bits, states
-        if _bounding(flags.ranges, flags.type.low, flags.type.high) is not None:
+        if bounding(flags.ranges, flags.type.low, flags.type.high) is not None:
             yield "range", flags.ranges
-
-
-def _orders(device: Device, value: Value) -> tuple[str, bool]:
-    """The byte order of a value, and whether its words are swapped; always the same where it has no order."""
-    return orders_of(value, device.byte_order, device.word_order) if value.has_order else ("big", False)
 
 
 _ASKED = ("trigger", "atomic", "applies_to", "messages", "supplements")
