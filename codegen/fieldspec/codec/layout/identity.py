@@ -336,7 +336,7 @@ def _operation(device: Device) -> Iterator[tuple[str, ...]]:
     for item in descendants(device):
         if isinstance(item, Limit):
             yield "limit", item.name, *map(str, (item.value, item.low, item.high)), item.text, item.unit
-        stated = [(key, asked) for key in _ASKED if (asked := getattr(item, key, None)) not in (None, False, ())]
+        stated = [(key, value) for key in _ASKED if (value := getattr(item, key, None)) not in (None, False, ())]
         restart = getattr(item, "restart", None)
         stated += [("restart", restart)] if restart is not None else []
         stated += [("access", item.access)] if isinstance(item, Field) and item.access else []

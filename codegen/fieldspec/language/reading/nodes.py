@@ -180,9 +180,9 @@ def keys(node: Node, path: str) -> list[str | int] | None:
 
 
 def _with_number_of_row(tree: Node, path: str) -> str:
-    """A path to a row of a table by its number, where the row is named by a cell."""
-    table_path, mark, named = path.partition("/rows/")
-    column, sign, cell = named.partition("=")
+    """A path to a row of a table by its number, where the row is row_name by a cell."""
+    table_path, mark, row_name = path.partition("/rows/")
+    column, sign, cell = row_name.partition("=")
     table = find(tree, table_path) if mark and sign else None
     if not isinstance(table, Mapping):
         return path

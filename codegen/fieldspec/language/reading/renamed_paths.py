@@ -46,9 +46,7 @@ class RenamedPaths:
         node_keys = keys(self._tree, path) if "/" in path else None
         node = node_at(self._tree, node_keys) if node_keys is not None else None
         stated = [(key, node.values[key]) for key in _WORDS if key in node.values] if isinstance(node, Mapping) else []
-        return next(
-            (f"{key.removesuffix('s')}s/{named.text}" for key, named in stated if isinstance(named, Scalar)), ""
-        )
+        return next((f"{key.removesuffix('s')}s/{name.text}" for key, name in stated if isinstance(name, Scalar)), "")
 
 
 def with_text(node: Node, text: str) -> Node:
