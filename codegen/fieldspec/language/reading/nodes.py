@@ -180,7 +180,7 @@ def keys(node: Node, path: str) -> list[str | int] | None:
 
 
 def _with_number_of_row(tree: Node, path: str) -> str:
-    """A path to a row of a table by its number, where the row is row_name by a cell."""
+    """A path to a row of a table by its number, where a cell names it."""
     table_path, mark, row_name = path.partition("/rows/")
     column, sign, cell = row_name.partition("=")
     table = find(tree, table_path) if mark and sign else None
