@@ -6,11 +6,13 @@ import pytest
 
 from fieldspec.codec.explain.explanation import explained
 from fieldspec.codec.explain.recognition import recognised
+from fieldspec.codec.layout.device import device_layout
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from layouts import TEST_SPECS, newest
-from python_package import codec_error, module_of
+from python_package import codec_error, module_apart, module_of
 from simulators import Unit
+from spec_files import gadget
 
 SCANNER = newest(TEST_SPECS, "scanner")
 MODULE = module_of(SCANNER)
@@ -110,3 +112,44 @@ def test_a_response_without_a_subcode_is_refused_without_its_request(asked: tupl
 
 def test_a_simulated_device_answers_without_the_subcode() -> None:
     assert Unit("scanner", "host", folder=TEST_SPECS).answer("read_place").frame[2:4] == bytes.fromhex("01 11")
+
+
+SWAPPED = """
+links:
+  - name: line
+    byte_order: {byte}
+    word_order: {word}
+    request: &frame [{{name: command, role: code, type: u8}}, {{name: data, role: body}}]
+    response: *frame
+messages:
+  - name: start
+    code: 8
+    request: [{{name: which, type: u32, const: 0x12345678}}, {{name: speed, type: u16}}]
+    response: [{{name: which, type: u32, const: 0x12345678}}]
+  - name: halt
+    code: 8
+    request: [{{name: which, type: u32, const: 0x12345679}}]
+    response: [{{name: which, type: u32, const: 0x12345679}}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("byte", "word", "start", "halt"),
+    [
+        ("big", "little", "08 56 78 12 34", "08 56 79 12 34"),
+        ("little", "big", "08 34 12 78 56", "08 34 12 79 56"),
+        ("big", "big", "08 12 34 56 78", "08 12 34 56 79"),
+    ],
+)
+def test_subcodes_of_two_words_tell_messages_apart_in_any_order_of_words(
+    byte: str, word: str, start: str, halt: str
+) -> None:
+    layout = device_layout(gadget(SWAPPED.format(byte=byte, word=word)).at("")[0])
+    module, host = module_apart(layout, f"subcodes_{byte}_{word}"), codec(layout).links["line"]
+    for name, frame in (("start", bytes.fromhex(start)), ("halt", bytes.fromhex(halt))):
+        decoded = host.decode(frame, "response")
+        assert decoded.message is not None
+        assert decoded.message.name == name
+        reply = getattr(module, f"{name.title()}Response")()
+        assert module.line.decode_response(frame).message == reply
+        assert explained(layout, "line", "response", frame).message == name

@@ -8,9 +8,9 @@
  * You can also include the header of a version directly. CK10_SELECT_LATEST is the newest version that was known when
  * this header was generated.
  *
- * CK10_SELECT_V1: ck10_v1.h, identity 15bdadc67ed9a75b
+ * CK10_SELECT_V1: ck10_v1.h, identity fdc1e9665defc19d
  *
- * Generated; do not edit. Identity: 15bdadc67ed9a75b
+ * Generated; do not edit. Identity: fdc1e9665defc19d
  */
 #define CK10_SELECT_V1 1
 #define CK10_SELECT_LATEST CK10_SELECT_V1

@@ -1,7 +1,7 @@
 /*
  * CK10 (unknown), version 1
  * From: CK10 series, Modbus communication, user manual
- * Identity: 15bdadc67ed9a75b
+ * Identity: fdc1e9665defc19d
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define CK10_VERSION "1"
-#define CK10_IDENTITY "15bdadc67ed9a75b"
+#define CK10_IDENTITY "fdc1e9665defc19d"
 
 /* ---- Compilers and machines ---- */
 

@@ -1,6 +1,6 @@
 /*
  * Fuzzes ck10_v1.h: CK10, version 1
- * Identity: 15bdadc67ed9a75b
+ * Identity: fdc1e9665defc19d
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

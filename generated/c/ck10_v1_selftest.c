@@ -1,6 +1,6 @@
 /*
  * Tests ck10_v1.h: CK10, version 1
- * Identity: 15bdadc67ed9a75b
+ * Identity: fdc1e9665defc19d
  *
  * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
  * compile it with -ffreestanding; then it has no main, and you call ck10_selftest yourself.

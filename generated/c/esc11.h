@@ -8,10 +8,10 @@
  * You can also include the header of a version directly. ESC11_SELECT_LATEST is the newest version that was known when
  * this header was generated.
  *
- * ESC11_SELECT_BEFORE_1_17: esc11_before_1_17.h, identity 3d76276a9d24516b
- * ESC11_SELECT_V1_17: esc11_v1_17.h, identity a24878bc34e9aaec
+ * ESC11_SELECT_BEFORE_1_17: esc11_before_1_17.h, identity f08caf3c2960958b
+ * ESC11_SELECT_V1_17: esc11_v1_17.h, identity 499facc7f5252c73
  *
- * Generated; do not edit. Identity: a24878bc34e9aaec
+ * Generated; do not edit. Identity: 499facc7f5252c73
  */
 #define ESC11_SELECT_BEFORE_1_17 1
 #define ESC11_SELECT_V1_17 2

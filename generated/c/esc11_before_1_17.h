@@ -1,7 +1,7 @@
 /*
  * ESC11-B (TAIYO), version before-1.17
  * From: ESG1 series, RS485 communication, ESC11-B, instruction manual
- * Identity: 3d76276a9d24516b
+ * Identity: f08caf3c2960958b
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -30,7 +30,7 @@
 #include <stdint.h>
 
 #define ESC11_VERSION "before-1.17"
-#define ESC11_IDENTITY "3d76276a9d24516b"
+#define ESC11_IDENTITY "f08caf3c2960958b"
 
 /* ---- Compilers and machines ---- */
 

@@ -1,6 +1,6 @@
 /*
  * Fuzzes esc11_v1_17.h: ESC11-B, version 1.17
- * Identity: a24878bc34e9aaec
+ * Identity: 499facc7f5252c73
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

@@ -1,6 +1,6 @@
 /*
  * Tests esc11_v1_17.h: ESC11-B, version 1.17
- * Identity: a24878bc34e9aaec
+ * Identity: 499facc7f5252c73
  *
  * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
  * compile it with -ffreestanding; then it has no main, and you call esc11_selftest yourself.

@@ -8,17 +8,17 @@
  * You can also include the header of a version directly. HIWIN_E_SELECT_LATEST is the newest version that was known when
  * this header was generated.
  *
- * HIWIN_E_SELECT_BEFORE_2_8_16: hiwin_e_before_2_8_16.h, identity 4dbe16b352e3dda8
- * HIWIN_E_SELECT_V2_8_16: hiwin_e_v2_8_16.h, identity ac11a21ebaed8850
- * HIWIN_E_SELECT_BEFORE_3_12_5: hiwin_e_v2_8_16.h, identity ac11a21ebaed8850
- * HIWIN_E_SELECT_V2_12_5: hiwin_e_v2_12_5.h, identity b35f43c8ff45f060
- * HIWIN_E_SELECT_V3_12_5: hiwin_e_v2_12_5.h, identity b35f43c8ff45f060
- * HIWIN_E_SELECT_BEFORE_4_14_4: hiwin_e_v2_12_5.h, identity b35f43c8ff45f060
- * HIWIN_E_SELECT_V2_14_4: hiwin_e_v2_14_4.h, identity be1caeb3d1067d6f
- * HIWIN_E_SELECT_V3_14_4: hiwin_e_v2_14_4.h, identity be1caeb3d1067d6f
- * HIWIN_E_SELECT_V4_14_4: hiwin_e_v2_14_4.h, identity be1caeb3d1067d6f
+ * HIWIN_E_SELECT_BEFORE_2_8_16: hiwin_e_before_2_8_16.h, identity e42b002a6b3263ab
+ * HIWIN_E_SELECT_V2_8_16: hiwin_e_v2_8_16.h, identity 33a2db0dc06a9ca3
+ * HIWIN_E_SELECT_BEFORE_3_12_5: hiwin_e_v2_8_16.h, identity 33a2db0dc06a9ca3
+ * HIWIN_E_SELECT_V2_12_5: hiwin_e_v2_12_5.h, identity 7ecec5e2d7d7950c
+ * HIWIN_E_SELECT_V3_12_5: hiwin_e_v2_12_5.h, identity 7ecec5e2d7d7950c
+ * HIWIN_E_SELECT_BEFORE_4_14_4: hiwin_e_v2_12_5.h, identity 7ecec5e2d7d7950c
+ * HIWIN_E_SELECT_V2_14_4: hiwin_e_v2_14_4.h, identity 9bc9d8915a5c154a
+ * HIWIN_E_SELECT_V3_14_4: hiwin_e_v2_14_4.h, identity 9bc9d8915a5c154a
+ * HIWIN_E_SELECT_V4_14_4: hiwin_e_v2_14_4.h, identity 9bc9d8915a5c154a
  *
- * Generated; do not edit. Identity: be1caeb3d1067d6f
+ * Generated; do not edit. Identity: 9bc9d8915a5c154a
  */
 #define HIWIN_E_SELECT_BEFORE_2_8_16 1
 #define HIWIN_E_SELECT_V2_8_16 2

@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version before-2.8.16
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: 4dbe16b352e3dda8
+ * Identity: e42b002a6b3263ab
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "before-2.8.16"
-#define HIWIN_E_IDENTITY "4dbe16b352e3dda8"
+#define HIWIN_E_IDENTITY "e42b002a6b3263ab"
 
 /* ---- Compilers and machines ---- */
 

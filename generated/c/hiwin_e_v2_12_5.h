@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version 2.12.5
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: b35f43c8ff45f060
+ * Identity: 7ecec5e2d7d7950c
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "2.12.5"
-#define HIWIN_E_IDENTITY "b35f43c8ff45f060"
+#define HIWIN_E_IDENTITY "7ecec5e2d7d7950c"
 
 /* ---- Compilers and machines ---- */
 

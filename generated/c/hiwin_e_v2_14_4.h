@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version 2.14.4
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: be1caeb3d1067d6f
+ * Identity: 9bc9d8915a5c154a
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "2.14.4"
-#define HIWIN_E_IDENTITY "be1caeb3d1067d6f"
+#define HIWIN_E_IDENTITY "9bc9d8915a5c154a"
 
 /* ---- Compilers and machines ---- */
 

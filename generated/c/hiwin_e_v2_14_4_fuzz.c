@@ -1,6 +1,6 @@
 /*
  * Fuzzes hiwin_e_v2_14_4.h: E1/E2 PROFINET, version 2.14.4
- * Identity: be1caeb3d1067d6f
+ * Identity: 9bc9d8915a5c154a
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

@@ -1,6 +1,6 @@
 /*
  * Tests hiwin_e_v2_14_4.h: E1/E2 PROFINET, version 2.14.4
- * Identity: be1caeb3d1067d6f
+ * Identity: 9bc9d8915a5c154a
  *
  * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
  * compile it with -ffreestanding; then it has no main, and you call hiwin_e_selftest yourself.

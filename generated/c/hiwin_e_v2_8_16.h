@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version 2.8.16
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: ac11a21ebaed8850
+ * Identity: 33a2db0dc06a9ca3
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "2.8.16"
-#define HIWIN_E_IDENTITY "ac11a21ebaed8850"
+#define HIWIN_E_IDENTITY "33a2db0dc06a9ca3"
 
 /* ---- Compilers and machines ---- */
 

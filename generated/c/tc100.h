@@ -8,10 +8,10 @@
  * You can also include the header of a version directly. TC100_SELECT_LATEST is the newest version that was known when
  * this header was generated.
  *
- * TC100_SELECT_BEFORE_2_0: tc100_before_2_0.h, identity 0f0fb1faee81de29
- * TC100_SELECT_V2_0: tc100_v2_0.h, identity 32841a77bd14b16e
+ * TC100_SELECT_BEFORE_2_0: tc100_before_2_0.h, identity b1a30ddf3d283d0f
+ * TC100_SELECT_V2_0: tc100_v2_0.h, identity 8f5fd7b11e77b14b
  *
- * Generated; do not edit. Identity: 32841a77bd14b16e
+ * Generated; do not edit. Identity: 8f5fd7b11e77b14b
  */
 #define TC100_SELECT_BEFORE_2_0 1
 #define TC100_SELECT_V2_0 2

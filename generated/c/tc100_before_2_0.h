@@ -1,7 +1,7 @@
 /*
  * TC100 (TOYO), version before-2.0
  * From: TC100 series operation manual V.2001
- * Identity: 0f0fb1faee81de29
+ * Identity: b1a30ddf3d283d0f
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define TC100_VERSION "before-2.0"
-#define TC100_IDENTITY "0f0fb1faee81de29"
+#define TC100_IDENTITY "b1a30ddf3d283d0f"
 
 /* ---- Compilers and machines ---- */
 

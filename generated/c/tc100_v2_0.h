@@ -1,7 +1,7 @@
 /*
  * TC100 (TOYO), version 2.0
  * From: TC100 series operation manual V.2001
- * Identity: 32841a77bd14b16e
+ * Identity: 8f5fd7b11e77b14b
  *
  * Generated; do not edit. For C99 and later and C++98 to C++20, hosted or freestanding, with any byte order, any alignment and an
  * int of 16 bits or more. Headers from this generator compile without warnings with gcc and clang, and pass cppcheck. Their
@@ -31,7 +31,7 @@
 #include <stdint.h>
 
 #define TC100_VERSION "2.0"
-#define TC100_IDENTITY "32841a77bd14b16e"
+#define TC100_IDENTITY "8f5fd7b11e77b14b"
 
 /* ---- Compilers and machines ---- */
 

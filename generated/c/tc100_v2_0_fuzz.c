@@ -1,6 +1,6 @@
 /*
  * Fuzzes tc100_v2_0.h: TC100, version 2.0
- * Identity: 32841a77bd14b16e
+ * Identity: 8f5fd7b11e77b14b
  *
  * Generated; do not edit. For libFuzzer, and for AFL++ by afl-clang-fast:
  *

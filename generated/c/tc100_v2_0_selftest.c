@@ -1,6 +1,6 @@
 /*
  * Tests tc100_v2_0.h: TC100, version 2.0
- * Identity: 32841a77bd14b16e
+ * Identity: 8f5fd7b11e77b14b
  *
  * Generated; do not edit. Compile and run it: it exits with 0 if every test passes. On a machine without an operating system
  * compile it with -ffreestanding; then it has no main, and you call tc100_selftest yourself.

@@ -3,7 +3,7 @@ fieldspecLab.add({
  "version": "1",
  "name": "CK10",
  "language": "zh-Hant",
- "identity": "15bdadc67ed9a75b",
+ "identity": "fdc1e9665defc19d",
  "wordOrder": "big",
  "enums": {
   "exception_code": {"name": "exception_code", "path": "enums/exception_code", "open": true, "members": [{"value": 1, "name": "illegal_function", "path": "enums/exception_code/illegal_function", "label": "\u7121\u6548\u529f\u80fd", "doc": "The command is not supported."}, {"value": 2, "name": "illegal_data_address", "path": "enums/exception_code/illegal_data_address", "label": "\u7121\u6548\u8cc7\u6599\u4f4d\u7f6e", "doc": "The address is not allowed."}, {"value": 3, "name": "illegal_data_value", "path": "enums/exception_code/illegal_data_value", "label": "\u7121\u6548\u8cc7\u6599\u503c", "doc": "The value is not allowed."}, {"value": 4, "name": "device_failure", "path": "enums/exception_code/device_failure", "label": "\u5f9e\u7ad9\u88dd\u7f6e\u932f\u8aa4", "doc": "An error came up while the controller carried out the command."}]},

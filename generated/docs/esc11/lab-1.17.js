@@ -3,7 +3,7 @@ fieldspecLab.add({
  "version": "1.17",
  "name": "ESC11-B",
  "language": "zh-Hans",
- "identity": "a24878bc34e9aaec",
+ "identity": "499facc7f5252c73",
  "wordOrder": "little",
  "enums": {
   "actuator_type": {"name": "actuator_type", "path": "enums/actuator_type", "open": true, "members": [{"value": 110, "name": "ss_2010", "path": "enums/actuator_type/ss_2010"}, {"value": 111, "name": "ss_2005_3n", "path": "enums/actuator_type/ss_2005_3n"}, {"value": 112, "name": "ss_2005_5n", "path": "enums/actuator_type/ss_2005_5n"}, {"value": 118, "name": "st_2013", "path": "enums/actuator_type/st_2013"}, {"value": 119, "name": "st_2004", "path": "enums/actuator_type/st_2004"}, {"value": 120, "name": "ss_2815", "path": "enums/actuator_type/ss_2815"}, {"value": 129, "name": "st_2820", "path": "enums/actuator_type/st_2820"}, {"value": 130, "name": "ss_4225", "path": "enums/actuator_type/ss_4225"}, {"value": 139, "name": "st_4230", "path": "enums/actuator_type/st_4230"}, {"value": 210, "name": "sd_2005", "path": "enums/actuator_type/sd_2005"}, {"value": 220, "name": "sd_2810", "path": "enums/actuator_type/sd_2810"}, {"value": 230, "name": "sd_4220", "path": "enums/actuator_type/sd_4220"}, {"value": 310, "name": "fs_2020", "path": "enums/actuator_type/fs_2020", "doc": "Also for FT-2020."}, {"value": 320, "name": "fs_2840", "path": "enums/actuator_type/fs_2840", "doc": "Also for FT-2840."}]},

@@ -3,7 +3,7 @@ fieldspecLab.add({
  "version": "2.0",
  "name": "TC100",
  "language": "zh-Hant",
- "identity": "32841a77bd14b16e",
+ "identity": "8f5fd7b11e77b14b",
  "wordOrder": "big",
  "enums": {
   "exception_code": {"name": "exception_code", "path": "enums/exception_code", "open": true, "members": [{"value": 1, "name": "illegal_function", "path": "enums/exception_code/illegal_function", "label": "\u529f\u80fd\u78bc\u932f\u8aa4", "doc": "The function code is none of those that the controller knows."}, {"value": 2, "name": "illegal_data_address", "path": "enums/exception_code/illegal_data_address", "label": "\u7ad9\u865f\u932f\u8aa4", "doc": "A register that can only be written was read, one that can only be read was written, or there is no such register.", "notes": ["The label speaks of the station; the description, and the standard, speak of the address of a register."]}, {"value": 3, "name": "illegal_data_value", "path": "enums/exception_code/illegal_data_value", "label": "\u8cc7\u6599\u932f\u8aa4", "doc": "A value is out of its range, too many words were asked for, a parameter cannot be changed, or number and data do not fit.", "notes": ["A place that can only be read is refused with 2, a parameter that cannot be changed with 3; which places are which is not printed."]}]},

@@ -64,7 +64,7 @@ class TableLayout:
 
 @dataclass(frozen=True, slots=True)
 class DeviceLayout:
-    """All numbers of a device at one version. Two layouts have the same `identity` if they exchange the same bytes.
+    """All numbers of a device at one version. Two layouts with the same `identity` are alike for programs.
 
     `equal_versions` are the versions of other lines that have no outputs of their own and use the outputs of this one.
     `blocks` are those that controllers have, None for all.

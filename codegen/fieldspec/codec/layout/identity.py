@@ -1,21 +1,33 @@
-"""The hash of everything that gives bytes their meaning, and of nothing else."""
+"""The hash of everything that a program must be told of a device, and of nothing else.
+
+That is what a comparison of two devices calls a change of more than documentation. What a spec may leave out, such as
+a range that is all of a type, counts as left out where it is stated, and lists that mean the same in any order as
+ordered.
+"""
 
 from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping
 from itertools import chain
+from operator import attrgetter
+from typing import TypeVar
 
 from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.identity_words import Words, bounding, order_of, orders_in, shortest, value_words
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
-from fieldspec.language.model.access import narrowed
+from fieldspec.foundation.classes import attributes
+from fieldspec.language.model.address_space import WHOLE, WORD
+from fieldspec.language.model.attributes import descendants
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.record import STEP_FIELDS, RegisterAccess, Segments
-from fieldspec.language.model.value import ParameterPart, Sentinel, Value
+from fieldspec.language.model.link import Serial
+from fieldspec.language.model.record import STEP_FIELDS, Field, RegisterAccess, Segments
+from fieldspec.language.model.texts import Limit
+from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED
 
-Words = tuple[object, ...]
+T = TypeVar("T")
 
 _HASHED_ROLES = {"checksum": "check", "unit_address": "station"}
 """The words for roles in the hash. With them, a rename of a role changes no identity."""
@@ -28,66 +40,29 @@ def identity(
     messages: Mapping[str, MessageLayout],
     registers: tuple[RegisterLayout, ...],
 ) -> str:
-    """Sixteen hexadecimal digits. Two layouts have the same ones if and only if they exchange the same bytes."""
+    """Sixteen hexadecimal digits. Two layouts have the same ones if what programs must be told of both is the same."""
     digest = hashlib.sha256()
     for words in chain(
         _links(links),
-        *map(_record, records.values()),
+        [("order of words", device.word_order or device.byte_order)],
+        *map(_record, _by_name(records)),
         _messages(messages),
         _units(device),
         _spaces(device),
         _registers(registers),
         _tables(device),
+        _signals(device, records, messages),
         _parameters(device),
         _conversions(device),
         _words(device),
+        sorted(_operation(device)),
     ):
         digest.update(("\x1f".join(map(str, words)) + "\n").encode())
     return digest.hexdigest()[:16]
 
 
-def _last(sentinel: Sentinel) -> Words:
-    if sentinel.is_nan:
-        return ("NaN",)
-    return () if sentinel.last is None else (sentinel.last,)
-
-
-def _value(value: Value | None) -> Words:
-    if value is None:
-        return ()
-    sentinels = [(sentinel.value, sentinel.name, *_last(sentinel)) for sentinel in value.sentinels]
-    scaled = (value.scale, value.offset, value.unit)
-    return (
-        value.type.name,
-        value.size,
-        *scaled,
-        value.ranges,
-        value.const,
-        value.enum,
-        value.flags,
-        sentinels,
-        _part(value.parameter),
-        *((value.write_ranges,) if value.write_ranges is not None else ()),
-        *((value.digits, value.places) if value.digits else ()),
-        *(("blanks",) if value.has_blanks else ()),
-        *((value.text_form,) if value.text_form is not None else ()),
-        *(("turned",) if value.text_form is not None and value.text_form.is_turned else ()),
-        *(("width", value.width) if value.width else ()),
-    )
-
-
-def _part(part: ParameterPart | None) -> str | None:
-    """The part that a value has in an access to parameters: number, subindex or value."""
-    if part is None:
-        return None
-    text = f"ParameterPart(set={part.set!r}, part={part.part!r}, number={part.number!r})"
-    if part.sizes is None:
-        return text
-    return f"{text} by {part.sizes.by}: {[(case.bytes, case.when) for case in part.sizes.cases]}"
-
-
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
-    for link_layout in links.values():
+    for link_layout in _by_name(links):
         link = link_layout.link
         addresses = (link.unit_addresses.ranges, link.unit_addresses.broadcast) if link.unit_addresses else ()
         error = (link.exception_response.flag, link.exception_response.record) if link.exception_response else ()
@@ -102,7 +77,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             link.end.hex(),
             error,
             addresses,
-            list(link_layout.messages),
+            sorted(link_layout.messages),
         )
         if not link.has_common_delimiters:
             yield "response_delimiters", *(mark.hex() for mark in link.delimiters("response"))
@@ -114,12 +89,18 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             yield "not requested", sorted(own_accord)
         if link_layout.barred_messages:
             yield "not broadcast", sorted(link_layout.barred_messages)
+        if link.serial is not None:
+            yield "serial", *(getattr(link.serial, name) for name in attributes(Serial) if name != "sources")
+        if link.network is not None:
+            yield "network", link.network.tcp, link.network.udp
+        yield "silence", *map(str, (link.silence_characters, link.silence_milliseconds)), link.is_default
         if link.escape is not None:
             yield "escape", link.escape
         for frame in (link_layout.request, link_layout.response):
             for part in frame.parts:
                 role = _HASHED_ROLES.get(part.role, part.role)
-                yield part.name, role, part.offset, part.size, part.algorithm, part.order, *_value(part.value)
+                order = order_of(part.value, part.order)
+                yield part.name, role, part.offset, part.size, part.algorithm, order, *value_words(part.value)
                 yield from _span(part)
 
 
@@ -134,19 +115,26 @@ def _span(part: PartLayout) -> Iterator[Words]:
         yield ("before escape",)
     if part.part.same_as:
         yield "repeats", part.part.same_as
+    if part.part.bits is not None:
+        yield "bits", part.part.bits
 
 
 def _record(record: RecordLayout) -> Iterator[Words]:
     yield "record", record.name
     if record.inner_lists is not None:
         yield "inner lists", [inner.first for inner in record.inner_lists.lists]
+    yield "size", record.size
     for field in record.fields:
-        yield from _field(field)
+        if not field.field.reserved or field.count != 1:
+            yield from _field(field)
+        elif field.value is not None and (field.value.const or field.value.default):
+            yield "filled", field.offset, field.size, field.order, field.value.const, field.value.default
 
 
 def _field(field: FieldLayout) -> Iterator[Words]:
     inner = field.record.name if field.record else ""
-    yield "field", field.name, field.offset, field.size, field.count, inner, field.order, field.swapped
+    order = order_of(field.value, field.order)
+    yield "field", field.name, field.offset, field.size, field.count, inner, order, field.swapped
     spec = field.field
     filled = spec.value.default if spec.value and spec.reserved else None
     measures = spec.measures
@@ -155,9 +143,11 @@ def _field(field: FieldLayout) -> Iterator[Words]:
         yield "plus", measures.plus
     if field.bits_of:
         yield "bits of", field.bits_of
-    yield text, spec.reserved, spec.repeat, spec.same_as, filled, *_value(field.value)
-    for case in field.cases:
-        yield "case", sorted(case.numbers), case.order, case.swapped, *_value(case.value)
+    if spec.count == 1:
+        yield ("a list",)
+    yield text, spec.reserved, spec.repeat, spec.same_as, filled, *value_words(field.value)
+    for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):
+        yield "case", sorted(case.numbers), order_of(case.value, case.order), case.swapped, *value_words(case.value)
 
 
 def _access(access: RegisterAccess | None) -> str | None:
@@ -186,14 +176,14 @@ def _segments(segments: Segments | None) -> Iterator[object]:
 
 
 def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
-    for message_layout in messages.values():
+    for message_layout in _by_name(messages):
         message = message_layout.message
         yield (
             "message",
             message.name,
             message.code,
-            message.number,
-            *((message.response_code,) if message.response_code is not None else ()),
+            message.number if message.code is None else None,
+            *((message.response_code,) if message.response_code not in (None, message.code) else ()),
             message.broadcast is True,
             _access(message.accesses),
             *_segments(message.segments),
@@ -205,81 +195,106 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
 
 def _units(device: Device) -> Iterator[Words]:
     """What the units that the spec declares are worth."""
-    for declared in device.units.values():
+    for declared in _by_name(device.units):
         yield "unit", declared.symbol, declared.quantity, declared.factor
 
 
 def _spaces(device: Device) -> Iterator[Words]:
-    """The spaces with their contents, if there are several."""
-    for space in device.spaces.values() if device.several_spaces else ():
+    """The spaces with their contents, if there are several; of a single one, what is not usual of it."""
+    for space in _by_name(device.spaces):
+        if not device.several_spaces and space.unit != WORD:
+            yield "addresses of", space.unit
+        if space.bounds != WHOLE:
+            yield "addresses", space.bounds
+    for space in _by_name(device.spaces) if device.several_spaces else ():
         yield "space", space.name, space.unit
         yield (
             "registers",
-            [register.name for register in device.registers() if device.space_name(register.space) == space.name],
+            sorted(register.name for register in device.registers() if device.space_name(register.space) == space.name),
         )
-        yield "tables", [table.name for table in device.tables.values() if device.space_name(table.space) == space.name]
+        yield (
+            "tables",
+            [table.name for table in _by_name(device.tables) if device.space_name(table.space) == space.name],
+        )
         yield (
             "messages",
             [
                 message.name
-                for message in device.messages.values()
+                for message in _by_name(device.messages)
                 if message.accesses is not None and device.space_name(message.accesses.space) == space.name
             ],
         )
 
 
 def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
-    for register_layout in registers:
+    for register_layout in sorted(registers, key=attrgetter("name")):
         register = register_layout.register
+        if register.reserved:
+            continue
         yield (
             "register",
             register_layout.name,
             register_layout.address,
             register_layout.words,
             register_layout.count,
-            register_layout.stride,
-            register_layout.order,
+            register_layout.stride if register_layout.count > 1 else register_layout.words,
+            order_of(register.value, register_layout.order),
             register_layout.swapped,
         )
-        yield register.index_from, register.access, register.trigger, register.atomic, *_value(register.value)
+        yield register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
 
 
 def _tables(device: Device) -> Iterator[Words]:
-    for table in device.tables.values():
+    for table in _by_name(device.tables):
         yield "table", table.name, table.base, table.stride, table.count, table.index_from, table.record, table.access
         if table.count_by:
             yield "elements of table", table.count_by
         if table.base_by:
             yield "base of table", table.base_by
-        for field in device.records[table.record].fields:
-            access = narrowed(table.access, field.access)
-            if access in ("ro", "wo") and access != table.access:
-                yield "field of table", field.name, access
+
+
+def _signals(
+    device: Device, records: Mapping[str, RecordLayout], messages: Mapping[str, MessageLayout]
+) -> Iterator[Words]:
+    """Signals that no field has with their name and their value, and fields that have one under another name."""
+    bodies = (*records.values(), *(body for message in messages.values() for body in message.bodies))
+    fields = [field.field for body in bodies for field in body.fields if field.field.signal]
+    alike = {
+        field.signal for field in fields if value_words(field.value) == value_words(device.signals[field.signal].value)
+    }
+    renamed = {(field.name, field.signal) for field in fields if field.name != field.signal}
+    yield from (("field of signal", *names) for names in sorted(renamed))
+    yield from (
+        ("signal", name, *value_words(signal.value)) for name, signal in device.signals.items() if name not in alike
+    )
 
 
 def _parameters(device: Device) -> Iterator[Words]:
-    for parameter_set in device.parameters.values():
+    for parameter_set in _by_name(device.parameters):
         yield "parameters", parameter_set.name, parameter_set.space, parameter_set.base, parameter_set.numbers
-        for parameter in parameter_set.parameters:
+        for parameter in sorted(parameter_set.parameters, key=attrgetter("number")):
+            if parameter.reserved:
+                continue
             yield (
                 "parameter",
                 parameter.number,
                 parameter.name,
                 parameter.access,
                 parameter.count,
-                parameter.elements,
-                parameter.reserved,
-                *_value(parameter.value),
+                parameter.elements or 1,
+                *value_words(parameter.value),
             )
-            yield (parameter.value.byte_order,)
-            for inner in parameter.subindices:
-                yield "subindex", inner.name, inner.indices, inner.reserved, *_value(inner.value)
+            yield orders_in(device, parameter.value)
+            for inner in sorted(parameter.subindices, key=lambda inner: inner.indices.intervals):
+                if inner.reserved:
+                    continue
+                yield "subindex", inner.name, inner.indices, *value_words(inner.value), *orders_in(device, inner.value)
                 if inner.access:
                     yield "access", inner.access
 
 
 def _conversions(device: Device) -> Iterator[Words]:
-    for conversion in device.conversions.values():
+    for conversion in _by_name(device.conversions):
         yield (
             "conversion",
             conversion.name,
@@ -292,14 +307,49 @@ def _conversions(device: Device) -> Iterator[Words]:
 
 
 def _words(device: Device) -> Iterator[Words]:
-    for enum in device.enums.values():
-        yield "enum", enum.name, enum.open, [(m.name, m.value, m.unavailable, *m.aliases) for m in enum.members]
-    for flags in device.flags.values():
-        bits = [
-            (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.reserved, bit.edge)
-            + ((bit.signed, str(bit.scale), str(bit.offset), bit.unit) if bit.is_number else ())
-            + ((bit.ranges,) if bit.ranges is not None else ())
-            for bit in flags.bits
+    for enum in _by_name(device.enums):
+        members = [
+            (member.value, member.name, *sorted(member.aliases)) for member in enum.members if not member.unavailable
         ]
-        states = [(state.name, flags.masked(state)) for state in flags.states]
+        yield "enum", enum.name, enum.open, sorted(members)
+    for flags in _by_name(device.flags):
+        bits = [
+            (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.edge)
+            + ((bit.signed, str(shortest(bit.scale)), str(shortest(bit.offset)), bit.unit) if bit.is_number else ())
+            + ((ranges,) if (ranges := bounding(bit.ranges, bit.low, bit.high)) is not None else ())
+            + (("default", bit.default) if bit.default is not None else ())
+            for bit in sorted(flags.bits, key=attrgetter("first", "name"))
+            if not bit.reserved
+        ]
+        states = sorted((state.name, flags.masked(state)) for state in flags.states)
         yield "flags", flags.name, flags.type.name, bits, states
+        if bounding(flags.ranges, flags.type.low, flags.type.high) is not None:
+            yield "range", flags.ranges
+
+
+_ASKED = ("trigger", "atomic", "applies_to", "messages", "supplements")
+"""What facts state of their use, besides their handling."""
+
+
+def _operation(device: Device) -> Iterator[tuple[str, ...]]:
+    """What is to be known of facts and of the device besides its frames: limits, and when a value counts and stays."""
+    for item in descendants(device):
+        if isinstance(item, Limit):
+            yield "limit", item.name, *map(str, (item.value, item.low, item.high)), item.text, item.unit
+        stated = [(key, value) for key in _ASKED if (value := getattr(item, key, None)) not in (None, False, ())]
+        restart = getattr(item, "restart", None)
+        stated += [("restart", restart)] if restart is not None else []
+        stated += [("access", item.access)] if isinstance(item, Field) and item.access else []
+        handling = getattr(item, "handling", UNSPECIFIED)
+        if (stated or handling != UNSPECIFIED) and not getattr(item, "reserved", False):
+            yield (
+                type(item).__name__,
+                item.place.path,
+                str(stated),
+                *(str(getattr(handling, key)) for key in HANDLING_KEYS),
+            )
+
+
+def _by_name(items: Mapping[str, T]) -> list[T]:
+    """The items of a mapping in an order that does not depend on that of the spec."""
+    return [items[name] for name in sorted(items)]

@@ -75,9 +75,10 @@ def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None
 
 
 def _places(record: RecordLayout) -> dict[Place, Numbers]:
+    turned = {"big": "little", "little": "big"}
     places = (
-        numbers_at(field.field, field.offset, field.order, field.order)
+        numbers_at(field.field, field.offset, field.order, turned[field.order] if field.swapped else field.order)
         for field in record.fields
-        if not field.cases and not field.swapped and record.has_place(field)
+        if not field.cases and record.has_place(field)
     )
     return dict(place_and_numbers for place_and_numbers in places if place_and_numbers is not None)

@@ -50,7 +50,7 @@ CONSEQUENCES: dict[type, Consequences] = {
     Message: Consequences(_B, _W, ALL),
     Record: Consequences(_B, _S, ALL),
     Field: Consequences(_W, _W, ALL),
-    Case: Consequences(_B, _W, (PYTHON,)),
+    Case: Consequences(_B, _W),
     Enum: Consequences(_B, _S, ALL),
     Member: Consequences(_B, _W, ALL),
     Flags: Consequences(_B, _S, ALL),

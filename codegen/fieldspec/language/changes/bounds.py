@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,7 +13,7 @@ from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.primitives import Primitive
-from fieldspec.language.model.ranges import Ranges, merged, uncovered
+from fieldspec.language.model.ranges import Ranges, bound_text, merged, uncovered
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import ParameterSet
 from fieldspec.language.model.value import Value
@@ -43,8 +44,8 @@ def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
             and (old or new)
             and value_pair.old.type == value_pair.new.type
         ):
-            whole = _whole(value_pair.new.type)
-            yield BoundsPair(value_pair, name, "the range of writing", "write_range", old or whole, new or whole)
+            old, new = old or _all(value_pair.old), new or _all(value_pair.new)
+            yield BoundsPair(value_pair, name, "the range of writing", "write_range", old, new)
         old, new = _length(value_pair.old), _length(value_pair.new)
         if old != new and value_pair.old.size == value_pair.new.size:
             yield BoundsPair(value_pair, name, "the number of characters", "characters", old, new)
@@ -72,6 +73,7 @@ def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
 
 NONE = Ranges(())
 ANY = Ranges(((0, 0xFFFFFFFF),))
+_ENDLESS: tuple[Any, Any] = (-math.inf, math.inf)
 
 
 def _of_values(value_pair: ValuePair) -> tuple[Ranges | None, Ranges | None]:
@@ -79,10 +81,15 @@ def _of_values(value_pair: ValuePair) -> tuple[Ranges | None, Ranges | None]:
     if old.ranges is None and new.ranges is None:
         return None, None
     if not (is_exact(old.encoding) and is_exact(new.encoding)):
-        return old.ranges, new.ranges
+        return old.ranges or Ranges((_ENDLESS,)), new.ranges or Ranges((_ENDLESS,))
     if old.type != new.type and (old.ranges is None or new.ranges is None):
         return None, None
-    return old.ranges or _whole(old.type), new.ranges or _whole(new.type)
+    return old.ranges or _all(old), new.ranges or _all(new)
+
+
+def _all(value: Value) -> Ranges:
+    """All numbers of a value."""
+    return Ranges(((value.low, value.high),))
 
 
 def _whole(primitive: Primitive) -> Ranges:
@@ -105,4 +112,13 @@ def without(ranges: Ranges, excluded: Ranges) -> Ranges:
 
 def text(ranges: Ranges) -> str:
     """The text of intervals as the spec writes them."""
-    return "anything" if ranges == ANY else ranges.text()
+    if ranges == ANY or _ENDLESS in ranges.intervals:
+        return "anything"
+    return ", ".join(_text(low, high) for low, high in ranges.intervals)
+
+
+def _text(low: int, high: int) -> str:
+    """One interval, which may have no end below or above."""
+    if math.isinf(low):
+        return f"less than {bound_text(high)}"
+    return f"more than {bound_text(low)}" if math.isinf(high) else Ranges(((low, high),)).text()

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.encoding import is_count, is_signed
+from fieldspec.language.model.raw_numbers import orders_of
 
 if TYPE_CHECKING:
     from fieldspec.language.model.record import Field
@@ -28,8 +29,8 @@ def constant_at(
 ) -> tuple[Place, int] | None:
     """The place and the unsigned number of a constant of at most `widest` bytes, None for any other field.
 
-    `order` and `word_order` are those of values without their own. A constant whose words have another order than its
-    bytes is none.
+    `order` and `word_order` are those of values without their own. The number is that of the bytes as they are sent, in
+    the order of the bytes of a word: that of 0x12345678 with its low word first is 0x56781234.
     """
     value = field.value
     if value is None or value.const is None or field.reserved or field.count is not None or field.repeat is not None:
@@ -37,9 +38,10 @@ def constant_at(
     if not is_count(value.encoding) or value.size > widest:
         return None
     own = (value.byte_order or order) if value.size > 1 else "big"
-    if value.has_words and (value.word_order or word_order or own) != own:
-        return None
-    return (offset, value.size, own), value.const & (1 << 8 * value.size) - 1
+    number = value.const & (1 << 8 * value.size) - 1
+    if orders_of(value, order, word_order)[1]:
+        number = number >> 16 | (number & 0xFFFF) << 16
+    return (offset, value.size, own), number
 
 
 def numbers_at(field: Field, offset: int, order: str, word_order: str) -> tuple[Place, Numbers] | None:

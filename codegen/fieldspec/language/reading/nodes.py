@@ -164,16 +164,36 @@ def find(node: Node, path: str) -> Node | None:
 
 
 def keys(node: Node, path: str) -> list[str | int] | None:
-    """The keys and numbers that lead to the node at a path, or None if there is no node."""
+    """The keys and numbers that lead to the node at a path, or None if there is no node.
+
+    A path of a table to look up may end with a row by a cell, `lookups/pins/rows/pin=3`, if no other row has the cell.
+    """
     current: Node = node
     path_keys: list[str | int] = []
-    for step in path.split("/"):
+    for step in _with_number_of_row(node, path).split("/"):
         steps = _keys(current, step)
         if steps is None:
             return None
         current = node_at(current, steps)
         path_keys += steps
     return path_keys
+
+
+def _with_number_of_row(tree: Node, path: str) -> str:
+    """A path to a row of a table by its number, where a cell names it."""
+    table_path, mark, row_name = path.partition("/rows/")
+    column, sign, cell = row_name.partition("=")
+    table = find(tree, table_path) if mark and sign else None
+    if not isinstance(table, Mapping):
+        return path
+    names = [identity(item) for item in mappings(table.values.get("columns"))]
+    rows = [
+        number
+        for number, row in enumerate(mappings(table.values.get("rows")))
+        if isinstance(cells := row.values.get("cells"), Sequence)
+        and (column, cell) in zip(names, [getattr(inner, "text", "") for inner in cells.items], strict=False)
+    ]
+    return f"{table_path}/rows/{rows[0]}" if len(rows) == 1 else path
 
 
 def _keys(node: Node, step: str) -> list[str | int] | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.reading.findings import near, quoted
@@ -20,8 +19,9 @@ from fieldspec.language.reading.nodes import (
     put,
     schema_path,
 )
-from fieldspec.language.reading.references import REFERENCES
+from fieldspec.language.reading.references import references
 from fieldspec.language.reading.removals import RemovedFact, removal_findings, removed_changes
+from fieldspec.language.reading.renamed_paths import RenamedPaths, with_text
 from fieldspec.language.reading.scalars import part_at, typed_at
 from fieldspec.language.schema import schema
 
@@ -30,43 +30,22 @@ OVERLAY_PARTS = ("changes", "removes", "adds", "renames")
 
 # The keys by which the rows of lists are in order.
 _ORDERED_BY = ("at", "number", "value", "bit", "base")
-_STEPS = ("write", "set", "clear", "pulse", "send", "read", "wait", "timeout")
-_PATHS = ("fact", "about", "references", "saved_by", "opposite_of", "sum_of", "within", "limit", *_STEPS)
 _OF_ALL_VERSIONS = frozenset(("accepts", "audit", "reviews", "uses", "versions"))
 """Sections that are not of one version, so that no overlay changes them."""
-_REFERRING = frozenset((*_PATHS, *(key for keys in REFERENCES.values() for key in keys)))
+_JUDGING = frozenset(("accepts", "audit", "reviews"))
+"""Sections whose names are those of other versions too."""
 
 
-class Silent:
-    """Remembers the parts of trees without references, so that they are not searched again for every new name."""
-
-    def __init__(self) -> None:
-        self._known: ByIdentity[Node, bool] = ByIdentity()
-
-    def __call__(self, node: Mapping | Sequence) -> bool:
-        """Whether a part of a tree contains no key that refers to a fact."""
-        if node in self._known:
-            return True
-        if isinstance(node, Mapping) and not _REFERRING.isdisjoint(node.values):
-            return False
-        silent = True
-        for item in node.values.values() if isinstance(node, Mapping) else node.items:
-            if not isinstance(item, Scalar) and not self(item):
-                silent = False  # the others are looked at all the same: they are then known
-        if silent:
-            self._known[node] = True
-        return silent
-
-
-def applied(tree: Mapping, overlay: Mapping, silent: Silent) -> tuple[Mapping, list[Diagnostic]]:
+def applied(tree: Mapping, overlay: Mapping) -> tuple[Mapping, list[Diagnostic]]:
     """The tree of a version, from the tree of its base and its overlay, and the findings where these do not fit.
 
-    All paths are of the base: names change last.
+    All paths are of the base: names change last, all at once.
     """
-    work = _Application(tree, silent)
+    work = _Application(tree)
     for part, apply in zip(OVERLAY_PARTS, (work.change, work.remove, work.add, work.rename), strict=True):
         for entry in mappings(overlay.values.get(part)):
             apply(entry)
+    work.refer()
     work.findings += [*removed_changes(tree, overlay), *removal_findings(work.tree, work.removed)]
     return _stating(_accepting(work.tree, overlay), overlay), work.findings
 
@@ -97,9 +76,9 @@ def _stating(tree: Mapping, overlay: Mapping) -> Mapping:
 class _Application:
     """A tree while the entries of an overlay are applied to it, one after the other."""
 
-    def __init__(self, tree: Mapping, silent: Silent) -> None:
+    def __init__(self, tree: Mapping) -> None:
         self.tree = tree
-        self.silent = silent
+        self.new_names: dict[tuple[str | int, ...], _NewName] = {}
         self.findings: list[Diagnostic] = []
         self.removed: list[RemovedFact] = []
 
@@ -216,20 +195,46 @@ class _Application:
         if not isinstance(fact, Mapping) or "name" not in fact.values:
             self._refuse("overlay_fact_missing", "this fact has no name", path, "name a fact that has one")
             return
-        holder = node_at(self.tree, node_keys[:-1])
-        existing = next((item for item in mappings(holder) if identity(item) == to.text), None)
-        if existing is not None:
-            text = f"{quoted(to.text)} already exists"
-            same = existing is fact
-            code = "overlay_changes_nothing" if same else "overlay_name_taken"
-            self._refuse(code, text, to, "use another name", Label(existing.span, "this one"))
+        if to.text == identity(fact) or tuple(node_keys) in self.new_names:
+            self._refuse("overlay_changes_nothing", f"{quoted(to.text)} is no new name", to, "state one other name")
             return
-        old = path.text.rpartition("/")[2]
-        self._put(node_keys, fact.with_value("name", to))
-        renaming = _Renaming(path.text, path.text.partition("/")[0], old, to.text, len(node_keys) == 2)
-        tree = _referring(self.tree, renaming, self.silent)
-        assert isinstance(tree, Mapping)
-        self.tree = tree
+        self.new_names[tuple(node_keys)] = _NewName(path.text, to)
+
+    def refer(self) -> None:
+        """Gives facts their new names, wherever the spec refers to them."""
+        self._drop_taken_names()
+        if not self.new_names:
+            return
+        for node_keys in sorted(self.new_names, key=len, reverse=True):
+            fact = node_at(self.tree, [*node_keys])
+            assert isinstance(fact, Mapping)
+            self._put([*node_keys], fact.with_value("name", fact.values["name"]))  # it is no longer that of an alias
+        targets = {id(node_at(self.tree, [*node_keys])): new.name for node_keys, new in self.new_names.items()}
+        places = {
+            reference.keys: targets[id(reference.target)]
+            for reference in references(self.tree)
+            if id(reference.target) in targets
+            and "/" not in reference.scalar.text
+            and reference.keys[0] not in _JUDGING
+        }
+        paths = RenamedPaths(self.tree, {new.path: new.name.text for new in self.new_names.values()})
+        sections = {name: paths.renamed(node, name == "behaviour") for name, node in self.tree.values.items()}
+        self.tree = Mapping(self.tree.file, self.tree.start, self.tree.end, sections, self.tree.keys)
+        for keys_of_name, new_name in places.items():
+            self._put([*keys_of_name], with_text(node_at(self.tree, [*keys_of_name]), new_name.text))
+        for node_keys, new in self.new_names.items():
+            self._put([*node_keys, "name"], new.name)
+
+    def _drop_taken_names(self) -> None:
+        """Refuses new names that something else in the same list has, or is to have."""
+        for node_keys, new in [*self.new_names.items()]:
+            *list_keys, own = node_keys
+            for number, item in enumerate(mappings(node_at(self.tree, list_keys))):
+                other = self.new_names.get((*list_keys, number))
+                if number != own and new.name.text == (other.name.text if other is not None else identity(item)):
+                    text, label = f"{quoted(new.name.text)} already exists", Label(item.span, "this one")
+                    self._refuse("overlay_name_taken", text, new.name, "use another name", label)
+                    self.new_names.pop(node_keys, None)
 
     def add(self, entry: Mapping) -> None:
         """Puts a new fact into a list."""
@@ -274,6 +279,15 @@ class _Application:
         after = entry.values.get("after")
         if isinstance(after, Scalar):
             names = [identity(item) for item in siblings.items]
+            list_path = entry.values["in"]
+            assert isinstance(list_path, Scalar)
+            row = (
+                keys(self.tree, f"{list_path.text.removesuffix('/rows')}/rows/{after.text}")
+                if "=" in after.text
+                else None
+            )
+            if row is not None and isinstance(row[-1], int):
+                return row[-1] + 1
             if after.text not in names:
                 text = f"there is no {quoted(after.text)} in this list"
                 hint = near(after.text, [name for name in names if name])
@@ -292,45 +306,11 @@ _LISTS = frozenset(key for key, part in schema()["properties"].items() if part["
 
 
 @dataclass(frozen=True, slots=True)
-class _Renaming:
-    """The new name of the fact at a path in a section; `whole` if the fact is an item of the section."""
+class _NewName:
+    """The new name of the fact at a path of the base."""
 
     path: str
-    section: str
-    old: str
-    new: str
-    whole: bool
-
-    @property
-    def referred(self) -> bool:
-        """Whether others refer to it by its name alone."""
-        return self.whole or self.section == "registers"
-
-    def path_of(self, text: str) -> str:
-        """A path under the new name."""
-        if text == self.path or text.startswith(f"{self.path}/"):
-            return f"{self.path.rpartition('/')[0]}/{self.new}{text[len(self.path) :]}"
-        return text
-
-
-def _referring(node: Node, renaming: _Renaming, silent: Silent, key: str = "") -> Node:
-    """The tree with every reference to a fact under its new name."""
-    if key not in _REFERRING and not isinstance(node, Scalar) and silent(node):
-        return node
-    if isinstance(node, Sequence):
-        items = tuple([_referring(item, renaming, silent, key) for item in node.items])
-        same = all(new is old for new, old in zip(items, node.items, strict=True))
-        return node if same else Sequence(node.file, node.start, node.end, items)
-    if isinstance(node, Mapping):
-        values = {name: _referring(value, renaming, silent, name) for name, value in node.values.items()}
-        same = all(values[name] is node.values[name] for name in values)
-        return node if same else Mapping(node.file, node.start, node.end, values, node.keys)
-    text = node.text
-    if key in _PATHS:
-        text = renaming.path_of(text)
-    elif text == renaming.old and renaming.referred and key in REFERENCES.get(renaming.section, ()):
-        text = renaming.new
-    return node if text == node.text else Scalar(node.file, node.start, node.end, text, node.quoted, text)
+    name: Scalar
 
 
 _MOST_NAMES = 5

@@ -17,7 +17,7 @@ from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS, bound
 from fieldspec.language.reading.joining import joined, merged_over
 from fieldspec.language.reading.memory import DeviceRead, Memory, file_read
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
-from fieldspec.language.reading.overlays import Silent, applied
+from fieldspec.language.reading.overlays import applied
 from fieldspec.language.reading.versions import Lines, overlays, unportable
 from fieldspec.language.reading.yaml_reader import key_span
 
@@ -215,12 +215,11 @@ class _Reader:
             self.findings.append(Diagnostic("versions_bounded", text, key_span(whole, "versions"), help=help))
             return None
         layers: dict[str, Mapping] = {}
-        silent = Silent()
         for version, overlay in versions.trees.items():
             base = versions.bases[version]
             tree = lines.reached(layers.get(base, whole), base, version)
             assert isinstance(tree, Mapping)
-            layers[version], findings = applied(tree, overlay, silent)
+            layers[version], findings = applied(tree, overlay)
             missing = lines.unreached(overlay, version, versions.bases)
             self.findings += bounded(findings + lines.unknown(overlay) + missing)
         whole, findings = expanded(whole)

@@ -36,6 +36,9 @@ HOLDERS = frozenset(("enums", "flags", "links", "messages", "records", "tables")
 ASKED = ("request", "fields", "bits", "members", "response")
 """Their lists, in the order in which a name is looked for: a response repeats what a request asked."""
 
+Keys: TypeAlias = tuple[str | int, ...]
+"""The keys and numbers that lead to a node of a tree."""
+
 PlaceInFile: TypeAlias = tuple[str, int, int]
 """A file and the offsets of a node in it, which is the same fact at all versions, under whatever name."""
 
@@ -47,7 +50,7 @@ def place_in_file(node: Node) -> PlaceInFile:
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """A name of the fact `target` under a `key` of the fact at the path `holder`.
+    """A name of the fact `target` under a `key` of the fact at the path `holder`, at some `keys` of the tree.
 
     The name is the text `start` to `end` of the scalar: all of it, or a step of a path, of which each step is one.
     """
@@ -58,6 +61,7 @@ class Reference:
     key: str
     holder: str
     target: Mapping
+    keys: Keys
 
     @property
     def span(self) -> Span:
@@ -76,7 +80,7 @@ def references(tree: Mapping, overlay: Mapping | None = None) -> Iterator[Refere
     """All references in the tree of a version, in its order; or those in the `overlay` of the next version."""
     names = {section: named_facts(node) for section, node in tree.values.items()}
     for section, node in (overlay or tree).values.items():
-        yield from _Search(names, section).below(node, section, section, "", None)
+        yield from _Search(names, section).below(node, section, section, "", None, (section,))
 
 
 def used_by(tree: Mapping) -> dict[str, list[str]]:
@@ -132,11 +136,13 @@ class _Search:
     def __init__(self, names: dict[str, dict[str, Mapping]], section: str) -> None:
         self.names, self.section = names, section
 
-    def below(self, node: Node, path: str, holder: str, key: str, fact: Mapping | None) -> Iterator[Reference]:
+    def below(
+        self, node: Node, path: str, holder: str, key: str, fact: Mapping | None, keys: Keys
+    ) -> Iterator[Reference]:
         """The references in a node. `holder` is the path of the fact that has it, `fact` the item of the section."""
         if isinstance(node, Scalar):
             for start, end, target in self._targets(node.text, key, holder, fact):
-                yield Reference(node, start, end, key, holder, target)
+                yield Reference(node, start, end, key, holder, target, keys)
             return
         if isinstance(node, Sequence):
             for number, item in enumerate(node.items):
@@ -144,18 +150,18 @@ class _Search:
                     own = f"{path}/{identity(item) or number}"
                     rows = self.section if "group" in item.values and path == self.section else own
                     holder_path = own if identity(item) is not None or path == self.section else holder
-                    yield from self._within(item, rows, holder_path, fact or item)
+                    yield from self._within(item, rows, holder_path, fact or item, (*keys, number))
                 else:
-                    yield from self.below(item, path, holder, key, fact)
+                    yield from self.below(item, path, holder, key, fact, (*keys, number))
             return
-        yield from self._within(node, path, holder, fact)
+        yield from self._within(node, path, holder, fact, keys)
 
-    def _within(self, node: Mapping, path: str, holder: str, fact: Mapping | None) -> Iterator[Reference]:
+    def _within(self, node: Mapping, path: str, holder: str, fact: Mapping | None, keys: Keys) -> Iterator[Reference]:
         name = node.values.get("name")
         for key, child in children(node):
             if child is not name:
                 inner = path if key in LISTS else f"{path}/{key}"
-                yield from self.below(child, inner, holder, str(key), fact)
+                yield from self.below(child, inner, holder, str(key), fact, (*keys, key))
 
     def _targets(self, text: str, key: str, holder: str, fact: Mapping | None) -> Iterator[tuple[int, int, Mapping]]:
         """The facts that a text names, each with the part of the text that is its name."""
@@ -168,7 +174,7 @@ class _Search:
     def _named(self, text: str, key: str, holder: str, fact: Mapping | None) -> Mapping | None:
         if key in INNER and fact is not None and self.section in HOLDERS and holder.count("/"):
             whole = key == "same_as" and self.section == "records" and holder.count("/") == 1
-            inner = None if whole else _part(fact, text)
+            inner = None if whole else _part(fact, text, [] if key == "same_as" else holder.split("/")[2:3])
             if inner is not None or key == "same_as":
                 return self.names["records"].get(text) if whole else inner
         sections = (section for section, keys in REFERENCES.items() if key in keys)
@@ -190,9 +196,9 @@ class _Search:
             yield from facts
 
 
-def _part(fact: Mapping, name: str) -> Mapping | None:
-    """The part of a fact with a name: a field, a part of a frame, a bit, a member."""
-    for key in ASKED:
+def _part(fact: Mapping, name: str, direction: list[str]) -> Mapping | None:
+    """The part of a fact with a name: a field, a part of a frame, a bit, a member; first one in the same direction."""
+    for key in (*direction, *ASKED):
         for item in mappings(fact.values.get(key)):
             if identity(item) == name:
                 return item

@@ -111,6 +111,8 @@ def _accesses(layout: DeviceLayout) -> list[str]:
     for link in layout.links.values():
         for frame in (link.request, link.response):
             used |= {access_name(part.size, part.order, False) for part in frame.parts if not part.form}
+            subcodes = link.subcodes(frame.direction) if frame.role("code") is not None else {}
+            used |= {access_name(subcode.size, subcode.order, False) for subcode in subcodes.values()}
         used |= {access_name(4, "big", False)} if link.link.is_can else set()  # that of the identifier
     return [name for name in runtime_parts("numbers.h") if name in used]
 

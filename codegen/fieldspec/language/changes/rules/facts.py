@@ -10,8 +10,10 @@ from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired
 from fieldspec.language.changes.descriptions import around, change, difference_text, kind, named, path, span, within
 from fieldspec.language.changes.evidence import enumeration, value_text
+from fieldspec.language.model.address_space import AddressSpace
 from fieldspec.language.model.device import Device, Version
 from fieldspec.language.model.enums import Bit, Member
+from fieldspec.language.model.link import Part
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import Parameter
 from fieldspec.language.model.texts import Example
@@ -110,9 +112,19 @@ def renamed(comparison: Comparison) -> Iterator[Change]:
     for renaming in comparison.renamed:
         old, new = named(renaming.pair.old), named(renaming.pair.new)
         consequences = CONSEQUENCES[type(renaming.pair.new)]
+        effect, outputs = consequences.renaming, consequences.outputs
+        if _is_unnamed(comparison, renaming.pair.new):
+            effect, outputs = Effect.DOCS, ()
         place = within(renaming.pair.containers[1])
         text = f"the {kind(renaming.pair.new)} {old}{place} is called {new}; it has {renaming.evidence}"
-        yield change("renamed", consequences.renaming, renaming.pair, "name", text, old, new, consequences.outputs)
+        yield change("renamed", effect, renaming.pair, "name", text, old, new, outputs)
+
+
+def _is_unnamed(comparison: Comparison, item: Any) -> bool:
+    """Whether no output has the name: the body of a frame, or a space where no address needs the name of its space."""
+    if isinstance(item, AddressSpace):
+        return not (comparison.old.several_spaces or comparison.new.several_spaces)
+    return isinstance(item, Part) and item.role == "body"
 
 
 def availability_changed(comparison: Comparison) -> Iterator[Change]:

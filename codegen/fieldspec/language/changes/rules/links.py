@@ -83,7 +83,7 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
             text = f"{named(pair.new)}: {difference_text('the digits', pair.old.digits, pair.new.digits)}"
             yield change("check_changed", Effect.WIRE, pair, "digits", text, pair.old.digits, pair.new.digits)
         old, new = _span_text(pair.old), _span_text(pair.new)
-        if old != new:
+        if old != new and _extent(comparison, pair, 0) != _extent(comparison, pair, 1):
             check = "checksum" in (pair.old.role, pair.new.role)
             subject, key = ("what it covers", "covers") if check else ("what it counts", "counts")
             yield change(
@@ -105,6 +105,20 @@ def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
     for key, before, after in (("prefix", old.prefix, new.prefix), ("suffix", old.suffix, new.suffix)):
         if before != after:
             yield key, before.hex(" ").upper(), after.hex(" ").upper()
+
+
+def _extent(comparison: Comparison, pair: Pair[Part], side: int) -> tuple[object, ...]:
+    """What a part counts or covers, whether it is written out or not: the first and the last part, by new names."""
+    link, part = pair.containers[side], (pair.old, pair.new)[side]
+    path = part.place.path.rpartition("/")[0]
+    direction = path.rpartition("/")[2]
+    span = link.span(direction, part)
+    names = (
+        [link.parts(direction)[index].name for index in span] if span is not None else (part.span.first, part.span.last)
+    )
+    if side == 0:
+        names = [comparison.renamed_to(path, name) for name in names]
+    return *names, part.unit_size, part.plus, part.span.before_escape
 
 
 def _span_text(part: Part) -> str:

@@ -104,7 +104,7 @@ def case_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Case):
         enum = _enum(comparison, pair.containers[0])
         old, new = tuple(comparison.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
-        if old != new:
+        if set(old) != set(new):
             effect = Effect.BEHAVIOUR if set(old) <= set(new) else Effect.WIRE
             text = f"{named(pair.new)}: {difference_text('what it applies to', old, new)}"
             yield change("case_changed", effect, pair, "when", text, old, new)

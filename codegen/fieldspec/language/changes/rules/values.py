@@ -32,8 +32,10 @@ def type_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for value_pair in comparison.all_values:
-        if value_pair.old.size != value_pair.new.size or (
-            _encoding(value_pair.old) != _encoding(value_pair.new) and not value_pair.reserved
+        moves_others = value_pair.old.size != value_pair.new.size and isinstance(value_pair.of.new, Field | Part)
+        if (moves_others and value_pair.reserved) or (
+            (value_pair.old.size, _encoding(value_pair.old)) != (value_pair.new.size, _encoding(value_pair.new))
+            and not value_pair.reserved
         ):
             yield _change(value_pair, "type", _of(value_pair.old), _of(value_pair.new), named(value_pair.of.new))
     for word in comparison.of(Flags):
@@ -241,8 +243,8 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
 
     for link in comparison.of(Link):
         for key in ("byte_order", "word_order"):
-            old, new = getattr(link.old, key) or "big", getattr(link.new, key) or "big"
-            if old != new:
+            old, new = (_device_order(device, key) for device in (comparison.old, comparison.new))
+            if old != new and getattr(link.old, key) != getattr(link.new, key):
                 text = f"{named(link.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, link, key, text, old, new)
     for part in comparison.of(Part):
@@ -268,8 +270,15 @@ def _ordered(value: Value, key: str) -> bool:
 
 def _order(value: Value, device: Device, key: str) -> str:
     """The order of a value: its own, or that of its device, whose words have the order of its bytes by default."""
-    own: str = getattr(value, key) or getattr(device, key)
-    return own or _order(value, device, "byte_order")
+    own: str = getattr(value, key)
+    if key == "word_order":
+        return own or device.word_order or _order(value, device, "byte_order")
+    return own or device.byte_order
+
+
+def _device_order(device: Device, key: str) -> str:
+    """The order of values without their own."""
+    return device.byte_order if key == "byte_order" else device.word_order or device.byte_order
 
 
 def conversion_changed(comparison: Comparison) -> Iterator[Change]:

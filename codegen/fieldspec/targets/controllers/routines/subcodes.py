@@ -22,7 +22,7 @@ def refuse_other_subcode(
         return
     field = next(field for field in message.response.fields if field.offset == shared.offset)
     wire = Wire.of_field(field)
-    bits = holder.number(field.offset, field.size, wire.order, wire.swapped)
+    bits = holder.number(field.offset, field.size, shared.order, False)
     numbers = [key for key, other in shared.messages.items() if other is message]
     differs = every([compared(bits, "<>", wire.literal(own)) for own in numbers])
     if next(iter(shared.messages.values())) is message:
