@@ -1,7 +1,7 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers, and a truth value
 has neither constant nor unit; its enum names 0 and 1, or is `open`. Numbers with names have no scale, and a word of
-bits has neither an enum, a scale, a unit nor a sign: its bits have them. A floating-point number has no scale. Texts and bytes have no range or scale, bytes
-have no byte order, and `big` is that of UTF-16 alone.
+bits has neither an enum, a scale, a unit nor a sign: its bits have them. A floating-point number has no scale. Texts
+and bytes have no range or scale, bytes have no byte order, and `big` is that of UTF-16 alone.
 Only a number of several bytes has a byte order, only one of several words a word order, and only a text, bytes and
 digits have a `length`.
 
@@ -126,7 +126,8 @@ def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnost
     missing = [str(number) for number in (0, 1) if number not in named]
     if missing:
         text = f"{fact.name} is {value.type.name}, and {enum.name} does not list {' and '.join(missing)}"
-        yield finding("keys_fit_type", fact.place, "enum", text, "list both values as available, or make the enum `open`")
+        help = "list both values as available, or make the enum `open`"
+        yield finding("keys_fit_type", fact.place, "enum", text, help)
 
 
 def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:
