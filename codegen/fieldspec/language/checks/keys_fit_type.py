@@ -122,8 +122,8 @@ def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnost
     """What a truth value is that its enum refuses, though no reader refuses either of the two."""
     if enum is None or enum.open:
         return
-    named = {member.value for member in enum.members if not member.unavailable}
-    missing = [str(number) for number in (0, 1) if number not in named]
+    available = {member.value for member in enum.members if not member.unavailable}
+    missing = [str(number) for number in (0, 1) if number not in available]
     if missing:
         text = f"{fact.name} is {value.type.name}, and {enum.name} does not list {' and '.join(missing)}"
         help = "list both values as available, or make the enum `open`"
