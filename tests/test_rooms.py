@@ -32,6 +32,7 @@ TARGETS_IMPORT = (
     "fieldspec.language.model",
     "fieldspec.codec.explain",
     "fieldspec.codec.layout",
+    "fieldspec.codec.program",
 )
 SHARED = {"controllers", "explainer", "fact_texts", "pieces", "runtime_values", "templates", "usages"}
 """What outputs share: an output imports these and itself."""

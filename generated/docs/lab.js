@@ -198,6 +198,20 @@ function printed(value) {
   return String(value);
 }
 
+/**
+ * The original bytes, by the `walk` of an escape, which gives each with the place of the byte that is sent for it. Throws
+ * CodecError for what is the escape of nothing, as if the data began at `offset`.
+ */
+function original(data, offset) {
+  const result = [];
+  try {
+    this.walk(data, (byte) => result.push(byte));
+  } catch (error) {
+    throw error instanceof CodecError ? new CodecError(error.reason, error.detail, offset + error.offset) : error;
+  }
+  return Uint8Array.from(result);
+}
+
 /** Two bytes are sent for each of some bytes: `pairs` are such a byte and the two bytes. */
 function replacing(pairs) {
   const pairOf = new Map(pairs.map(([byte, first, second]) => [byte, [first, second]]));
@@ -205,20 +219,18 @@ function replacing(pairs) {
   const special = new Set(pairs.flatMap(([byte, first]) => [byte, first]));
   return {
     escaped: (data) => Uint8Array.from([...data].flatMap((byte) => pairOf.get(byte) ?? [byte])),
-    original(data, offset) {
-      const result = [];
+    walk(data, give) {
       for (let at = 0; at < data.length; at++) {
         if (!special.has(data[at])) {
-          result.push(data[at]);
+          give(data[at], at);
           continue;
         }
         const byte = at + 1 < data.length ? originals.get(data[at] * 256 + data[at + 1]) : undefined;
-        if (byte === undefined) throw wrongEscape("a byte is not escaped, or the escape means nothing", offset + at);
-        result.push(byte);
-        at++;
+        if (byte === undefined) throw wrongEscape("a byte is not escaped, or the escape means nothing", at);
+        give(byte, at++);
       }
-      return Uint8Array.from(result);
     },
+    original,
     end(bytes, from, mark) {
       for (let at = from; at < bytes.length; at++) {
         if (at + 1 < bytes.length && originals.has(bytes[at] * 256 + bytes[at + 1])) at++;
@@ -244,20 +256,18 @@ function inserting(pattern, inserted) {
       }
       return Uint8Array.from(result);
     },
-    original(data, offset) {
-      const result = [];
+    walk(data, give) {
       for (let at = 0; at < data.length; ) {
         if (!begins(data, at, pattern)) {
-          result.push(data[at++]);
+          give(data[at], at++);
           continue;
         }
-        at += pattern.length;
-        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing behind the pattern`, offset + at);
-        result.push(...pattern);
+        for (const byte of pattern) give(byte, at++);
+        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing behind the pattern`, at);
         at++;
       }
-      return Uint8Array.from(result);
     },
+    original,
     end: find,
   };
 }
@@ -266,7 +276,8 @@ function inserting(pattern, inserted) {
 function adding(byte) {
   return {
     escaped: (data) => data.map((own) => own + byte),
-    original: (data) => data.map((own) => own - byte),
+    walk: (data, give) => data.forEach((own, at) => give((own - byte) & 0xff, at)),
+    original,
     end: find,
   };
 }
@@ -288,20 +299,19 @@ const cobs = {
     finish();
     return Uint8Array.from(result);
   },
-  original(data, offset) {
-    const result = [];
+  walk(data, give) {
     for (let at = 0; at < data.length || data.length === 0; ) {
       const code = data[at] ?? 0;
       const block = data.subarray(at + 1, at + code);
       if (code === 0 || block.length < code - 1 || block.includes(0)) {
-        throw wrongEscape(`the block of ${code} bytes is not complete`, offset + at);
+        throw wrongEscape(`the block of ${code} bytes is not complete`, at);
       }
-      result.push(...block);
+      block.forEach((byte, place) => give(byte, at + 1 + place));
       at += code;
-      if (code < 255 && at < data.length) result.push(0);
+      if (code < 255 && at < data.length) give(0, at);
     }
-    return Uint8Array.from(result);
   },
+  original,
   end: find,
 };
 
@@ -343,13 +353,14 @@ function canIdentifier(bits, fields) {
       if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
       return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
     },
-    original(data, offset) {
+    // The first part is in the place of the whole header, and the others of the identifier are behind it.
+    walk(data, give) {
       const wrong = wrongCanHeader(bits, data);
-      if (wrong >= 0) {
-        throw new CodecError("wrong_mark", canHeaderFault(bits, data, wrong), offset + wrong);
-      }
-      return Uint8Array.from([...canParts(fields, data), ...data.subarray(8)]);
+      if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong), wrong);
+      canParts(fields, data).forEach((byte, at) => give(byte, at < fields[0][0] ? 0 : 8));
+      data.subarray(8).forEach((byte, at) => give(byte, at + 8));
     },
+    original,
     end: () => -1,
   };
 }
@@ -1162,6 +1173,119 @@ function enumeration(names, last) {
   return names.length > 1 ? `${names.slice(0, -1).join(", ")} ${last} ${names.at(-1)}` : names.join("");
 }
 
+/** The bytes up to which a whole number is no bigint. */
+const WIDE = 6;
+
+/** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
+function isArray({ kind }) {
+  switch (kind) {
+    case "text": case "bytes": return true;
+    case "integer": case "float": case "boolean": return false;
+    default: throw new RangeError(`unknown kind: ${kind}`);
+  }
+}
+
+/** Bytes as an unsigned bigint. */
+function unsignedOf(bytes, order) {
+  let number = 0n;
+  for (let at = 0; at < bytes.length; at++) {
+    number = (number << 8n) | BigInt(bytes[order === "big" ? at : bytes.length - 1 - at]);
+  }
+  return number;
+}
+
+/** Bytes as a whole number; a bigint if there are more than six of them. `signed` is as in `wholeOfBits`. */
+function wholeOf(bytes, order, signed) {
+  if (bytes.length > WIDE) return wholeOfBits(unsignedOf(bytes, order), 8 * bytes.length, signed);
+  let bits = 0;
+  for (let at = 0; at < bytes.length; at++) bits = bits * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
+  return wholeOfBits(bits, 8 * bytes.length, signed);
+}
+
+/** The bytes of a whole number; `signed` is as in `bitsOfWhole`. */
+function bytesOfNumber(number, size, order, signed) {
+  const bits = BigInt.asUintN(8 * size, bitsOfWhole(BigInt(number), 8 * size, signed));
+  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
+  return order === "big" ? big : big.reverse();
+}
+
+/** The bytes of a value from the most significant one on. */
+function inOrder({ order }, bytes) {
+  return order ? Uint8Array.from(order, (place) => bytes[place]) : bytes;
+}
+
+/** The bytes of a value as they are sent, of those from the most significant one on. */
+function inPlaces({ order }, bytes) {
+  return order ? Uint8Array.from(bytes, (_, place) => bytes[order.indexOf(place)]) : bytes;
+}
+
+/** The places of the bytes of a value, the most significant first; `isSwapped` words of 16 bits are in the other order. */
+function orderOf({ kind, size, textForm }, order, isSwapped) {
+  if (kind === "text" || kind === "bytes") {
+    return textForm?.encoding === "utf_16" && order !== "big" ? orderOf({ size }, "little", true) : undefined;
+  }
+  const isUpward = (order === "big") !== isSwapped;
+  return Array.from({ length: size }, (_, at) => (isUpward ? at : size - 1 - at) ^ (isSwapped ? 1 : 0));
+}
+
+/** What all bytes of a value are; null for digits, or characters, that are none of its. */
+function contentOf(value, bytes) {
+  const ordered = inOrder(value, bytes);
+  switch (value.kind) {
+    case "text": return decodedText(value.textForm, ordered, false);
+    case "bytes": return bytes;
+    case "float": return realOfBits(wholeOf(ordered, "big", false), bytes.length);
+    case "boolean": return wholeOf(ordered, "big", false);
+    case "integer": return value.digits ? digitsNumber(value, ordered) ?? null : wholeOf(ordered, "big", value.signed);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
+  }
+}
+
+/** What a reader gets for a content: a truth value as such, and the bytes of what has none. */
+function numberOfContent({ value, reserved }, content, raw, image) {
+  if (content === null || (reserved && value.kind === "text")) return image ?? raw;
+  return value.kind === "boolean" && !reserved && (content === 0 || content === 1) ? content === 1 : content;
+}
+
+/** What all bytes of a field, or of another `value`, gave; of one that varies in width, the `image` has all its bytes. */
+function loaded(field, raw) {
+  const image = field.span ? widenedBytes(field.span, raw) : raw;
+  const content = image === null ? null : contentOf(field.value, image);
+  return { field, raw, image, content, number: numberOfContent(field, content, raw, image) };
+}
+
+/** The contents that a record gives, by name. Adds what gave them to `rows`. */
+function run(device, record, data, start, stop, path, rows) {
+  const values = new Map();
+  const beside = new Map();
+  for (const field of record.fields) {
+    const first = start + field.offset;
+    const count = field.count ?? Math.floor((stop - first) / field.size);
+    const sizes = field.isList ? new Array(count).fill(field.size) : [field.span ? stop - first : field.size];
+    const contents = runEach(device, field, data, first, sizes, path, rows, beside);
+    values.set(field.name, field.isList ? contents : contents[0]);
+  }
+  return values;
+}
+
+/**
+ * The contents of the elements of a field, which follow each other from `start` on and have some sizes. Adds what gave
+ * them to `rows`, and to `beside`, those of the same record by the names of their fields.
+ */
+function runEach(device, field, data, start, sizes, path, rows, beside) {
+  let stop = start;
+  return sizes.map((size, index) => {
+    const offset = stop;
+    stop += size;
+    const own = `${path}${field.name}${field.isList ? `[${index}]` : ""}`;
+    if (field.record) return run(device, device.records.get(field.record), data, offset, stop, `${own}.`, rows);
+    const row = { ...loaded(field, data.subarray(offset, stop)), path: own, index, offset, beside };
+    rows.push(row);
+    beside.set(field.name, row);
+    return row.number;
+  });
+}
+
 /**
  * The data of a device, indexed for the explainer. Everything that is looked up by a name or a number which a user or
  * the bytes of a frame decide is in a Map.
@@ -1178,13 +1302,12 @@ class ExplainedDevice {
     ]));
     this.links = new Map(Object.entries(data.links).map(([name, link]) => [name, this.indexedLink(link)]));
     this.sets = new Map(Object.entries(data.sets));
-    this.errata = new Map(data.errata.map((erratum) => [erratum.id, erratum]));
-    this.within = new Map();
-    this.of = new Map();
+    this.errataWithin = new Map();
+    this.errataOf = new Map();
     this.readingsOf = new Map();
     for (const [number, { id, fact }] of data.errata.entries()) {
-      for (let end = fact.length; end > 0; end = fact.lastIndexOf("/", end - 1)) this.add(this.within, fact.slice(0, end), id);
-      for (const path of new Set([fact, fact.split("/restated/")[0]])) this.add(this.of, path, [number, id]);
+      for (let end = fact.length; end > 0; end = fact.lastIndexOf("/", end - 1)) this.add(this.errataWithin, fact.slice(0, end), id);
+      for (const path of new Set([fact, fact.split("/restated/")[0]])) this.add(this.errataOf, path, [number, id]);
     }
     for (const example of data.examples) {
       this.add(this.readingsOf, example.frame, [example.link, example.direction, example.message ?? "", Boolean(example.error)]);
@@ -1224,12 +1347,12 @@ class ExplainedDevice {
 
   /** The ids of the errata of a fact and of the facts below it. */
   errataAt(path) {
-    return this.within.get(path) ?? [];
+    return this.errataWithin.get(path) ?? [];
   }
 
   /** The ids of the errata of enums, members and words that gave a value its meaning, not those of other members. */
   errataOfWords(facts) {
-    const rows = new Map(facts.flatMap((path) => this.of.get(path) ?? []));
+    const rows = new Map(facts.flatMap((path) => this.errataOf.get(path) ?? []));
     return [...rows].sort(([left], [right]) => left - right).map(([, id]) => id);
   }
 
@@ -1251,7 +1374,11 @@ function indexedEnum(listing) {
 }
 
 function indexedRecord(record) {
-  const indexed = { ...record, named: new Map(record.fields.map((field) => [field.name, field])), forms: new Map() };
+  const fields = record.fields.map((field, number) => {
+    const span = record.spans?.[number];
+    return span?.most === undefined ? field : { ...field, span };
+  });
+  const indexed = { ...record, fields, named: new Map(fields.map((field) => [field.name, field])), forms: new Map() };
   for (const [numbers, form] of record.chosen ?? []) {
     const inner = indexedRecord(form);
     for (const number of numbers) indexed.forms.set(BigInt(number), inner);
@@ -1314,28 +1441,6 @@ function partNumberText({ size, value }, number) {
   return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
 }
 
-/** `0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code, or `0x0C with 0x60 or 0x70 at byte 8`. */
-function codeText(link, direction, message) {
-  const code = codeIn(direction, message);
-  if (code === undefined) return "no code";
-  const digits = (number, size) => "0x" + number.toString(16).toUpperCase().padStart(2 * size, "0");
-  const shared = link.subcodes[direction].get(code);
-  const part = link[direction].code;
-  const sent = part?.value.digits && latinOf(digitsBytes(part.value, code)).toUpperCase();
-  const own = sent ? (part.value.digits === "decimal" ? "" : "0x") + sent : digits(code, 1);
-  if (!shared) return own;
-  const intervals = [];
-  const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);
-  for (const number of numbers.sort((left, right) => left - right)) {
-    const last = intervals[intervals.length - 1];
-    if (last && last[1] === number - 1) last[1] = number;
-    else intervals.push([number, number]);
-  }
-  const text = ([low, high]) => digits(low, shared.size) + (low === high ? "" : `..${digits(high, shared.size)}`);
-  const place = byteText(link[direction].escape, link[direction].headerSize + shared.offset);
-  return `${own} with ${intervals.map(text).join(" or ")} at ${place}`;
-}
-
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
 function isException({ code: own, flag, part, normal }, code, number) {
   if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
@@ -1352,59 +1457,10 @@ function formOfData(record, data) {
   if (record.selector === undefined) return record;
   const { offset, size, value } = record.named.get(record.selector);
   if (data.length < offset + size) return undefined;
-  return record.forms.get(unsignedOf(data.subarray(offset, offset + size), value.order ?? "big"));
+  return record.forms.get(unsignedOf(inOrder(value, data.subarray(offset, offset + size)), "big"));
 }
 
-/** Bytes as an unsigned bigint. */
-function unsignedOf(bytes, order) {
-  let number = 0n;
-  for (let at = 0; at < bytes.length; at++) {
-    number = (number << 8n) | BigInt(bytes[order === "big" ? at : bytes.length - 1 - at]);
-  }
-  return number;
-}
-
-const WIDE = 6;
 const EXACT_DIGITS = 120;
-
-/** Bytes as a whole number; a bigint if there are more than six of them. `signed` is as in `wholeOfBits`. */
-function wholeOf(bytes, order, signed) {
-  if (bytes.length > WIDE) return wholeOfBits(unsignedOf(bytes, order), 8 * bytes.length, signed);
-  let bits = 0;
-  for (let at = 0; at < bytes.length; at++) bits = bits * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
-  return wholeOfBits(bits, 8 * bytes.length, signed);
-}
-
-/** The bytes of a whole number; `signed` is as in `bitsOfWhole`. */
-function bytesOfNumber(number, size, order, signed) {
-  const bits = BigInt.asUintN(8 * size, bitsOfWhole(BigInt(number), 8 * size, signed));
-  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
-  return order === "big" ? big : big.reverse();
-}
-
-/** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
-function isArray({ kind }) {
-  switch (kind) {
-    case "text": case "bytes": return true;
-    case "integer": case "float": case "boolean": return false;
-    default: throw new RangeError(`unknown kind: ${kind}`);
-  }
-}
-
-/** Bytes with those of each word of 16 bits turned. */
-function turnedWords(bytes) {
-  return Uint8Array.from(bytes, (_, at) => bytes[at ^ 1]);
-}
-
-/** The raw value of all bytes of a value; texts and bytes are returned as bytes. */
-function numberOfBytes(value, bytes, order, swapped) {
-  if (isArray(value)) return bytes;
-  const turned = swapped ? turnedWords(bytes) : bytes;
-  const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
-  if (value.kind === "float") return realOfBits(wholeOf(turned, actual, false), bytes.length);
-  return wholeOf(turned, actual, value.signed);
-}
 
 /** The sentinel with a raw value. */
 function sentinelOf(value, number) {
@@ -1422,9 +1478,8 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
-/** A value with the scale that the bytes of its exponent make; unchanged where they are no exponent. */
-function exponentApplied(value, exponent, bytes) {
-  const number = numberOfBytes(exponent, bytes, exponent.order ?? "big", exponent.swapped);
+/** A value with the scale that the number of its exponent makes; unchanged for a number that is no exponent. */
+function exponentApplied(value, exponent, number) {
   const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
   return isExponent ? scaledBy(value, Number(number)) : value;
 }
@@ -1478,25 +1533,23 @@ function decodeAnswer(device, value, ...rest) {
 }
 
 /** The meaning of all bytes of a value. Never throws. */
-function decodeValue(device, value, bytes, order, swapped, reserved) {
-  const number = numberOfBytes(value, bytes, order, swapped);
-  if (reserved) return decoded(number);
-  switch (value.kind) {
-    case "boolean": return decodedBoolean(device, value, number);
-    case "text": return decodedCharacters(value, bytes, order);
-    case "bytes": return decoded(number);
-    case "float": return decodedFloat(value, number);
-    case "integer":
-      if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
-      return decodedWhole(device, value, number);
-    default: throw new RangeError(`unknown kind: ${value.kind}`);
-  }
+function decodeValue(device, value, bytes, reserved = false) {
+  return decodedRow(device, value, loaded({ value, reserved }, bytes));
 }
 
-function decodedCharacters(value, bytes, order) {
-  const text = decodedText(value.textForm, bytes, order !== "big");
-  if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
-  return decoded(text);
+/** The meaning of what some bytes gave; `value` is that of the field, with a scale that is read. */
+function decodedRow(device, value, { field, image, content, number }) {
+  if (field.reserved || value.kind === "bytes") return decoded(number);
+  if (content === null) {
+    return judged(decoded(number), false, image === null ? value.sentForm ?? value.form : value.form, "unknown_value");
+  }
+  switch (value.kind) {
+    case "boolean": return decodedBoolean(device, value, number);
+    case "text": return decoded(number);
+    case "float": return decodedFloat(value, number);
+    case "integer": return decodedWhole(device, value, number);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
+  }
 }
 
 function decodedFloat(value, number) {
@@ -1508,10 +1561,8 @@ function decodedFloat(value, number) {
 }
 
 function decodedBoolean(device, value, number) {
-  if (number != 0 && number != 1) return judged(decoded(number), false, "0 or 1", "unknown_value");
-  const named = value.enum ? namedValue(device, value, number) : decoded(number);
-  // An enum of a truth value only names what it is.
-  return { ...named, number: number == 1, verdict: "", reason: "" };
+  if (typeof number !== "boolean") return judged(decoded(number), false, "0 or 1", "unknown_value");
+  return value.enum ? { ...namedValue(device, value, Number(number)), number } : decoded(number);
 }
 
 function decodedWhole(device, value, number) {
@@ -1525,7 +1576,7 @@ function decodedWhole(device, value, number) {
   } else if (value.flags) {
     const word = device.flags.get(value.flags);
     const meanings = setBitsOf(device, word, number);
-    const notes = word.countedFromMost && meanings.some(({ bits }) => bits) ? [fromMostText(word)] : result.notes;
+    const notes = word.remark && meanings.some(({ bits }) => bits) ? [word.remark] : [];
     result = { ...result, meanings, notes, facts: [word.path] };
   } else {
     result = { ...result, text: inUnit(value, number) };
@@ -1542,28 +1593,12 @@ function decodedWhole(device, value, number) {
 function namedValue(device, value, number) {
   const listing = device.enums.get(value.enum);
   const member = memberOf(listing, number);
-  if (!member) {
-    if (listing.open) return decoded(number, { notes: [`${listing.name} does not list ${number}.`], facts: [listing.path] });
-    return judged(decoded(number), false, memberList(listing), "unknown_value");
+  if (!member && listing.open) {
+    return decoded(number, { notes: [`${listing.name} does not list ${number}.`], facts: [listing.path] });
   }
-  const meanings = [meaningOf(member.name, member.label, member.problem || member.doc)];
-  const notes = member.notes ?? [];
-  const result = decoded(number, { meanings, notes, facts: [listing.path, member.path] });
-  if (member.unavailable && !listing.open) {
-    const more = [...notes, `${member.name} is listed as not available.`];
-    return judged({ ...result, notes: more }, false, memberList(listing), "unknown_value");
-  }
-  return result;
-}
-
-function memberList(listing) {
-  return `one of ${listing.members.filter((member) => !member.unavailable).map((member) => member.value).join(", ")}`;
-}
-
-/** How the manual numbers the bits of a word whose bit 0 is the most significant one. */
-function fromMostText({ size }) {
-  const last = 8 * size - 1;
-  return `Bit 0 is the least significant one here. The manual counts from the most significant: bit ${last} is its bit 0.`;
+  const meanings = member && [meaningOf(member.name, member.label, member.problem || member.doc)];
+  const result = decoded(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
+  return member && (listing.open || !member.unavailable) ? result : judged(result, false, listing.taken, "unknown_value");
 }
 
 /** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
@@ -1581,7 +1616,7 @@ function setBitsOf(device, word, number) {
   }
   for (const state of word.states ?? []) {
     if ((raw & BigInt(state.mask ?? 0)) === BigInt(state.value ?? 0)) {
-      meanings.push(meaningOf(state.name, state.label, `state ${state.printed ?? ""}`.trim()));
+      meanings.push(meaningOf(state.name, state.label, state.text));
     }
   }
   return meanings;
@@ -1610,12 +1645,10 @@ function bitMeaning(device, bit, number) {
   const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
   if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
   if (bit.width > 1) {
-    const text = [inUnit(bit, number), bit.doc].filter(Boolean).join(": ");
+    const text = [inUnit(bit, number), bit.text].filter(Boolean).join(": ");
     return meaningOf(`${bit.name}=${number}`, bit.label, text, bits);
   }
-  const text = bit.one || bit.doc || "";
-  const edge = bit.edge ? [text.replace(/\.$/, ""), `acts at its ${bit.edge} edge`].filter(Boolean).join("; ") : text;
-  return meaningOf(bit.name, bit.label, edge, bits);
+  return meaningOf(bit.name, bit.label, bit.text, bits);
 }
 
 /** A decoded value, compared with the one that it repeats. */
@@ -1754,7 +1787,7 @@ function endRows(parts) {
  * The row of bytes of an escape that stand for no bytes, as the code of COBS before no data, at `at` in the parts.
  * `raw` are the bytes that are sent.
  */
-function escapeRow(spot, { path, source }, at, raw) {
+function escapeRow(spot, { path, source = "" }, at, raw) {
   return rowOf({
     kind: "mark", offset: spot.start + at, length: raw.length, raw, path: "escape", fact: path, verdict: "right", source,
   });
@@ -1777,33 +1810,17 @@ function markRows({ link }, name, offset, raw, should) {
   })];
 }
 
+/** Data with null for empty texts. */
+const emptied = (data) => Object.fromEntries(Object.entries(data).map(([key, value]) => [key, value === "" ? null : value]));
+
 /** A row as data: what is empty is null, bytes are hexadecimal digits. */
-function rowData(row) {
+function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ...row }) {
   return {
-    kind: row.kind,
-    offset: row.offset,
-    can_place: row.canPlace || null,
-    length: row.length,
-    raw: hexOf(row.raw),
-    characters: row.characters || null,
-    path: row.path || null,
-    fact: row.fact || null,
-    printed_name: row.printedName || null,
-    label: row.label || null,
-    doc: row.doc || null,
-    number: portableValue(row.number),
-    value: row.value || null,
-    meanings: row.meanings.map(({ name, label, text, bits }) => ({
-      name: name || null, label: label || null, text: text || null, bits: bits || null,
-    })),
-    verdict: row.verdict || null,
-    reason: row.reason || null,
-    source: row.source || null,
-    notes: row.notes,
-    errata: row.errata,
-    address: row.address,
-    [row.unit === "byte" ? "size" : `${row.unit || "word"}s`]: row.words || null,
-    access: row.access || null,
+    ...emptied({ ...row, can_place: canPlace, printed_name: printedName }),
+    raw: hexOf(raw),
+    number: portableValue(number),
+    meanings: meanings.map(emptied),
+    [unit === "byte" ? "size" : `${unit || "word"}s`]: words || null,
   };
 }
 
@@ -1890,20 +1907,23 @@ function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   }
 }
 
-/** Bytes that are the escape of nothing; `offset` is the place of the first one. */
-class EscapeError extends Error {
-  constructor(offset) {
-    super(`the byte at ${offset} is the escape of nothing`);
-    this.offset = offset;
+/** How bytes are escaped. */
+function escaping({ method, pairs, pattern, inserted, bits, fields }) {
+  switch (method) {
+    case "can": return canIdentifier(bits, fields);
+    case "cobs": return cobs;
+    case "add": return adding(inserted);
+    case "replace": return replacing(pairs);
+    case "insert": return inserting([...pattern], inserted);
+    default: throw new RangeError(`unknown escape: ${method}`);
   }
 }
 
-/** The original bytes, each with the place of the byte that is sent for it. Throws EscapeError. */
+/** The original bytes, each with the place of the byte that is sent for it. Throws CodecError with the place of a wrong one. */
 function originalPlaces(escape, data) {
-  if (escape.method === "can") return placesOfIdentifier(escape, data);
-  if (escape.method === "cobs") return placesOfBlocks(data);
-  if (escape.method === "add") return Array.from(adding(escape.inserted).original(data), (byte, at) => [byte, at]);
-  return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
+  const places = [];
+  escaping(escape).walk(data, (byte, at) => places.push([byte, at]));
+  return places;
 }
 
 /** The bytes of the parts that a CAN frame has in its identifier. */
@@ -1916,66 +1936,9 @@ function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
 }
 
-/** The first part is in the place of the whole header, and the others of the identifier are behind it. */
-function placesOfIdentifier({ bits, fields }, data) {
-  const wrong = wrongCanHeader(bits, data);
-  if (wrong >= 0) throw new EscapeError(wrong);
-  const parts = canParts(fields, data).map((byte, at) => [byte, at < fields[0][0] ? 0 : 8]);
-  return [...parts, ...Array.from(data.subarray(8), (byte, at) => [byte, at + 8])];
-}
-
-function replacedPlaces(escape, data) {
-  const originals = new Map(escape.pairs.map(([byte, first, second]) => [first * 256 + second, byte]));
-  const special = new Set(escape.pairs.flatMap(([byte, first]) => [byte, first]));
-  const places = [];
-  for (let at = 0; at < data.length; ) {
-    if (!special.has(data[at])) {
-      places.push([data[at], at]);
-      at += 1;
-      continue;
-    }
-    const byte = at + 1 < data.length ? originals.get(data[at] * 256 + data[at + 1]) : undefined;
-    if (byte === undefined) throw new EscapeError(at);
-    places.push([byte, at]);
-    at += 2;
-  }
-  return places;
-}
-
-function placesWithoutInserted({ pattern, inserted }, data) {
-  const places = [];
-  let begin = 0;
-  for (let at = 0; at < data.length; ) {
-    places.push([data[at], at]);
-    at += 1;
-    const first = at - pattern.length;
-    if (first < begin || !pattern.every((byte, place) => data[first + place] === byte)) continue;
-    if (at === data.length || data[at] !== inserted) throw new EscapeError(at);
-    at += 1;
-    begin = at;
-  }
-  return places;
-}
-
-function placesOfBlocks(data) {
-  const places = [];
-  for (let at = 0; at < data.length; ) {
-    const end = at + data[at];
-    if (end === at || end > data.length || data.subarray(at, end).includes(0)) throw new EscapeError(at);
-    for (let place = at + 1; place < end; place++) places.push([data[place], place]);
-    if (data[at] < 0xff && end < data.length) places.push([0, end]);
-    at = end;
-  }
-  if (!data.length) throw new EscapeError(0);
-  return places;
-}
-
 /** What is sent for some bytes. */
-function escapedBytes({ method, pairs, pattern, inserted, bits, fields }, data) {
-  if (method === "can") return canIdentifier(bits, fields).escaped(data);
-  if (method === "cobs") return cobs.escaped(data);
-  if (method === "add") return adding(inserted).escaped(data);
-  return (method === "replace" ? replacing(pairs) : inserting([...pattern], inserted)).escaped(data);
+function escapedBytes(escape, data) {
+  return escaping(escape).escaped(data);
 }
 
 /** The most bytes that are sent for `size` bytes. */
@@ -2061,7 +2024,7 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
     if (!parameter) return row;
     return readAs(device, row, field, new ParameterElement(words, number, parameter), isRequest);
   }
-  const asked = part === "number" ? row.number : known(numberField);
+  const asked = part === "number" ? row.number : known.get(numberField);
   const match = isWhole(asked ?? "") ? parameterAt(device, name, asked) : undefined;
   if (!match) return row;
   const { words, number } = match;
@@ -2069,7 +2032,7 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
   if (part === "subindex") {
     at = row.number;
   } else if (part !== "number") {
-    const first = known(indexField(outer, numberField)) ?? 0;
+    const first = known.get(outer.indices?.[numberField]) ?? 0;
     at = isWhole(first) ? Number(first) + index : null;
   }
   const element = elementOf(words, number, parameterNumbered(words, number), at);
@@ -2087,18 +2050,9 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
 function statedSize(field, known) {
   const [, , by, sizes] = field.valueBytes ?? [];
   if (!by) return field.size;
-  const stated = known(by);
+  const stated = known.get(by);
   if (!isWhole(stated ?? "")) return 0;
   return sizes.find(([number]) => BigInt(stated) === BigInt(number))?.[1];
-}
-
-/** The name of the field with the index of the first element that a message carries; empty if it has none. */
-function indexField(outer, numberField) {
-  for (const field of [...(outer.request?.fields ?? []), ...(outer.response?.fields ?? [])]) {
-    const [, part, number] = field.value?.parameter ?? [];
-    if (part === "subindex" && number === numberField) return field.name;
-  }
-  return "";
 }
 
 /** The row with its first bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that. */
@@ -2114,8 +2068,8 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     if (fact.value.kind === "text" && size < stated) return named;
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
-  const value = isRequest ? forWriting(fact.value) : fact.value;
-  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, ...again, fact.reserved);
+  const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
+  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved);
   // What starts something does not answer what was written.
   if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
@@ -2139,13 +2093,8 @@ function parameterBytes({ value, byteOrder }, field, row, size) {
   if (size !== value.size) return undefined;
   const [own, words] = field.valueBytes;
   const order = byteOrder ?? own;
-  const isSwapped = hasWords(value) && Boolean(words) && words !== order;
-  return [row.raw.subarray(0, size), order, isSwapped];
-}
-
-/** Whether a value consists of several words of 16 bits. */
-function hasWords(value) {
-  return !isArray(value) && value.size > 2 && value.size % 2 === 0;
+  const hasWords = value.size > 2 && value.size % 2 === 0;
+  return { bytes: row.raw.subarray(0, size), order: orderOf(value, order, hasWords && Boolean(words) && words !== order) };
 }
 
 const COUNTS = ["integer", "boolean"];
@@ -2156,11 +2105,11 @@ function bytesAgain(value, field, row) {
   const areCounts = COUNTS.includes(own.kind) && COUNTS.includes(value.kind);
   const alike = own.kind === value.kind || areCounts;
   if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
-    return [row.raw, own.order ?? "big", Boolean(own.swapped)];
+    return { bytes: row.raw, order: orderOf(value, ...field.valueOrder) };
   }
   const [low, high] = areCounts && isWhole(row.number) ? typeBounds(value) : [1, 0];
   if (low > row.number || row.number > high) return undefined;
-  return [bytesOfNumber(row.number, value.size, "big", value.signed), "big", false];
+  return { bytes: bytesOfNumber(row.number, value.size, "big", value.signed), order: undefined };
 }
 
 function partialText(unit, isAtomic) {
@@ -2277,7 +2226,7 @@ function baseOf(device, table, span) {
   if ((register.space ?? "") !== span.space) return null;
   const { address, value } = register;
   const piece = span.piece(address, value.size);
-  const number = piece && numberOfBytes(value, piece.content, value.order ?? "big", value.swapped);
+  const number = piece && contentOf(value, piece.content);
   return isWhole(number ?? "") && value.ranges.some(([low, high]) => low <= number && number <= high) ? Number(number) : null;
 }
 
@@ -2314,13 +2263,13 @@ function addElements(occupants, register, span) {
 function addFields(occupants, device, table, span) {
   const [start, last] = nearElements(table.base, table, span);
   if (start === last) return;
-  const nested = [...nestedFields(device, device.records.get(table.record))];
   for (let number = start; number < last; number++) {
     const base = table.base + number * table.stride;
-    for (const { path, name, field, offset, record, start: first } of nested) {
+    for (const { path, record, field: name, offset, words, access = "", atomic = false, exponent } of table.fields) {
       const address = base + (offset >> 1);
-      const words = ((offset + field.size + 1) >> 1) - (offset >> 1);
       if (address >= span.end || span.address >= address + words) continue;
+      const { named } = device.records.get(record);
+      const field = named.get(name);
       occupants.push({
         address,
         words,
@@ -2329,42 +2278,15 @@ function addFields(occupants, device, table, span) {
         outer: table,
         value: field.value,
         skip: offset & 1,
-        beside: (other) => besideAt(record, base, first, other),
+        exponent: exponent && { address: base + (exponent[0] >> 1), skip: exponent[0] & 1, value: named.get(exponent[1]).value },
         element: number,
-        access: table.accesses[name] ?? "",
+        access,
         reserved: Boolean(field.reserved),
-        atomic: table.atomic.includes(name),
+        atomic,
         trigger: false,
       });
     }
   }
-}
-
-/**
- * The values of a record, and of the records in it, each element of a list by itself: `parts[1].value` at an offset from
- * the start of the whole record. The record that has the field begins `start` bytes behind it.
- */
-function* nestedFields(device, record, start = 0, before = "", names = "") {
-  for (const field of record.fields) {
-    const name = `${names}${field.name}`;
-    for (let item = 0; item < (field.count ?? 0); item++) {
-      const path = `${before}${field.name}${field.isList ? `[${item}]` : ""}`;
-      const offset = start + field.offset + item * field.size;
-      if (field.record) {
-        yield* nestedFields(device, device.records.get(field.record), offset, `${path}.`, `${name}.`);
-      } else if (field.value) {
-        yield { path, name, field, offset, record, start };
-      }
-    }
-  }
-}
-
-/** A field of a record that begins `start` bytes behind an address; undefined where it has none with a value. */
-function besideAt(record, base, start, name) {
-  const field = record.named.get(name);
-  if (!field?.value) return undefined;
-  const offset = start + field.offset;
-  return { address: base + (offset >> 1), skip: offset & 1, value: field.value };
 }
 
 /** The numbers of the first element that may share words with a span, and of the one behind the last. */
@@ -2380,7 +2302,7 @@ function registerRow(device, span, occupant, spot, operation) {
     const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
     const value = byExponent(device, span, occupant, own);
     const decode = operation === "write" ? decodeValue : decodeAnswer;
-    read = decode(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
+    read = decode(device, value, piece.content, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {
@@ -2399,17 +2321,16 @@ function absence(device, span, { outer, element }) {
   const count = outer.countBy && device.data.registers.find(({ name }) => name === outer.countBy);
   const piece = count && span.piece(count.address, count.value.size);
   if (!piece) return [];
-  const number = numberOfBytes(count.value, piece.content, count.value.order ?? "big", count.value.swapped);
+  const number = contentOf(count.value, piece.content);
   return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
 }
 
 /** A value with its scale, where a field of the same element or a register has the exponent, and the span has that one, too. */
 function byExponent(device, span, occupant, value) {
   if (!value.scaleBy) return value;
-  const beside = occupant.beside?.(value.scaleBy);
-  const exponent = beside ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
+  const exponent = occupant.exponent ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
   const piece = span.piece(exponent.address, exponent.value.size, exponent.skip);
-  return piece ? exponentApplied(value, exponent.value, piece.content) : value;
+  return piece ? exponentApplied(value, exponent.value, contentOf(exponent.value, piece.content)) : value;
 }
 
 /** The row of words that no register has, with the reasons of the gaps there. */
@@ -2442,17 +2363,6 @@ function withPercentages(device, row, field, number) {
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
 
-/** The fields of a record with fields behind a list, in the order of the wire. */
-function sentFields({ fields, inner, named }) {
-  const others = fields.filter(({ repeat }) => !repeat);
-  const sent = [];
-  for (const { name, first } of inner.lists) {
-    while (others.length && others[0].offset < first) sent.push(others.shift());
-    sent.push(named.get(name));
-  }
-  return [...sent, ...others];
-}
-
 /**
  * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
  * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
@@ -2463,66 +2373,70 @@ class ExplainedBody {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
     this.record = formOfData(record, data.subarray(start, end)) ?? record;
     this.values = new Map();
-    const { inner } = this.record;
+    this.beside = new Map();
+    const { inner, spans } = this.record;
     Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    this.rows = [];
-    this.explainFields();
+    // A scale may be behind the value that it applies to, so all bytes are read before any row is written.
+    const traced = [...(spans ? this.tracedVarying() : inner ? this.tracedAround(inner) : this.traced())];
+    this.rows = this.explained(traced);
   }
 
-  explainFields() {
+  explained(traced) {
+    const known = new Map(this.asked);
+    return traced.flatMap((part) => {
+      if (part.traced === undefined) return [part];
+      const rows = part.traced.map((row) => this.fieldRow(row, known));
+      if (this.values.has(part.name)) known.set(part.name, this.values.get(part.name));
+      return rows;
+    });
+  }
+
+  *traced() {
     let at = this.start;
-    if (this.record.spans) {
-      this.explainVarying();
-      return;
-    }
-    if (this.record.inner) {
-      this.explainAround();
-      return;
-    }
     for (const [number, field] of this.record.fields.entries()) {
       if (field.cases) {
-        this.rows.push(this.undecidedRow(field, at));
+        yield this.undecidedRow(field, at);
         return;
       }
       const count = this.countOf(field);
       const room = field.size ? Math.max(0, Math.min(count, Math.floor((this.end - at) / field.size))) : 0;
-      this.explainField(field, at, room);
+      yield this.tracedField(field, at, new Array(room).fill(field.size));
       at += room * field.size;
       if (room < count) {
-        this.rows.push(this.missingRow(this.record.fields.slice(number), at));
+        yield this.missingRow(this.record.fields.slice(number), at);
         return;
       }
     }
-    if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+    if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  /** Adds the rows of a record with fields behind a list, in the order of the wire. */
-  explainAround() {
-    const sent = sentFields(this.record);
+  /** The parts of a record with fields behind a list, in the order of the wire. */
+  *tracedAround(inner) {
+    const sent = inner.sent.map((name) => this.record.named.get(name));
     let at = this.start;
     let numberOfList = 0;
     for (const [number, field] of sent.entries()) {
       if (!field.repeat) {
         const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
-        this.explainField(field, at, room);
+        yield this.tracedField(field, at, new Array(room).fill(field.size));
         at += room * field.size;
         if (room < field.count) {
-          this.rows.push(this.missingRow(sent.slice(number), at));
+          yield this.missingRow(sent.slice(number), at);
           return;
         }
         continue;
       }
       if (numberOfList === this.extents.length) {
-        this.rows.push(this.unknownListRow(sent.slice(number), this.record.inner.lists[numberOfList], at));
+        yield this.unknownListRow(sent.slice(number), inner.lists[numberOfList], at);
         return;
       }
       const { size, elements } = this.extents[numberOfList++];
       const stop = at + size;
       const count = this.itemsOf(field);
-      this.explainField(field, at, count, elements);
+      yield this.tracedField(field, at, elements.length ? elements : new Array(count).fill(field.size));
       at = elements.length ? stop : at + count * field.size;
-      if (count < field.repeat[0]) this.rows.push(this.missingRow([field], at, stop));
-      else if (at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
+      if (count < field.repeat[0]) yield this.missingRow([field], at, stop);
+      else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
       at = stop;
     }
   }
@@ -2555,24 +2469,20 @@ class ExplainedBody {
     return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
   }
 
-  /** Adds the rows of a record whose values vary in width. */
-  explainVarying() {
+  /** The parts of a record whose values vary in width. */
+  *tracedVarying() {
     const { fields, spans } = this.record;
     const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
     let at = this.start;
-    for (const [number, { start, stop, image }] of extents.entries()) {
+    for (const [number, { start, stop }] of extents.entries()) {
       const field = fields[number];
-      at = this.start + start;
-      if (spans[number].most === undefined) this.explainField(field, at, field.count ?? 0);
-      else {
-        const varying = { raw: this.data.subarray(at, this.start + stop), image, form: spans[number].formText };
-        this.values.set(field.name, this.explainValue(field, field.value, field.name, at, 0, true, varying));
-      }
+      const sizes = field.span ? [stop - start] : new Array(field.count ?? 0).fill(field.size);
+      yield this.tracedField(field, this.start + start, sizes);
       at = this.start + stop;
     }
     const missing = fields[extents.length];
-    if (missing) this.rows.push(this.wrongRow(missing, at, ...this.endless(spans[extents.length], at)));
-    else if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+    if (missing) yield this.wrongRow(missing, at, ...this.endless(spans[extents.length], at));
+    else if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
   /** Why nobody knows where a field ends that begins at a byte, as a reason and in words. */
@@ -2617,78 +2527,25 @@ class ExplainedBody {
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
-  /** Adds the rows of the elements of a field; `sizes` are those that differ. */
-  explainField(field, at, count, sizes = []) {
-    const values = [];
-    let place = at;
-    for (let index = 0; index < count; index++) {
-      const path = field.isList ? `${field.name}[${index}]` : field.name;
-      const size = sizes[index] ?? field.size;
-      values.push(this.explainElement(field, path, place, index, size));
-      place += size;
-    }
+  /** What the elements of one field gave, which have some sizes. Adds their values to `values`. */
+  tracedField(field, start, sizes) {
+    const traced = [];
+    const values = runEach(this.device, field, this.data, start, sizes, "", traced, this.beside);
     if (field.isList) this.values.set(field.name, values);
     else if (values.length) this.values.set(field.name, values[0]);
+    return { name: field.name, traced };
   }
 
-  explainElement(field, path, at, index, size) {
-    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at, size);
-    return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
-  }
-
-  /** Adds the rows of a record within the body, of which all bytes are there. */
-  explainRecord(record, path, at, size) {
-    const values = new Map();
-    for (const [number, field] of record.fields.entries()) {
-      const span = record.spans?.[number];
-      if (span?.most !== undefined) {
-        const raw = this.data.subarray(at + field.offset, at + size);
-        const varying = { raw, image: widenedBytes(span, raw), form: span.formText };
-        values.set(field.name, this.explainValue(field, field.value, `${path}.${field.name}`, at + field.offset, 0, false, varying));
-        continue;
-      }
-      const elements = [];
-      const count = field.count ?? Math.floor((size - field.offset) / field.size);
-      for (let index = 0; index < count; index++) {
-        const inner = `${path}.${field.name}${field.isList ? `[${index}]` : ""}`;
-        const place = at + field.offset + index * field.size;
-        elements.push(field.record
-          ? this.explainRecord(this.device.records.get(field.record), inner, place, field.size)
-          : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
-      }
-      values.set(field.name, field.isList ? elements : elements[0]);
-    }
-    return values;
-  }
-
-  /** The value of a field of a record, with its scale where another field beside it has the exponent. */
-  byExponent({ value }, record, start) {
-    const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
-    const { inner } = record;
-    const place = exponent?.offset ?? 0;
-    if (inner && this.fault && place >= inner.lists[this.extents.length].first) return value;
-    const at = start + (inner ? placeAround(inner, this.extents, place) : place);
-    if (!exponent || at + exponent.size > this.end) return value;
-    return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
-  }
-
-  /**
-   * Adds the row of a field, whose `value` has its scale. Of one that varies in width, `varying` has the bytes, those in
-   * the image, and its form.
-   */
-  explainValue(field, value, path, at, index, isTop, varying) {
-    const raw = varying?.raw ?? this.data.subarray(at, at + field.size);
-    const image = varying ? varying.image : raw;
-    let read = image === null
-      ? judged(decoded(raw), false, varying.form, "unknown_value")
-      : decodeValue(this.device, value, image, value.order ?? "big", value.swapped, field.reserved);
-    const { number } = read;
-    if (isTop) read = this.measured(field, this.repeated(field, read));
-    const known = (name) => (this.values.has(name) ? this.values.get(name) : this.asked.get(name));
-    let row = factRow(this.device, "field", path, field, this.spot, at, raw, read, this.outer);
+  /** The row of what some bytes gave; `known` are the values of the fields before it, and those of the request. */
+  fieldRow(traced, known) {
+    const { field, path, index, offset, raw, number, beside } = traced;
+    const exponent = beside.get(field.exponent);
+    const value = exponent ? exponentApplied(field.value, exponent.field.value, exponent.number) : field.value;
+    let read = decodedRow(this.device, value, traced);
+    if (beside === this.beside) read = this.measured(field, this.repeated(field, read));
+    let row = factRow(this.device, "field", path, field, this.spot, offset, raw, read, this.outer);
     row = withParameter(this.device, row, field, index, known, this.outer, this.isRequest);
-    this.rows.push(withPercentages(this.device, row, field, number));
-    return number;
+    return withPercentages(this.device, row, field, number);
   }
 
   /** The value of a field that measures another one, judged by the size of that field. */
@@ -2818,8 +2675,8 @@ class ExplainedFrame {
     try {
       originals = originalPlaces(escape, sent.subarray(start, stop));
     } catch (error) {
-      if (!(error instanceof EscapeError)) throw error;
-      this.unreadable = start + error.offset;
+      if (!(error instanceof CodecError)) throw error;
+      this.unreadable = { at: start + error.offset, detail: error.detail };
       return sent;
     }
     if (!originals.length) this.emptyEscape = sent.subarray(start, stop);
@@ -2839,11 +2696,11 @@ class ExplainedFrame {
   }
 
   /** The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on. */
-  unreadableFrame(at) {
+  unreadableFrame({ at, detail }) {
     const [start, stop] = [this.shape.escapeStart, this.data.length + this.shape.escapeStop];
     const { escape } = this.shape;
     const text = escape.method === "can"
-      ? canHeaderFault(escape.bits, this.data.subarray(start, stop), at - start)
+      ? detail
       : `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
     const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
     rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
@@ -2913,7 +2770,7 @@ class ExplainedFrame {
   /** The value of a part, judged by its role. */
   partValue(part, raw) {
     if (part.role === "checksum") return this.checkedValue(part, raw);
-    const read = decodeValue(this.device, part.value, raw, part.order ?? "big", false, part.reserved);
+    const read = decodeValue(this.device, part.value, raw, part.reserved);
     if (part.reserved || !isWhole(read.number)) return read;
     if (part.role === "length") return this.judgedLength(part, read);
     if (part.offset < 0) return read;
@@ -2962,18 +2819,16 @@ class ExplainedFrame {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
         return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
       }
-      const asked = this.sent.get(this.named);
-      const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
-      const several = known.length ? `one of ${known.join(", ")}` : `that of a message, and none has a ${direction} here`;
-      const should = asked ? codeText(link, direction, asked) : several;
-      return judged(read, false, should, "unknown_code");
+      const known = Object.values(link.codes[direction]).join(", ");
+      const several = known ? `one of ${known}` : `that of a message, and none has a ${direction} here`;
+      return judged(read, false, this.sent.has(this.named) ? link.codes[direction][this.named] : several, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;
     const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
-    return judged(meaning, false, codeText(link, direction, expected), "unknown_code");
+    return judged(meaning, false, link.codes[direction][this.named], "unknown_code");
   }
 
   /** The code of all exception responses, which does not say what it answers: only the request does. */
@@ -3250,8 +3105,7 @@ function isWrong({ explanation, readings, mismatches }) {
 
 /** The readings of the examples that have exactly these bytes. */
 function exampleReadings(device, frame) {
-  const digits = Array.from(frame, (byte) => byte.toString(16).toUpperCase().padStart(2, "0")).join("");
-  return device.readingsOf.get(digits) ?? [];
+  return device.readingsOf.get(hexOf(frame)) ?? [];
 }
 
 function exampleKeys(device, frame) {
@@ -3584,11 +3438,10 @@ function bytesOfText(text) {
  */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
-  for (const link of links.filter(sendsCharacters)) {
-    for (const direction of ["request", "response"]) {
+  for (const link of links) {
+    for (const [direction, mark] of Object.entries(link.openings ?? {})) {
+      if (!inner.startsWith(mark)) continue;
       const [, close] = link.delimiters[direction];
-      const mark = String.fromCharCode(...opening(link, direction));
-      if (!/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
       const [text, end] = ended(inner);
       const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
       const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
@@ -3596,20 +3449,6 @@ function inCharacters(text, links) {
     }
   }
   return null;
-}
-
-/** Whether people write the frames of a link as characters: parts of them are digits, or all bytes are. */
-function sendsCharacters({ encoding, request, response }) {
-  const digits = [...request.parts, ...response.parts].map(({ value }) => value?.digits);
-  return encoding === "hex_ascii" || digits.some((form) => form && form !== "bcd");
-}
-
-/** The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte. */
-function opening(link, direction) {
-  const [start] = link.delimiters[direction];
-  const first = link[direction].header[0];
-  if (start.length || first?.constant === undefined || first.reserved || first.size !== 1) return start;
-  return [Number(first.constant) & 0xff];
 }
 
 /** The text without the control characters at its end, which may be spelled as words, and these characters. */
@@ -4008,11 +3847,11 @@ function padded(bytes, size) {
 
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
-  const { kind, size, swapped, order = "big" } = value;
+  const { kind, size } = value;
   if (value.textForm && typeof raw === "string") {
     const fault = textFault(value.textForm, size, raw);
     if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
-    return textBytes(value.textForm, size, raw, order !== "big");
+    return inPlaces(value, textBytes(value.textForm, size, raw, false));
   }
   if (isArray(value)) {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
@@ -4022,18 +3861,14 @@ function bytesOfValue(device, name, value, raw) {
     }
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
-  const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfReal(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
-  return swapped ? turnedWords(bytes) : bytes;
+  return inPlaces(value, kind === "float" ? bytesOfReal(name, value, raw) : bytesOfWhole(value, checkedNumber(device, name, value, raw)));
 }
 
-function bytesOfWhole(value, number, order) {
-  if (!value.digits) return bytesOfNumber(number, value.size, order, value.signed);
-  const bytes = digitsBytes(value, number);
-  return order === "big" ? bytes : bytes.reverse();
+function bytesOfWhole(value, number) {
+  return value.digits ? digitsBytes(value, number) : bytesOfNumber(number, value.size, "big", value.signed);
 }
 
-function bytesOfReal(name, value, number, order) {
+function bytesOfReal(name, value, number) {
   if (exceedsReal(number, value.size)) {
     throw new CodecError("out_of_range", `${name} is ${number}, which ${8 * value.size} bits do not hold`);
   }
@@ -4041,7 +3876,7 @@ function bytesOfReal(name, value, number, order) {
     throw new CodecError("out_of_range", `${name} is ${number}, not in ${intervalsText(value.ranges)}`);
   }
   const nan = Number.isNaN(number) && value.sentinels?.find((sentinel) => sentinel.nan);
-  return bytesOfNumber(nan ? nan.value : realBits(number, value.size), value.size, order, false);
+  return bytesOfNumber(nan ? nan.value : realBits(number, value.size), value.size, "big", false);
 }
 
 function checkedNumber(device, name, value, raw) {
@@ -5028,7 +4863,8 @@ class MessageForm {
       const { path, value } = occupant;
       if (isWord) {
         // A word is written as it is, but not if the register cannot have it.
-        const number = numberOfBytes(value, Uint8Array.of(count >> 8, count & 0xFF), "big", false);
+        const bytes = Uint8Array.of(count >> 8, count & 0xFF);
+        const number = contentOf({ ...value, order: undefined }, bytes) ?? bytes;
         encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, number]]));
         words.push(count);
         continue;

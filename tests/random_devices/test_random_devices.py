@@ -61,9 +61,10 @@ TRUTHS = """
 device:
   {id: chance, name: Chance, vendor: Nobody, manual: {title: T, file: t.txt, sha256: "%s", lines: 99}}
 enums:
-  - {name: states, source: 1 L3, members: [{name: ready, value: 1, source: 1 L3}]}
+  - {name: states, source: 1 L3, open: true, members: [{name: ready, value: 1, source: 1 L3}]}
   - name: ways
     source: 1 L4
+    open: true
     members: [{name: back, value: 0, source: 1 L4, unavailable: true}, {name: forth, value: 1, source: 1 L4}]
 links:
   - name: image
@@ -80,10 +81,10 @@ messages:
 """ % ("0" * 64)
 
 
-def test_explainers_take_truth_values_that_closed_enums_do_not_list_as_codecs_do() -> None:
-    explainers = tuple(judge for judge in JUDGES if judge.name in ("explainer", "script"))
-    result = compare(yaml.safe_load(TRUTHS), 7, 60, explainers)
-    assert (result.findings, result.asked, result.disagreements) == ((), {"explainer": 1, "script": 1}, [])
+def test_codecs_and_explainers_take_truth_values_that_open_enums_do_not_list() -> None:
+    names = ("python", "javascript", "explainer", "script")
+    result = compare(yaml.safe_load(TRUTHS), 7, 60, tuple(judge for judge in JUDGES if judge.name in names))
+    assert (result.findings, result.asked, result.disagreements) == ((), dict.fromkeys(names, 1), [])
 
 
 class Forgetful:

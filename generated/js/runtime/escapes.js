@@ -1,5 +1,19 @@
 import { CodecError } from "./error.js";
 
+/**
+ * The original bytes, by the `walk` of an escape, which gives each with the place of the byte that is sent for it. Throws
+ * CodecError for what is the escape of nothing, as if the data began at `offset`.
+ */
+function original(data, offset) {
+  const result = [];
+  try {
+    this.walk(data, (byte) => result.push(byte));
+  } catch (error) {
+    throw error instanceof CodecError ? new CodecError(error.reason, error.detail, offset + error.offset) : error;
+  }
+  return Uint8Array.from(result);
+}
+
 /** Two bytes are sent for each of some bytes: `pairs` are such a byte and the two bytes. */
 export function replacing(pairs) {
   const pairOf = new Map(pairs.map(([byte, first, second]) => [byte, [first, second]]));
@@ -7,20 +21,18 @@ export function replacing(pairs) {
   const special = new Set(pairs.flatMap(([byte, first]) => [byte, first]));
   return {
     escaped: (data) => Uint8Array.from([...data].flatMap((byte) => pairOf.get(byte) ?? [byte])),
-    original(data, offset) {
-      const result = [];
+    walk(data, give) {
       for (let at = 0; at < data.length; at++) {
         if (!special.has(data[at])) {
-          result.push(data[at]);
+          give(data[at], at);
           continue;
         }
         const byte = at + 1 < data.length ? originals.get(data[at] * 256 + data[at + 1]) : undefined;
-        if (byte === undefined) throw wrongEscape("a byte is not escaped, or the escape means nothing", offset + at);
-        result.push(byte);
-        at++;
+        if (byte === undefined) throw wrongEscape("a byte is not escaped, or the escape means nothing", at);
+        give(byte, at++);
       }
-      return Uint8Array.from(result);
     },
+    original,
     end(bytes, from, mark) {
       for (let at = from; at < bytes.length; at++) {
         if (at + 1 < bytes.length && originals.has(bytes[at] * 256 + bytes[at + 1])) at++;
@@ -46,20 +58,18 @@ export function inserting(pattern, inserted) {
       }
       return Uint8Array.from(result);
     },
-    original(data, offset) {
-      const result = [];
+    walk(data, give) {
       for (let at = 0; at < data.length; ) {
         if (!begins(data, at, pattern)) {
-          result.push(data[at++]);
+          give(data[at], at++);
           continue;
         }
-        at += pattern.length;
-        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing behind the pattern`, offset + at);
-        result.push(...pattern);
+        for (const byte of pattern) give(byte, at++);
+        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing behind the pattern`, at);
         at++;
       }
-      return Uint8Array.from(result);
     },
+    original,
     end: find,
   };
 }
@@ -68,7 +78,8 @@ export function inserting(pattern, inserted) {
 export function adding(byte) {
   return {
     escaped: (data) => data.map((own) => own + byte),
-    original: (data) => data.map((own) => own - byte),
+    walk: (data, give) => data.forEach((own, at) => give((own - byte) & 0xff, at)),
+    original,
     end: find,
   };
 }
@@ -90,20 +101,19 @@ export const cobs = {
     finish();
     return Uint8Array.from(result);
   },
-  original(data, offset) {
-    const result = [];
+  walk(data, give) {
     for (let at = 0; at < data.length || data.length === 0; ) {
       const code = data[at] ?? 0;
       const block = data.subarray(at + 1, at + code);
       if (code === 0 || block.length < code - 1 || block.includes(0)) {
-        throw wrongEscape(`the block of ${code} bytes is not complete`, offset + at);
+        throw wrongEscape(`the block of ${code} bytes is not complete`, at);
       }
-      result.push(...block);
+      block.forEach((byte, place) => give(byte, at + 1 + place));
       at += code;
-      if (code < 255 && at < data.length) result.push(0);
+      if (code < 255 && at < data.length) give(0, at);
     }
-    return Uint8Array.from(result);
   },
+  original,
   end: find,
 };
 
@@ -145,19 +155,20 @@ export function canIdentifier(bits, fields) {
       if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
       return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
     },
-    original(data, offset) {
+    // The first part is in the place of the whole header, and the others of the identifier are behind it.
+    walk(data, give) {
       const wrong = wrongCanHeader(bits, data);
-      if (wrong >= 0) {
-        throw new CodecError("wrong_mark", canHeaderFault(bits, data, wrong), offset + wrong);
-      }
-      return Uint8Array.from([...canParts(fields, data), ...data.subarray(8)]);
+      if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong), wrong);
+      canParts(fields, data).forEach((byte, at) => give(byte, at < fields[0][0] ? 0 : 8));
+      data.subarray(8).forEach((byte, at) => give(byte, at + 8));
     },
+    original,
     end: () => -1,
   };
 }
 
 /** The offset at which bytes are no CAN frame with an identifier of some bits; -1 where they are. */
-export function wrongCanHeader(bits, data) {
+function wrongCanHeader(bits, data) {
   const flags = bits > 11 ? EXTENDED : 0;
   const identifier = numberIn(data.subarray(0, 4), false);
   if (data.length < 8 || identifier < flags || identifier >= flags + 2 ** bits) return 0;
@@ -166,7 +177,7 @@ export function wrongCanHeader(bits, data) {
 }
 
 /** What is wrong with a CAN frame at an offset that `wrongCanHeader` returns. */
-export function canHeaderFault(bits, data, at) {
+function canHeaderFault(bits, data, at) {
   const size = data.length - 8;
   if (at === 4 && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
   if (at === 4) return `a CAN frame has at most 8 bytes of data, not ${data[4]}`;
@@ -175,7 +186,7 @@ export function canHeaderFault(bits, data, at) {
 }
 
 /** The bytes of the parts of the identifier of a CAN frame. */
-export function canParts(fields, data) {
+function canParts(fields, data) {
   const identifier = numberIn(data.subarray(0, 4), false) % EXTENDED;
   return fields.flatMap(([size, isLittle, first, width]) => {
     const number = Math.floor(identifier / 2 ** first) % 2 ** width;

@@ -89,7 +89,7 @@ def with_parameter(
     elif part.part == "subindex":
         element_number = row.number
     else:
-        first = known.get(_index_field(outer, part), 0)
+        first = known.get(index_field(outer, part), 0)
         element_number = first + index if isinstance(first, int) else None
     element = _element(parameter_set, number, known_parameter, element_number)
     if part.part == "value":
@@ -116,7 +116,7 @@ def number_of_text(parameter_set: ParameterSet, text: str) -> int | None:
     return None
 
 
-def _index_field(outer: Fact, part: ParameterPart) -> str:
+def index_field(outer: Fact, part: ParameterPart) -> str:
     """The name of the field with the index of the first element that a message carries; empty if it has none."""
     if not isinstance(outer, Message):
         return ""

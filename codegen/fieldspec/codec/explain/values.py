@@ -26,7 +26,7 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_array
-from fieldspec.language.model.enums import Bit, Enum, Flags, State
+from fieldspec.language.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.raw_numbers import number_in
 from fieldspec.language.model.text_form import encoding_title, text_form_title
@@ -175,7 +175,7 @@ def _expected(device: Device, value: Value, row: Row, test: Test) -> str:
         case HasCharacters():
             return text_form_title(value) or encoding_title(value) if row.image is not None else value_form(value)
         case Known():
-            return _member_list(device.enums[test.enum])
+            return member_list(device.enums[test.enum])
         case Within():
             return range_in_unit(value, Ranges(test.intervals))
         case RealWithin():
@@ -242,7 +242,7 @@ def _whole(device: Device, value: Value, number: int) -> DecodedValue:
         return replace(decoded, text=in_unit(value, number))
     word = device.flags[value.flags]
     meanings = tuple(_set_bits(device, word, number))
-    notes = (_remark_on_bit_numbers(word),) if word.bit_0 == "most" and any(own.bits for own in meanings) else ()
+    notes = (remark_on_bit_numbers(word),) if word.bit_0 == "most" and any(own.bits for own in meanings) else ()
     return replace(decoded, meanings=meanings, notes=notes, facts=(word.place.path,))
 
 
@@ -255,12 +255,17 @@ def _member_meaning(device: Device, value: Value, number: int) -> DecodedValue:
             return DecodedValue(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
         return DecodedValue(number)
     meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
+    facts = (enum.place.path, member.place.path)
+    return DecodedValue(number, meanings=(meaning,), notes=member_notes(enum, member), facts=facts)
+
+
+def member_notes(enum: Enum, member: Member) -> tuple[str, ...]:
+    """The notes of a value that a member of an enum names."""
     is_refused = member.unavailable and not enum.open
-    notes = (*member.notes, f"{member.name} is listed as not available.") if is_refused else member.notes
-    return DecodedValue(number, meanings=(meaning,), notes=notes, facts=(enum.place.path, member.place.path))
+    return (*member.notes, f"{member.name} is listed as not available.") if is_refused else member.notes
 
 
-def _member_list(enum: Enum) -> str:
+def member_list(enum: Enum) -> str:
     """The values of an enum that a codec accepts: `one of 1, 2, 5`."""
     return f"one of {', '.join(str(member.value) for member in enum.members if not member.unavailable)}"
 
@@ -293,7 +298,7 @@ def bit_name(device: Device, bit: Bit, number: int) -> str:
     return f"{bit.name}={number}" if bit.width > 1 else bit.name
 
 
-def _remark_on_bit_numbers(word: Flags) -> str:
+def remark_on_bit_numbers(word: Flags) -> str:
     """How the manual numbers the bits of a word whose bit 0 is the most significant one."""
     text = "Bit 0 is the least significant one here. The manual counts from the most significant"
     return f"{text}: bit {8 * word.type.size - 1} is its bit 0."
@@ -306,7 +311,12 @@ def _shows(word: Flags, state: State, number: int) -> bool:
 
 
 def _state(state: State) -> Meaning:
-    return Meaning(state.name, state.label, f"state {state.printed_name}".strip(), "", "state")
+    return Meaning(state.name, state.label, state_text(state), "", "state")
+
+
+def state_text(state: State) -> str:
+    """How meanings call a state that several bits show together."""
+    return f"state {state.printed_name}".strip()
 
 
 def _bit(device: Device, bit: Bit, number: int) -> Meaning:
@@ -319,7 +329,12 @@ def _bit(device: Device, bit: Bit, number: int) -> Meaning:
     if bit.width > 1:
         text = ": ".join(part for part in (in_unit(bit.as_value, number), bit.doc) if part)
         return Meaning(name, bit.label, text, bits)
+    return Meaning(name, bit.label, bit_text(bit), bits)
+
+
+def bit_text(bit: Bit) -> str:
+    """What it means that a single bit is 1."""
     text = bit.one or bit.doc
     if bit.edge:
         text = "; ".join(part for part in (text.removesuffix("."), f"acts at its {bit.edge} edge") if part)
-    return Meaning(name, bit.label, text, bits)
+    return text

@@ -77,10 +77,10 @@ def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Progra
 
 
 def _load(variable: Variable, order: str, swapped: bool) -> Load:
-    return Load(variable, _places(variable.value, order, swapped))
+    return Load(variable, places_of(variable.value, order, swapped))
 
 
-def _places(value: Value, order: str, swapped: bool) -> Places:
+def places_of(value: Value, order: str, swapped: bool) -> Places:
     """Where the bytes of a value are; `swapped` words of 16 bits are in the other order than the bytes of each."""
     encoding = value.encoding
     match encoding:

@@ -1,7 +1,7 @@
 """A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers, and a truth value
-has neither constant nor unit. Numbers with names have no scale, and a word of bits has neither an enum, a scale, a
-unit nor a sign: its bits have them. A floating-point number has no scale. Texts and bytes have no range or scale, bytes
-have no byte order, and `big` is that of UTF-16 alone.
+has neither constant nor unit; its enum names 0 and 1, or is `open`. Numbers with names have no scale, and a word of
+bits has neither an enum, a scale, a unit nor a sign: its bits have them. A floating-point number has no scale. Texts
+and bytes have no range or scale, bytes have no byte order, and `big` is that of UTF-16 alone.
 Only a number of several bytes has a byte order, only one of several words a word order, and only a text, bytes and
 digits have a `length`.
 
@@ -24,7 +24,19 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole, is_count, is_signed
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    is_count,
+    is_signed,
+    is_truth,
+)
+from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.fact import Fact, Place
 from fieldspec.language.model.value import Value
 
@@ -63,6 +75,8 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
                 yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, help)
         if is_count(value.encoding):
             yield from _of_names(fact, value)
+        if is_truth(value.encoding) and value.enum:
+            yield from _of_truths(device.enums.get(value.enum), fact, value)
         if value.type.is_number and not value.digits and "length" in fact.place:
             text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
             yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
@@ -102,6 +116,18 @@ def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         text = f"{fact.name} is {value.type.name}, and a word of bits has no sign"
         help = f"use u{value.type.name[1:]}; several adjacent bits can be `signed`"
         yield finding("keys_fit_type", fact.place, "type", text, help)
+
+
+def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """What a truth value is that its enum refuses, though no reader refuses either of the two."""
+    if enum is None or enum.open:
+        return
+    available = {member.value for member in enum.members if not member.unavailable}
+    missing = [str(number) for number in (0, 1) if number not in available]
+    if missing:
+        text = f"{fact.name} is {value.type.name}, and {enum.name} does not list {' and '.join(missing)}"
+        help = "list both values as available, or make the enum `open`"
+        yield finding("keys_fit_type", fact.place, "enum", text, help)
 
 
 def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:

@@ -6,6 +6,7 @@ SHARED = ("checksums", "error", "escapes", "encodings", "digit_texts", "number_b
 RUNTIME = (
     "numbers",
     "texts",
+    "interpreter",
     "device",
     "values",
     "rows",

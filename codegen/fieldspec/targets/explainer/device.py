@@ -37,7 +37,7 @@ def device_data(layout: DeviceLayout) -> dict[str, Data]:
         "wordOrder": device.byte_order,
         "enums": {name: enum_data(enum) for name, enum in device.enums.items()},
         "flags": {name: word_data(word, device.enums) for name, word in device.flags.items()},
-        "records": {name: record_data(record, device.word_order) for name, record in layout.records.items()},
+        "records": {name: record_data(device, record) for name, record in layout.records.items()},
         "messages": {name: message_data(device, message) for name, message in layout.messages.items()},
         "links": {name: link_data(link) for name, link in layout.links.items()},
         "registers": [register_data(device, register) for register in layout.registers],

@@ -45,6 +45,8 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
         ),
         "delimiters": {direction: [mark.hex() for mark in own.delimiters(direction)] for direction in DIRECTIONS},
         "subcodes": {direction: _subcodes(link, direction) for direction in DIRECTIONS},
+        "codes": {direction: _code_texts(link, direction) for direction in DIRECTIONS},
+        **stated({"openings": _openings(link)}),
         **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
         "directionNames": {"request": own.request_name, "response": own.response_name},
         "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
@@ -79,6 +81,21 @@ def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
         }
         for code, shared in link.subcodes(direction).items()
     ]
+
+
+def _openings(link: LinkLayout) -> dict[str, Data]:
+    """What people see at the beginning of frames that they write as characters."""
+    if not link.link.sends_characters:
+        return {}
+    marks = {direction: link.link.opening(direction).decode("latin-1") for direction in DIRECTIONS}
+    return {direction: mark for direction, mark in marks.items() if mark and mark.isprintable()}
+
+
+def _code_texts(link: LinkLayout, direction: str) -> dict[str, Data]:
+    """What a code should be, for each message; empty where frames carry none."""
+    if link.frame(direction).role("code") is None:
+        return {}
+    return {name: link.code_text(message, direction) for name, message in link.carried(direction).items()}
 
 
 def _frame(frame: FrameLayout) -> dict[str, Data]:

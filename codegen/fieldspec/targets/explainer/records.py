@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from fieldspec.codec.explain.parameters import index_field
 from fieldspec.codec.explain.row import errata_of_message
 from fieldspec.codec.layout.inner_lists import inner_lists_data
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.codec.layout.widths import Span, span_data, value_form
+from fieldspec.codec.layout.widths import span_data
+from fieldspec.codec.program.lowering import field_program
+from fieldspec.codec.program.operations import Load, LoadVarying
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.record import RegisterAccess
+from fieldspec.language.model.record import Message, RegisterAccess
 from fieldspec.targets.explainer.literals import Data
 from fieldspec.targets.explainer.values import fact_data, stated, value_data
 
 
-def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
-    """A record; `chosen` has its forms by the values of the field that decides them. `words` is the order of words."""
+def record_data(device: Device, record: RecordLayout) -> dict[str, Data]:
+    """A record; `chosen` has its forms by the values of the field that decides them."""
     inner = record.inner_lists
     forms: dict[int, tuple[RecordLayout, list[int]]] = {}
     for number, form in record.chosen.items():
@@ -23,24 +26,24 @@ def record_data(record: RecordLayout, words: str) -> dict[str, Data]:
         **fact_data(record.record),
         "least": record.least,
         **stated({"most": record.most, "size": record.size}),
-        "fields": [_field(field, words) for field in record.fields],
-        **stated({"spans": [_span(span) for span in record.spans]}),
-        **({"inner": inner_lists_data(inner)} if inner is not None else {}),
+        "fields": [_field(device, record, field) for field in record.fields],
+        **stated({"spans": [span_data(span) for span in record.spans]}),
+        **({"inner": {**inner_lists_data(inner), "sent": _sent(record)}} if inner is not None else {}),
         **stated(
             {
                 "selector": record.selector.name if record.selector is not None else "",
-                "chosen": [[numbers, record_data(form, words)] for form, numbers in forms.values()],
+                "chosen": [[numbers, record_data(device, form)] for form, numbers in forms.values()],
             }
         ),
     }
 
 
-def _span(span: Span) -> dict[str, Data]:
-    """The width of a field; of a value that varies in width what people call its form."""
-    return {**span_data(span), **({"formText": value_form(span.value)} if span.value is not None else {})}
+def _sent(record: RecordLayout) -> list[Data]:
+    """The names of the fields in the order of the wire."""
+    return [field.name for field in record.sent_fields]
 
 
-def _field(field: FieldLayout, words: str) -> dict[str, Data]:
+def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str, Data]:
     own = field.field
     measures, repeat = own.measures, own.repeat
     plus = [measures.plus] if measures is not None and measures.plus else []
@@ -56,7 +59,9 @@ def _field(field: FieldLayout, words: str) -> dict[str, Data]:
                 "repeat": [repeat.low, repeat.high] if repeat is not None else None,
                 "lengths": [list(interval) for interval in repeat.intervals] if repeat is not None else None,
                 "value": value_data(field.value, field.order, field.swapped) if field.value is not None else None,
-                "valueBytes": _value_bytes(field, words) if field.carries_bytes else None,
+                "exponent": _exponent(device, record, field),
+                "valueBytes": _value_bytes(field, device.word_order) if field.carries_bytes else None,
+                "valueOrder": [field.order, field.swapped] if _is_read_again(field) else None,
                 "record": field.record.name if field.record is not None else "",
                 "cases": bool(field.cases),
                 "reserved": own.reserved,
@@ -67,6 +72,21 @@ def _field(field: FieldLayout, words: str) -> dict[str, Data]:
             }
         ),
     }
+
+
+def _exponent(device: Device, record: RecordLayout, field: FieldLayout) -> str:
+    """The field of the same record with the exponent of the scale of a value, as its program has it."""
+    if field.value is None or not field.value.scale_by:
+        return ""
+    load = field_program(device, record, field).element[0]
+    assert isinstance(load, Load | LoadVarying)
+    return load.variable.exponent
+
+
+def _is_read_again(field: FieldLayout) -> bool:
+    """Whether the bytes of a field are read as the value of a parameter, which has the order of the field."""
+    parameter = field.value.parameter if field.value is not None else None
+    return parameter is not None and parameter.part in ("value", "values") and not field.carries_bytes
 
 
 def _value_bytes(field: FieldLayout, words: str) -> Data:
@@ -91,17 +111,25 @@ def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
                 "unrequested": not own.is_requested,
             }
         ),
-        "request": record_data(message.request, device.word_order),
-        "response": record_data(message.response, device.word_order),
+        "request": record_data(device, message.request),
+        "response": record_data(device, message.response),
         **stated(
             {
                 "access": _access(device, device.register_access(own)),
                 "bitAccess": _access(device, device.bit_access(own)),
                 "steps": [_access(device, step) for step in own.access_steps],
                 "errata": list(errata_of_message(device, own)),
+                "indices": _indices(own),
             }
         ),
     }
+
+
+def _indices(message: Message) -> dict[str, Data]:
+    """The field with the index of the first element of a parameter, by the field with the number of the parameter."""
+    fields = (*message.request.fields, *message.response.fields)
+    parts = [part for field in fields if field.value is not None and (part := field.value.parameter) is not None]
+    return stated({part.number: index_field(message, part) for part in parts})
 
 
 def _access(device: Device, access: RegisterAccess | None) -> Data:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from fieldspec.codec.explain.row import citations
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
-from fieldspec.codec.layout.nested_fields import nested_fields
+from fieldspec.codec.layout.nested_fields import NestedField, nested_fields
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.registers import Parameter, ParameterSet
+from fieldspec.language.model.registers import Parameter, ParameterSet, Table
 from fieldspec.targets.explainer.literals import Data
 from fieldspec.targets.explainer.values import fact_data, intervals, stated, value_data
 
@@ -39,8 +39,6 @@ def register_data(device: Device, layout: RegisterLayout) -> dict[str, Data]:
 def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
     """A table of records in registers as data of the explainer."""
     table = layout.table
-    fields = {nested.name: nested for nested in nested_fields(layout.record)}
-    accesses = {path: nested.access(table.access) for path, nested in fields.items()}
     return {
         **fact_data(table),
         "base": table.base,
@@ -48,10 +46,28 @@ def table_data(device: Device, layout: TableLayout) -> dict[str, Data]:
         "count": table.count,
         "first": table.index_from,
         "words": layout.words,
-        "record": layout.record.name,
-        "accesses": stated(accesses),
-        "atomic": [path for path, nested in fields.items() if nested.field.field.atomic],
+        "fields": [_table_field(table, nested) for nested in nested_fields(layout.record)],
         **stated({"space": device.space_name(table.space), "countBy": table.count_by, "baseBy": table.base_by}),
+    }
+
+
+def _table_field(table: Table, nested: NestedField) -> dict[str, Data]:
+    """A field of the record in a table; `exponent` is that of the same record with the exponent of its scale."""
+    own = nested.field
+    exponent = nested.beside(own.value.scale_by) if own.value is not None else None
+    return {
+        "path": nested.path,
+        "record": nested.record.name,
+        "field": own.name,
+        "offset": nested.offset,
+        "words": nested.words,
+        **stated(
+            {
+                "access": nested.access(table.access),
+                "atomic": own.field.atomic,
+                "exponent": [exponent.offset, exponent.field.name] if exponent is not None else None,
+            }
+        ),
     }
 
 

@@ -6,9 +6,14 @@ from collections.abc import Mapping
 from decimal import Decimal
 
 from fieldspec.codec.explain.row import citations
+from fieldspec.codec.explain.values import bit_text, member_list, member_notes, remark_on_bit_numbers, state_text
 from fieldspec.codec.layout.needed_bits import needed_bits
+from fieldspec.codec.layout.widths import value_form
+from fieldspec.codec.program.lowering import places_of
+from fieldspec.codec.program.operations import Places
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.digits import digits_text, has_sign, is_complement
+from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.enums import Bit, Enum, Flags, Member
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
@@ -47,15 +52,14 @@ def intervals(ranges: Ranges | None) -> Data:
 
 
 def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str, Data]:
-    """A value with its place in a word order. Its keys are those of `Value`, where their meanings are the same."""
+    """A value with the places of its bytes. Its keys are those of `Value`, where their meanings are the same."""
     parameter = value.parameter
     return stated(
         {
             "kind": kind_of(value.encoding),
             "size": value.size,
             "signed": sign_data(value.encoding),
-            "order": order if value.size > 1 and (value.type.is_number or value.text_form is not None) else "",
-            "swapped": swapped,
+            "order": _order(places_of(value, order, swapped) if order else ()),
             **_digits(value),
             **_text_form(value),
             "const": value.const,
@@ -86,6 +90,11 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
     )
 
 
+def _order(places: Places) -> Data:
+    """The places of the bytes of a value, the most significant first; None where they are in this order."""
+    return None if places == tuple(range(len(places))) else list(places)
+
+
 def _digits(value: Value) -> dict[str, Data]:
     """The form of the digits that a number is sent as, what they are called, and their bounds."""
     if not value.digits:
@@ -96,25 +105,31 @@ def _digits(value: Value) -> dict[str, Data]:
         "hasSign": has_sign(value),
         "hasBlanks": value.has_blanks,
         "bits": 8 * value.type.size if is_complement(value) else 0,
-        "digitsText": digits_text(value),
+        "form": digits_text(value),
         "low": value.low,
         "high": value.high,
     }
 
 
 def _text_form(value: Value) -> dict[str, Data]:
-    """The form of a text with its title, as data of the explainer; empty for the usual form."""
-    form = value.text_form
-    if form is None:
+    """The form of a text, and what people call it, also where it varies in width; empty for what is no text."""
+    if not is_text(value.encoding):
         return {}
+    form = value.text_form
     data: dict[str, Data] = {
+        "form": text_form_title(value) or encoding_title(value),
+        "sentForm": value_form(value) if value.width else "",
+    }
+    if form is None:
+        return data
+    text_form: dict[str, Data] = {
         "encoding": form.encoding,
         "padding": form.padding,
         "isRight": form.is_right,
         "terminator": form.terminator,
         "isTurned": form.is_turned,
     }
-    return {"textForm": stated(data), "textFormTitle": text_form_title(value), "encodingTitle": encoding_title(value)}
+    return {**data, "textForm": stated(text_form)}
 
 
 def _scale(scale: Decimal | Fraction, offset: Decimal) -> dict[str, Data]:
@@ -129,11 +144,12 @@ def enum_data(enum: Enum) -> dict[str, Data]:
     """An enum with its members as data of the explainer."""
     return {
         **stated({"name": enum.name, "path": enum.place.path, "open": enum.open}),
-        "members": [_member(member) for member in enum.members],
+        **stated({"taken": "" if enum.open else member_list(enum)}),
+        "members": [_member(enum, member) for member in enum.members],
     }
 
 
-def _member(member: Member) -> dict[str, Data]:
+def _member(enum: Enum, member: Member) -> dict[str, Data]:
     return {
         "value": member.value,
         **stated(
@@ -143,7 +159,7 @@ def _member(member: Member) -> dict[str, Data]:
                 "label": member.label,
                 "problem": member.problem,
                 "doc": member.doc,
-                "notes": list(member.notes),
+                "notes": list(member_notes(enum, member)),
                 "unavailable": member.unavailable,
                 "aliases": list(member.aliases),
             }
@@ -158,7 +174,7 @@ def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
             "name": word.name,
             "path": word.place.path,
             "size": word.type.size,
-            "countedFromMost": word.bit_0 == "most",
+            "remark": remark_on_bit_numbers(word) if word.bit_0 == "most" else "",
             "bits": [_bit(bit) for bit in word.bits],
             "needed": [
                 [required.bit.name, required.reason, list(required.names)] for required in needed_bits(word, enums)
@@ -168,7 +184,7 @@ def word_data(word: Flags, enums: Mapping[str, Enum]) -> dict[str, Data]:
                     {
                         "name": state.name,
                         "label": state.label,
-                        "printed": state.printed_name,
+                        "text": state_text(state),
                         "mask": word.masked(state)[0],
                         "value": word.masked(state)[1],
                     }
@@ -187,10 +203,8 @@ def _bit(bit: Bit) -> dict[str, Data]:
             {
                 "name": bit.name,
                 "label": bit.label,
-                "one": bit.one,
-                "doc": bit.doc,
+                "text": bit_text(bit) if bit.width == 1 else bit.doc,
                 "enum": bit.enum,
-                "edge": bit.edge,
                 "reserved": bit.reserved,
                 "signed": bit.signed,
                 "default": bit.default,

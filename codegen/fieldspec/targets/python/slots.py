@@ -167,11 +167,13 @@ class Slots:
 
     @property
     def deferrable(self) -> bool:
-        """Whether it is one word of bits, or one member of an open enum.
+        """Whether it is one word of bits, or one member of an open enum that is no truth value.
 
         Every such word is valid when it is read, so it can be converted later.
         """
         if self.field.value is None or self.is_list or not self.stored or self.parted or self.foreign:
+            return False
+        if is_truth(self.value.encoding):
             return False
         return bool(self.value.flags) or (self.enum is not None and self.enum.open)
 

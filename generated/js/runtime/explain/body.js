@@ -1,9 +1,10 @@
 import { extentsIn, placeAround } from "../lists.js";
-import { extentsOf, widenedBytes } from "../widths.js";
+import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
 import { formOfData } from "./device.js";
-import { decodeValue, decoded, exponentApplied, judged, meaningOf, repeatedValue } from "./values.js";
+import { runEach } from "./interpreter.js";
+import { decodedRow, exponentApplied, judged, meaningOf, repeatedValue } from "./values.js";
 import { factRow, surplusRow, wrongRow } from "./rows.js";
 import { withParameter } from "./parameters.js";
 
@@ -20,17 +21,6 @@ function withPercentages(device, row, field, number) {
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
 
-/** The fields of a record with fields behind a list, in the order of the wire. */
-function sentFields({ fields, inner, named }) {
-  const others = fields.filter(({ repeat }) => !repeat);
-  const sent = [];
-  for (const { name, first } of inner.lists) {
-    while (others.length && others[0].offset < first) sent.push(others.shift());
-    sent.push(named.get(name));
-  }
-  return [...sent, ...others];
-}
-
 /**
  * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
  * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
@@ -41,66 +31,70 @@ export class ExplainedBody {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
     this.record = formOfData(record, data.subarray(start, end)) ?? record;
     this.values = new Map();
-    const { inner } = this.record;
+    this.beside = new Map();
+    const { inner, spans } = this.record;
     Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    this.rows = [];
-    this.explainFields();
+    // A scale may be behind the value that it applies to, so all bytes are read before any row is written.
+    const traced = [...(spans ? this.tracedVarying() : inner ? this.tracedAround(inner) : this.traced())];
+    this.rows = this.explained(traced);
   }
 
-  explainFields() {
+  explained(traced) {
+    const known = new Map(this.asked);
+    return traced.flatMap((part) => {
+      if (part.traced === undefined) return [part];
+      const rows = part.traced.map((row) => this.fieldRow(row, known));
+      if (this.values.has(part.name)) known.set(part.name, this.values.get(part.name));
+      return rows;
+    });
+  }
+
+  *traced() {
     let at = this.start;
-    if (this.record.spans) {
-      this.explainVarying();
-      return;
-    }
-    if (this.record.inner) {
-      this.explainAround();
-      return;
-    }
     for (const [number, field] of this.record.fields.entries()) {
       if (field.cases) {
-        this.rows.push(this.undecidedRow(field, at));
+        yield this.undecidedRow(field, at);
         return;
       }
       const count = this.countOf(field);
       const room = field.size ? Math.max(0, Math.min(count, Math.floor((this.end - at) / field.size))) : 0;
-      this.explainField(field, at, room);
+      yield this.tracedField(field, at, new Array(room).fill(field.size));
       at += room * field.size;
       if (room < count) {
-        this.rows.push(this.missingRow(this.record.fields.slice(number), at));
+        yield this.missingRow(this.record.fields.slice(number), at);
         return;
       }
     }
-    if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+    if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  /** Adds the rows of a record with fields behind a list, in the order of the wire. */
-  explainAround() {
-    const sent = sentFields(this.record);
+  /** The parts of a record with fields behind a list, in the order of the wire. */
+  *tracedAround(inner) {
+    const sent = inner.sent.map((name) => this.record.named.get(name));
     let at = this.start;
     let numberOfList = 0;
     for (const [number, field] of sent.entries()) {
       if (!field.repeat) {
         const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
-        this.explainField(field, at, room);
+        yield this.tracedField(field, at, new Array(room).fill(field.size));
         at += room * field.size;
         if (room < field.count) {
-          this.rows.push(this.missingRow(sent.slice(number), at));
+          yield this.missingRow(sent.slice(number), at);
           return;
         }
         continue;
       }
       if (numberOfList === this.extents.length) {
-        this.rows.push(this.unknownListRow(sent.slice(number), this.record.inner.lists[numberOfList], at));
+        yield this.unknownListRow(sent.slice(number), inner.lists[numberOfList], at);
         return;
       }
       const { size, elements } = this.extents[numberOfList++];
       const stop = at + size;
       const count = this.itemsOf(field);
-      this.explainField(field, at, count, elements);
+      yield this.tracedField(field, at, elements.length ? elements : new Array(count).fill(field.size));
       at = elements.length ? stop : at + count * field.size;
-      if (count < field.repeat[0]) this.rows.push(this.missingRow([field], at, stop));
-      else if (at < stop) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, stop)));
+      if (count < field.repeat[0]) yield this.missingRow([field], at, stop);
+      else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
       at = stop;
     }
   }
@@ -133,24 +127,20 @@ export class ExplainedBody {
     return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
   }
 
-  /** Adds the rows of a record whose values vary in width. */
-  explainVarying() {
+  /** The parts of a record whose values vary in width. */
+  *tracedVarying() {
     const { fields, spans } = this.record;
     const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
     let at = this.start;
-    for (const [number, { start, stop, image }] of extents.entries()) {
+    for (const [number, { start, stop }] of extents.entries()) {
       const field = fields[number];
-      at = this.start + start;
-      if (spans[number].most === undefined) this.explainField(field, at, field.count ?? 0);
-      else {
-        const varying = { raw: this.data.subarray(at, this.start + stop), image, form: spans[number].formText };
-        this.values.set(field.name, this.explainValue(field, field.value, field.name, at, 0, true, varying));
-      }
+      const sizes = field.span ? [stop - start] : new Array(field.count ?? 0).fill(field.size);
+      yield this.tracedField(field, this.start + start, sizes);
       at = this.start + stop;
     }
     const missing = fields[extents.length];
-    if (missing) this.rows.push(this.wrongRow(missing, at, ...this.endless(spans[extents.length], at)));
-    else if (at < this.end) this.rows.push(surplusRow(this.spot, at, this.data.subarray(at, this.end)));
+    if (missing) yield this.wrongRow(missing, at, ...this.endless(spans[extents.length], at));
+    else if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
   /** Why nobody knows where a field ends that begins at a byte, as a reason and in words. */
@@ -195,78 +185,25 @@ export class ExplainedBody {
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
-  /** Adds the rows of the elements of a field; `sizes` are those that differ. */
-  explainField(field, at, count, sizes = []) {
-    const values = [];
-    let place = at;
-    for (let index = 0; index < count; index++) {
-      const path = field.isList ? `${field.name}[${index}]` : field.name;
-      const size = sizes[index] ?? field.size;
-      values.push(this.explainElement(field, path, place, index, size));
-      place += size;
-    }
+  /** What the elements of one field gave, which have some sizes. Adds their values to `values`. */
+  tracedField(field, start, sizes) {
+    const traced = [];
+    const values = runEach(this.device, field, this.data, start, sizes, "", traced, this.beside);
     if (field.isList) this.values.set(field.name, values);
     else if (values.length) this.values.set(field.name, values[0]);
+    return { name: field.name, traced };
   }
 
-  explainElement(field, path, at, index, size) {
-    if (field.record) return this.explainRecord(this.device.records.get(field.record), path, at, size);
-    return this.explainValue(field, this.byExponent(field, this.record, this.start), path, at, index, true);
-  }
-
-  /** Adds the rows of a record within the body, of which all bytes are there. */
-  explainRecord(record, path, at, size) {
-    const values = new Map();
-    for (const [number, field] of record.fields.entries()) {
-      const span = record.spans?.[number];
-      if (span?.most !== undefined) {
-        const raw = this.data.subarray(at + field.offset, at + size);
-        const varying = { raw, image: widenedBytes(span, raw), form: span.formText };
-        values.set(field.name, this.explainValue(field, field.value, `${path}.${field.name}`, at + field.offset, 0, false, varying));
-        continue;
-      }
-      const elements = [];
-      const count = field.count ?? Math.floor((size - field.offset) / field.size);
-      for (let index = 0; index < count; index++) {
-        const inner = `${path}.${field.name}${field.isList ? `[${index}]` : ""}`;
-        const place = at + field.offset + index * field.size;
-        elements.push(field.record
-          ? this.explainRecord(this.device.records.get(field.record), inner, place, field.size)
-          : this.explainValue(field, this.byExponent(field, record, at), inner, place, index, false));
-      }
-      values.set(field.name, field.isList ? elements : elements[0]);
-    }
-    return values;
-  }
-
-  /** The value of a field of a record, with its scale where another field beside it has the exponent. */
-  byExponent({ value }, record, start) {
-    const exponent = value.scaleBy && !record.spans && record.named.get(value.scaleBy);
-    const { inner } = record;
-    const place = exponent?.offset ?? 0;
-    if (inner && this.fault && place >= inner.lists[this.extents.length].first) return value;
-    const at = start + (inner ? placeAround(inner, this.extents, place) : place);
-    if (!exponent || at + exponent.size > this.end) return value;
-    return exponentApplied(value, exponent.value, this.data.subarray(at, at + exponent.size));
-  }
-
-  /**
-   * Adds the row of a field, whose `value` has its scale. Of one that varies in width, `varying` has the bytes, those in
-   * the image, and its form.
-   */
-  explainValue(field, value, path, at, index, isTop, varying) {
-    const raw = varying?.raw ?? this.data.subarray(at, at + field.size);
-    const image = varying ? varying.image : raw;
-    let read = image === null
-      ? judged(decoded(raw), false, varying.form, "unknown_value")
-      : decodeValue(this.device, value, image, value.order ?? "big", value.swapped, field.reserved);
-    const { number } = read;
-    if (isTop) read = this.measured(field, this.repeated(field, read));
-    const known = (name) => (this.values.has(name) ? this.values.get(name) : this.asked.get(name));
-    let row = factRow(this.device, "field", path, field, this.spot, at, raw, read, this.outer);
+  /** The row of what some bytes gave; `known` are the values of the fields before it, and those of the request. */
+  fieldRow(traced, known) {
+    const { field, path, index, offset, raw, number, beside } = traced;
+    const exponent = beside.get(field.exponent);
+    const value = exponent ? exponentApplied(field.value, exponent.field.value, exponent.number) : field.value;
+    let read = decodedRow(this.device, value, traced);
+    if (beside === this.beside) read = this.measured(field, this.repeated(field, read));
+    let row = factRow(this.device, "field", path, field, this.spot, offset, raw, read, this.outer);
     row = withParameter(this.device, row, field, index, known, this.outer, this.isRequest);
-    this.rows.push(withPercentages(this.device, row, field, number));
-    return number;
+    return withPercentages(this.device, row, field, number);
   }
 
   /** The value of a field that measures another one, judged by the size of that field. */

@@ -3,11 +3,12 @@ import { CodecError } from "../error.js";
 import { exceedsReal, realBits } from "../number_bits.js";
 import { sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
+import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
 import { codeIn, memberOf } from "./device.js";
 import { digitsBytes } from "../digit_texts.js";
-import { bytesOfNumber, isArray, refusedBitOf, sentinelOf, turnedWords } from "./values.js";
+import { refusedBitOf, sentinelOf } from "./values.js";
 import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
 
 function joinedBytes(series) {
@@ -20,11 +21,11 @@ function padded(bytes, size) {
 
 /** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
-  const { kind, size, swapped, order = "big" } = value;
+  const { kind, size } = value;
   if (value.textForm && typeof raw === "string") {
     const fault = textFault(value.textForm, size, raw);
     if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
-    return textBytes(value.textForm, size, raw, order !== "big");
+    return inPlaces(value, textBytes(value.textForm, size, raw, false));
   }
   if (isArray(value)) {
     const bytes = typeof raw === "string" ? Uint8Array.from(raw, (char) => char.charCodeAt(0)) : raw;
@@ -34,18 +35,14 @@ function bytesOfValue(device, name, value, raw) {
     }
     return Uint8Array.from({ length: size }, (_, at) => bytes[at] ?? 0);
   }
-  const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  const bytes = kind === "float" ? bytesOfReal(name, value, raw, actual) : bytesOfWhole(value, checkedNumber(device, name, value, raw), actual);
-  return swapped ? turnedWords(bytes) : bytes;
+  return inPlaces(value, kind === "float" ? bytesOfReal(name, value, raw) : bytesOfWhole(value, checkedNumber(device, name, value, raw)));
 }
 
-function bytesOfWhole(value, number, order) {
-  if (!value.digits) return bytesOfNumber(number, value.size, order, value.signed);
-  const bytes = digitsBytes(value, number);
-  return order === "big" ? bytes : bytes.reverse();
+function bytesOfWhole(value, number) {
+  return value.digits ? digitsBytes(value, number) : bytesOfNumber(number, value.size, "big", value.signed);
 }
 
-function bytesOfReal(name, value, number, order) {
+function bytesOfReal(name, value, number) {
   if (exceedsReal(number, value.size)) {
     throw new CodecError("out_of_range", `${name} is ${number}, which ${8 * value.size} bits do not hold`);
   }
@@ -53,7 +50,7 @@ function bytesOfReal(name, value, number, order) {
     throw new CodecError("out_of_range", `${name} is ${number}, not in ${intervalsText(value.ranges)}`);
   }
   const nan = Number.isNaN(number) && value.sentinels?.find((sentinel) => sentinel.nan);
-  return bytesOfNumber(nan ? nan.value : realBits(number, value.size), value.size, order, false);
+  return bytesOfNumber(nan ? nan.value : realBits(number, value.size), value.size, "big", false);
 }
 
 function checkedNumber(device, name, value, raw) {

@@ -132,7 +132,7 @@ export function endRows(parts) {
  * The row of bytes of an escape that stand for no bytes, as the code of COBS before no data, at `at` in the parts.
  * `raw` are the bytes that are sent.
  */
-export function escapeRow(spot, { path, source }, at, raw) {
+export function escapeRow(spot, { path, source = "" }, at, raw) {
   return rowOf({
     kind: "mark", offset: spot.start + at, length: raw.length, raw, path: "escape", fact: path, verdict: "right", source,
   });
@@ -155,33 +155,16 @@ function markRows({ link }, name, offset, raw, should) {
   })];
 }
 
+/** Data with null for empty texts. */
+const emptied = (data) => Object.fromEntries(Object.entries(data).map(([key, value]) => [key, value === "" ? null : value]));
+
 /** A row as data: what is empty is null, bytes are hexadecimal digits. */
-export function rowData(row) {
+export function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ...row }) {
   return {
-    kind: row.kind,
-    offset: row.offset,
-    can_place: row.canPlace || null,
-    length: row.length,
-    raw: hexOf(row.raw),
-    characters: row.characters || null,
-    path: row.path || null,
-    fact: row.fact || null,
-    printed_name: row.printedName || null,
-    label: row.label || null,
-    doc: row.doc || null,
-    number: portableValue(row.number),
-    value: row.value || null,
-    meanings: row.meanings.map(({ name, label, text, bits }) => ({
-      name: name || null, label: label || null, text: text || null, bits: bits || null,
-    })),
-    verdict: row.verdict || null,
-    reason: row.reason || null,
-    source: row.source || null,
-    notes: row.notes,
-    errata: row.errata,
-    address: row.address,
-    [row.unit === "byte" ? "size" : `${row.unit || "word"}s`]: row.words || null,
-    access: row.access || null,
+    ...emptied({ ...row, can_place: canPlace, printed_name: printedName }),
+    raw: hexOf(raw),
+    number: portableValue(number),
+    meanings: meanings.map(emptied),
+    [unit === "byte" ? "size" : `${unit || "word"}s`]: words || null,
   };
 }
-

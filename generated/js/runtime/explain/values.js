@@ -1,53 +1,11 @@
 import {
   decimalOf, decimalProduct, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
 } from "./numbers.js";
-import { decodedText } from "../encodings.js";
-import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
+import { loaded, WIDE } from "./interpreter.js";
 import { intervalsText, isWithin, sameValue, valueText } from "./texts.js";
-import { memberOf, unsignedOf } from "./device.js";
-import { digitsNumber } from "../digit_texts.js";
+import { memberOf } from "./device.js";
 
-const WIDE = 6;
 const EXACT_DIGITS = 120;
-
-/** Bytes as a whole number; a bigint if there are more than six of them. `signed` is as in `wholeOfBits`. */
-export function wholeOf(bytes, order, signed) {
-  if (bytes.length > WIDE) return wholeOfBits(unsignedOf(bytes, order), 8 * bytes.length, signed);
-  let bits = 0;
-  for (let at = 0; at < bytes.length; at++) bits = bits * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
-  return wholeOfBits(bits, 8 * bytes.length, signed);
-}
-
-/** The bytes of a whole number; `signed` is as in `bitsOfWhole`. */
-export function bytesOfNumber(number, size, order, signed) {
-  const bits = BigInt.asUintN(8 * size, bitsOfWhole(BigInt(number), 8 * size, signed));
-  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
-  return order === "big" ? big : big.reverse();
-}
-
-/** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
-export function isArray({ kind }) {
-  switch (kind) {
-    case "text": case "bytes": return true;
-    case "integer": case "float": case "boolean": return false;
-    default: throw new RangeError(`unknown kind: ${kind}`);
-  }
-}
-
-/** Bytes with those of each word of 16 bits turned. */
-export function turnedWords(bytes) {
-  return Uint8Array.from(bytes, (_, at) => bytes[at ^ 1]);
-}
-
-/** The raw value of all bytes of a value; texts and bytes are returned as bytes. */
-export function numberOfBytes(value, bytes, order, swapped) {
-  if (isArray(value)) return bytes;
-  const turned = swapped ? turnedWords(bytes) : bytes;
-  const actual = (order === "big") !== Boolean(swapped) ? "big" : "little";
-  if (value.digits) return digitsNumber(value, actual === "big" ? turned : Uint8Array.from(turned).reverse()) ?? bytes;
-  if (value.kind === "float") return realOfBits(wholeOf(turned, actual, false), bytes.length);
-  return wholeOf(turned, actual, value.signed);
-}
 
 /** The sentinel with a raw value. */
 export function sentinelOf(value, number) {
@@ -65,9 +23,8 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
-/** A value with the scale that the bytes of its exponent make; unchanged where they are no exponent. */
-export function exponentApplied(value, exponent, bytes) {
-  const number = numberOfBytes(exponent, bytes, exponent.order ?? "big", exponent.swapped);
+/** A value with the scale that the number of its exponent makes; unchanged for a number that is no exponent. */
+export function exponentApplied(value, exponent, number) {
   const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
   return isExponent ? scaledBy(value, Number(number)) : value;
 }
@@ -121,25 +78,23 @@ export function decodeAnswer(device, value, ...rest) {
 }
 
 /** The meaning of all bytes of a value. Never throws. */
-export function decodeValue(device, value, bytes, order, swapped, reserved) {
-  const number = numberOfBytes(value, bytes, order, swapped);
-  if (reserved) return decoded(number);
-  switch (value.kind) {
-    case "boolean": return decodedBoolean(device, value, number);
-    case "text": return decodedCharacters(value, bytes, order);
-    case "bytes": return decoded(number);
-    case "float": return decodedFloat(value, number);
-    case "integer":
-      if (value.digits && !isWhole(number)) return judged(decoded(bytes), false, value.digitsText, "unknown_value");
-      return decodedWhole(device, value, number);
-    default: throw new RangeError(`unknown kind: ${value.kind}`);
-  }
+export function decodeValue(device, value, bytes, reserved = false) {
+  return decodedRow(device, value, loaded({ value, reserved }, bytes));
 }
 
-function decodedCharacters(value, bytes, order) {
-  const text = decodedText(value.textForm, bytes, order !== "big");
-  if (text === null) return judged(decoded(bytes), false, value.textFormTitle ?? "ASCII", "unknown_value");
-  return decoded(text);
+/** The meaning of what some bytes gave; `value` is that of the field, with a scale that is read. */
+export function decodedRow(device, value, { field, image, content, number }) {
+  if (field.reserved || value.kind === "bytes") return decoded(number);
+  if (content === null) {
+    return judged(decoded(number), false, image === null ? value.sentForm ?? value.form : value.form, "unknown_value");
+  }
+  switch (value.kind) {
+    case "boolean": return decodedBoolean(device, value, number);
+    case "text": return decoded(number);
+    case "float": return decodedFloat(value, number);
+    case "integer": return decodedWhole(device, value, number);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
+  }
 }
 
 function decodedFloat(value, number) {
@@ -151,10 +106,8 @@ function decodedFloat(value, number) {
 }
 
 function decodedBoolean(device, value, number) {
-  if (number != 0 && number != 1) return judged(decoded(number), false, "0 or 1", "unknown_value");
-  const named = value.enum ? namedValue(device, value, number) : decoded(number);
-  // An enum of a truth value only names what it is.
-  return { ...named, number: number == 1, verdict: "", reason: "" };
+  if (typeof number !== "boolean") return judged(decoded(number), false, "0 or 1", "unknown_value");
+  return value.enum ? { ...namedValue(device, value, Number(number)), number } : decoded(number);
 }
 
 function decodedWhole(device, value, number) {
@@ -168,7 +121,7 @@ function decodedWhole(device, value, number) {
   } else if (value.flags) {
     const word = device.flags.get(value.flags);
     const meanings = setBitsOf(device, word, number);
-    const notes = word.countedFromMost && meanings.some(({ bits }) => bits) ? [fromMostText(word)] : result.notes;
+    const notes = word.remark && meanings.some(({ bits }) => bits) ? [word.remark] : [];
     result = { ...result, meanings, notes, facts: [word.path] };
   } else {
     result = { ...result, text: inUnit(value, number) };
@@ -185,28 +138,12 @@ function decodedWhole(device, value, number) {
 function namedValue(device, value, number) {
   const listing = device.enums.get(value.enum);
   const member = memberOf(listing, number);
-  if (!member) {
-    if (listing.open) return decoded(number, { notes: [`${listing.name} does not list ${number}.`], facts: [listing.path] });
-    return judged(decoded(number), false, memberList(listing), "unknown_value");
+  if (!member && listing.open) {
+    return decoded(number, { notes: [`${listing.name} does not list ${number}.`], facts: [listing.path] });
   }
-  const meanings = [meaningOf(member.name, member.label, member.problem || member.doc)];
-  const notes = member.notes ?? [];
-  const result = decoded(number, { meanings, notes, facts: [listing.path, member.path] });
-  if (member.unavailable && !listing.open) {
-    const more = [...notes, `${member.name} is listed as not available.`];
-    return judged({ ...result, notes: more }, false, memberList(listing), "unknown_value");
-  }
-  return result;
-}
-
-function memberList(listing) {
-  return `one of ${listing.members.filter((member) => !member.unavailable).map((member) => member.value).join(", ")}`;
-}
-
-/** How the manual numbers the bits of a word whose bit 0 is the most significant one. */
-function fromMostText({ size }) {
-  const last = 8 * size - 1;
-  return `Bit 0 is the least significant one here. The manual counts from the most significant: bit ${last} is its bit 0.`;
+  const meanings = member && [meaningOf(member.name, member.label, member.problem || member.doc)];
+  const result = decoded(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
+  return member && (listing.open || !member.unavailable) ? result : judged(result, false, listing.taken, "unknown_value");
 }
 
 /** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
@@ -224,7 +161,7 @@ function setBitsOf(device, word, number) {
   }
   for (const state of word.states ?? []) {
     if ((raw & BigInt(state.mask ?? 0)) === BigInt(state.value ?? 0)) {
-      meanings.push(meaningOf(state.name, state.label, `state ${state.printed ?? ""}`.trim()));
+      meanings.push(meaningOf(state.name, state.label, state.text));
     }
   }
   return meanings;
@@ -253,12 +190,10 @@ function bitMeaning(device, bit, number) {
   const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
   if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
   if (bit.width > 1) {
-    const text = [inUnit(bit, number), bit.doc].filter(Boolean).join(": ");
+    const text = [inUnit(bit, number), bit.text].filter(Boolean).join(": ");
     return meaningOf(`${bit.name}=${number}`, bit.label, text, bits);
   }
-  const text = bit.one || bit.doc || "";
-  const edge = bit.edge ? [text.replace(/\.$/, ""), `acts at its ${bit.edge} edge`].filter(Boolean).join("; ") : text;
-  return meaningOf(bit.name, bit.label, edge, bits);
+  return meaningOf(bit.name, bit.label, bit.text, bits);
 }
 
 /** A decoded value, compared with the one that it repeats. */

@@ -301,7 +301,8 @@ class MessageForm {
       const { path, value } = occupant;
       if (isWord) {
         // A word is written as it is, but not if the register cannot have it.
-        const number = numberOfBytes(value, Uint8Array.of(count >> 8, count & 0xFF), "big", false);
+        const bytes = Uint8Array.of(count >> 8, count & 0xFF);
+        const number = contentOf({ ...value, order: undefined }, bytes) ?? bytes;
         encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, number]]));
         words.push(count);
         continue;

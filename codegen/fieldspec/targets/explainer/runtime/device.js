@@ -1,6 +1,5 @@
-import { digitsBytes } from "../digit_texts.js";
-import { byteText } from "./frames.js";
-import { bytesOfHex, latinOf } from "./texts.js";
+import { inOrder, unsignedOf } from "./interpreter.js";
+import { bytesOfHex } from "./texts.js";
 
 /**
  * The data of a device, indexed for the explainer. Everything that is looked up by a name or a number which a user or
@@ -18,13 +17,12 @@ export class ExplainedDevice {
     ]));
     this.links = new Map(Object.entries(data.links).map(([name, link]) => [name, this.indexedLink(link)]));
     this.sets = new Map(Object.entries(data.sets));
-    this.errata = new Map(data.errata.map((erratum) => [erratum.id, erratum]));
-    this.within = new Map();
-    this.of = new Map();
+    this.errataWithin = new Map();
+    this.errataOf = new Map();
     this.readingsOf = new Map();
     for (const [number, { id, fact }] of data.errata.entries()) {
-      for (let end = fact.length; end > 0; end = fact.lastIndexOf("/", end - 1)) this.add(this.within, fact.slice(0, end), id);
-      for (const path of new Set([fact, fact.split("/restated/")[0]])) this.add(this.of, path, [number, id]);
+      for (let end = fact.length; end > 0; end = fact.lastIndexOf("/", end - 1)) this.add(this.errataWithin, fact.slice(0, end), id);
+      for (const path of new Set([fact, fact.split("/restated/")[0]])) this.add(this.errataOf, path, [number, id]);
     }
     for (const example of data.examples) {
       this.add(this.readingsOf, example.frame, [example.link, example.direction, example.message ?? "", Boolean(example.error)]);
@@ -64,12 +62,12 @@ export class ExplainedDevice {
 
   /** The ids of the errata of a fact and of the facts below it. */
   errataAt(path) {
-    return this.within.get(path) ?? [];
+    return this.errataWithin.get(path) ?? [];
   }
 
   /** The ids of the errata of enums, members and words that gave a value its meaning, not those of other members. */
   errataOfWords(facts) {
-    const rows = new Map(facts.flatMap((path) => this.of.get(path) ?? []));
+    const rows = new Map(facts.flatMap((path) => this.errataOf.get(path) ?? []));
     return [...rows].sort(([left], [right]) => left - right).map(([, id]) => id);
   }
 
@@ -91,7 +89,11 @@ function indexedEnum(listing) {
 }
 
 function indexedRecord(record) {
-  const indexed = { ...record, named: new Map(record.fields.map((field) => [field.name, field])), forms: new Map() };
+  const fields = record.fields.map((field, number) => {
+    const span = record.spans?.[number];
+    return span?.most === undefined ? field : { ...field, span };
+  });
+  const indexed = { ...record, fields, named: new Map(fields.map((field) => [field.name, field])), forms: new Map() };
   for (const [numbers, form] of record.chosen ?? []) {
     const inner = indexedRecord(form);
     for (const number of numbers) indexed.forms.set(BigInt(number), inner);
@@ -154,28 +156,6 @@ export function partNumberText({ size, value }, number) {
   return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
 }
 
-/** `0x08`, or `0x08 with 0x0001 at byte 2` for a message that shares its code, or `0x0C with 0x60 or 0x70 at byte 8`. */
-export function codeText(link, direction, message) {
-  const code = codeIn(direction, message);
-  if (code === undefined) return "no code";
-  const digits = (number, size) => "0x" + number.toString(16).toUpperCase().padStart(2 * size, "0");
-  const shared = link.subcodes[direction].get(code);
-  const part = link[direction].code;
-  const sent = part?.value.digits && latinOf(digitsBytes(part.value, code)).toUpperCase();
-  const own = sent ? (part.value.digits === "decimal" ? "" : "0x") + sent : digits(code, 1);
-  if (!shared) return own;
-  const intervals = [];
-  const numbers = shared.messages.filter(([, name]) => name === message.name).map(([number]) => number);
-  for (const number of numbers.sort((left, right) => left - right)) {
-    const last = intervals[intervals.length - 1];
-    if (last && last[1] === number - 1) last[1] = number;
-    else intervals.push([number, number]);
-  }
-  const text = ([low, high]) => digits(low, shared.size) + (low === high ? "" : `..${digits(high, shared.size)}`);
-  const place = byteText(link[direction].escape, link[direction].headerSize + shared.offset);
-  return `${own} with ${intervals.map(text).join(" or ")} at ${place}`;
-}
-
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
 export function isException({ code: own, flag, part, normal }, code, number) {
   if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
@@ -192,14 +172,5 @@ export function formOfData(record, data) {
   if (record.selector === undefined) return record;
   const { offset, size, value } = record.named.get(record.selector);
   if (data.length < offset + size) return undefined;
-  return record.forms.get(unsignedOf(data.subarray(offset, offset + size), value.order ?? "big"));
-}
-
-/** Bytes as an unsigned bigint. */
-export function unsignedOf(bytes, order) {
-  let number = 0n;
-  for (let at = 0; at < bytes.length; at++) {
-    number = (number << 8n) | BigInt(bytes[order === "big" ? at : bytes.length - 1 - at]);
-  }
-  return number;
+  return record.forms.get(unsignedOf(inOrder(value, data.subarray(offset, offset + size)), "big"));
 }

@@ -1,9 +1,10 @@
-import { codeText, isAmbiguous, isException, messageWithCode, refusedMessage } from "./device.js";
+import { isAmbiguous, isException, messageWithCode, refusedMessage } from "./device.js";
 import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
-import { decoded, decodeValue, judged, meaningOf, repeatedValue, wholeOf } from "./values.js";
+import { wholeOf } from "./interpreter.js";
+import { decoded, decodeValue, judged, meaningOf, repeatedValue } from "./values.js";
 import { endRows, escapeRow, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
-import { checksumOf, EscapeError, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
-import { canHeaderFault } from "../escapes.js";
+import { checksumOf, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
+import { CodecError } from "../error.js";
 import { accessedSpan, registerRows } from "./registers.js";
 import { ExplainedBody } from "./body.js";
 import { digitsNumber } from "../digit_texts.js";
@@ -88,8 +89,8 @@ class ExplainedFrame {
     try {
       originals = originalPlaces(escape, sent.subarray(start, stop));
     } catch (error) {
-      if (!(error instanceof EscapeError)) throw error;
-      this.unreadable = start + error.offset;
+      if (!(error instanceof CodecError)) throw error;
+      this.unreadable = { at: start + error.offset, detail: error.detail };
       return sent;
     }
     if (!originals.length) this.emptyEscape = sent.subarray(start, stop);
@@ -109,11 +110,11 @@ class ExplainedFrame {
   }
 
   /** The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on. */
-  unreadableFrame(at) {
+  unreadableFrame({ at, detail }) {
     const [start, stop] = [this.shape.escapeStart, this.data.length + this.shape.escapeStop];
     const { escape } = this.shape;
     const text = escape.method === "can"
-      ? canHeaderFault(escape.bits, this.data.subarray(start, stop), at - start)
+      ? detail
       : `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
     const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
     rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
@@ -183,7 +184,7 @@ class ExplainedFrame {
   /** The value of a part, judged by its role. */
   partValue(part, raw) {
     if (part.role === "checksum") return this.checkedValue(part, raw);
-    const read = decodeValue(this.device, part.value, raw, part.order ?? "big", false, part.reserved);
+    const read = decodeValue(this.device, part.value, raw, part.reserved);
     if (part.reserved || !isWhole(read.number)) return read;
     if (part.role === "length") return this.judgedLength(part, read);
     if (part.offset < 0) return read;
@@ -232,18 +233,16 @@ class ExplainedFrame {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
         return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
       }
-      const asked = this.sent.get(this.named);
-      const known = [...this.sent.values()].map((message) => codeText(link, direction, message));
-      const several = known.length ? `one of ${known.join(", ")}` : `that of a message, and none has a ${direction} here`;
-      const should = asked ? codeText(link, direction, asked) : several;
-      return judged(read, false, should, "unknown_code");
+      const known = Object.values(link.codes[direction]).join(", ");
+      const several = known ? `one of ${known}` : `that of a message, and none has a ${direction} here`;
+      return judged(read, false, this.sent.has(this.named) ? link.codes[direction][this.named] : several, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
     const text = this.error ? `${title || label || name}, refused` : title;
     const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
-    return judged(meaning, false, codeText(link, direction, expected), "unknown_code");
+    return judged(meaning, false, link.codes[direction][this.named], "unknown_code");
   }
 
   /** The code of all exception responses, which does not say what it answers: only the request does. */

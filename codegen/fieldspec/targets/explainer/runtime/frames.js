@@ -1,5 +1,5 @@
 import { checksumBytes, crcOf, fletcherOf, followedBy, totalOf } from "../checksums.js";
-import { adding, canIdentifier, canParts, cobs, inserting, replacing, wrongCanHeader } from "../escapes.js";
+import { adding, canIdentifier, cobs, inserting, replacing } from "../escapes.js";
 import { wholeBounds } from "../number_bits.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
@@ -86,20 +86,23 @@ export function typeBounds({ kind, size, signed, digits, low: least, high: most 
   }
 }
 
-/** Bytes that are the escape of nothing; `offset` is the place of the first one. */
-export class EscapeError extends Error {
-  constructor(offset) {
-    super(`the byte at ${offset} is the escape of nothing`);
-    this.offset = offset;
+/** How bytes are escaped. */
+function escaping({ method, pairs, pattern, inserted, bits, fields }) {
+  switch (method) {
+    case "can": return canIdentifier(bits, fields);
+    case "cobs": return cobs;
+    case "add": return adding(inserted);
+    case "replace": return replacing(pairs);
+    case "insert": return inserting([...pattern], inserted);
+    default: throw new RangeError(`unknown escape: ${method}`);
   }
 }
 
-/** The original bytes, each with the place of the byte that is sent for it. Throws EscapeError. */
+/** The original bytes, each with the place of the byte that is sent for it. Throws CodecError with the place of a wrong one. */
 export function originalPlaces(escape, data) {
-  if (escape.method === "can") return placesOfIdentifier(escape, data);
-  if (escape.method === "cobs") return placesOfBlocks(data);
-  if (escape.method === "add") return Array.from(adding(escape.inserted).original(data), (byte, at) => [byte, at]);
-  return escape.method === "replace" ? replacedPlaces(escape, data) : placesWithoutInserted(escape, data);
+  const places = [];
+  escaping(escape).walk(data, (byte, at) => places.push([byte, at]));
+  return places;
 }
 
 /** The bytes of the parts that a CAN frame has in its identifier. */
@@ -112,66 +115,9 @@ export function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
 }
 
-/** The first part is in the place of the whole header, and the others of the identifier are behind it. */
-function placesOfIdentifier({ bits, fields }, data) {
-  const wrong = wrongCanHeader(bits, data);
-  if (wrong >= 0) throw new EscapeError(wrong);
-  const parts = canParts(fields, data).map((byte, at) => [byte, at < fields[0][0] ? 0 : 8]);
-  return [...parts, ...Array.from(data.subarray(8), (byte, at) => [byte, at + 8])];
-}
-
-function replacedPlaces(escape, data) {
-  const originals = new Map(escape.pairs.map(([byte, first, second]) => [first * 256 + second, byte]));
-  const special = new Set(escape.pairs.flatMap(([byte, first]) => [byte, first]));
-  const places = [];
-  for (let at = 0; at < data.length; ) {
-    if (!special.has(data[at])) {
-      places.push([data[at], at]);
-      at += 1;
-      continue;
-    }
-    const byte = at + 1 < data.length ? originals.get(data[at] * 256 + data[at + 1]) : undefined;
-    if (byte === undefined) throw new EscapeError(at);
-    places.push([byte, at]);
-    at += 2;
-  }
-  return places;
-}
-
-function placesWithoutInserted({ pattern, inserted }, data) {
-  const places = [];
-  let begin = 0;
-  for (let at = 0; at < data.length; ) {
-    places.push([data[at], at]);
-    at += 1;
-    const first = at - pattern.length;
-    if (first < begin || !pattern.every((byte, place) => data[first + place] === byte)) continue;
-    if (at === data.length || data[at] !== inserted) throw new EscapeError(at);
-    at += 1;
-    begin = at;
-  }
-  return places;
-}
-
-function placesOfBlocks(data) {
-  const places = [];
-  for (let at = 0; at < data.length; ) {
-    const end = at + data[at];
-    if (end === at || end > data.length || data.subarray(at, end).includes(0)) throw new EscapeError(at);
-    for (let place = at + 1; place < end; place++) places.push([data[place], place]);
-    if (data[at] < 0xff && end < data.length) places.push([0, end]);
-    at = end;
-  }
-  if (!data.length) throw new EscapeError(0);
-  return places;
-}
-
 /** What is sent for some bytes. */
-export function escapedBytes({ method, pairs, pattern, inserted, bits, fields }, data) {
-  if (method === "can") return canIdentifier(bits, fields).escaped(data);
-  if (method === "cobs") return cobs.escaped(data);
-  if (method === "add") return adding(inserted).escaped(data);
-  return (method === "replace" ? replacing(pairs) : inserting([...pattern], inserted)).escaped(data);
+export function escapedBytes(escape, data) {
+  return escaping(escape).escaped(data);
 }
 
 /** The most bytes that are sent for `size` bytes. */

@@ -89,11 +89,10 @@ export function bytesOfText(text) {
  */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
-  for (const link of links.filter(sendsCharacters)) {
-    for (const direction of ["request", "response"]) {
+  for (const link of links) {
+    for (const [direction, mark] of Object.entries(link.openings ?? {})) {
+      if (!inner.startsWith(mark)) continue;
       const [, close] = link.delimiters[direction];
-      const mark = String.fromCharCode(...opening(link, direction));
-      if (!/^[\x20-\x7e\xa1-\xff]+$/.test(mark) || !inner.startsWith(mark)) continue;
       const [text, end] = ended(inner);
       const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
       const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
@@ -101,20 +100,6 @@ function inCharacters(text, links) {
     }
   }
   return null;
-}
-
-/** Whether people write the frames of a link as characters: parts of them are digits, or all bytes are. */
-function sendsCharacters({ encoding, request, response }) {
-  const digits = [...request.parts, ...response.parts].map(({ value }) => value?.digits);
-  return encoding === "hex_ascii" || digits.some((form) => form && form !== "bcd");
-}
-
-/** The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte. */
-function opening(link, direction) {
-  const [start] = link.delimiters[direction];
-  const first = link[direction].header[0];
-  if (start.length || first?.constant === undefined || first.reserved || first.size !== 1) return start;
-  return [Number(first.constant) & 0xff];
 }
 
 /** The text without the control characters at its end, which may be spelled as words, and these characters. */

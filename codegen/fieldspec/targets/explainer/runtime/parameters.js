@@ -1,6 +1,7 @@
 import { isWhole } from "./numbers.js";
 import { typeBounds } from "./frames.js";
-import { bytesOfNumber, decodeAnswer, decodeValue, forWriting, isArray, meaningOf } from "./values.js";
+import { bytesOfNumber, orderOf } from "./interpreter.js";
+import { decodeAnswer, decodeValue, forWriting, meaningOf } from "./values.js";
 import { isWithin } from "./texts.js";
 
 /** The parameter with a number of a set. */
@@ -78,7 +79,7 @@ export function withParameter(device, row, field, index, known, outer, isRequest
     if (!parameter) return row;
     return readAs(device, row, field, new ParameterElement(words, number, parameter), isRequest);
   }
-  const asked = part === "number" ? row.number : known(numberField);
+  const asked = part === "number" ? row.number : known.get(numberField);
   const match = isWhole(asked ?? "") ? parameterAt(device, name, asked) : undefined;
   if (!match) return row;
   const { words, number } = match;
@@ -86,7 +87,7 @@ export function withParameter(device, row, field, index, known, outer, isRequest
   if (part === "subindex") {
     at = row.number;
   } else if (part !== "number") {
-    const first = known(indexField(outer, numberField)) ?? 0;
+    const first = known.get(outer.indices?.[numberField]) ?? 0;
     at = isWhole(first) ? Number(first) + index : null;
   }
   const element = elementOf(words, number, parameterNumbered(words, number), at);
@@ -104,18 +105,9 @@ export function withParameter(device, row, field, index, known, outer, isRequest
 function statedSize(field, known) {
   const [, , by, sizes] = field.valueBytes ?? [];
   if (!by) return field.size;
-  const stated = known(by);
+  const stated = known.get(by);
   if (!isWhole(stated ?? "")) return 0;
   return sizes.find(([number]) => BigInt(stated) === BigInt(number))?.[1];
-}
-
-/** The name of the field with the index of the first element that a message carries; empty if it has none. */
-function indexField(outer, numberField) {
-  for (const field of [...(outer.request?.fields ?? []), ...(outer.response?.fields ?? [])]) {
-    const [, part, number] = field.value?.parameter ?? [];
-    if (part === "subindex" && number === numberField) return field.name;
-  }
-  return "";
 }
 
 /** The row with its first bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that. */
@@ -131,8 +123,8 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     if (fact.value.kind === "text" && size < stated) return named;
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
-  const value = isRequest ? forWriting(fact.value) : fact.value;
-  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, ...again, fact.reserved);
+  const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
+  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved);
   // What starts something does not answer what was written.
   if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
@@ -156,13 +148,8 @@ function parameterBytes({ value, byteOrder }, field, row, size) {
   if (size !== value.size) return undefined;
   const [own, words] = field.valueBytes;
   const order = byteOrder ?? own;
-  const isSwapped = hasWords(value) && Boolean(words) && words !== order;
-  return [row.raw.subarray(0, size), order, isSwapped];
-}
-
-/** Whether a value consists of several words of 16 bits. */
-function hasWords(value) {
-  return !isArray(value) && value.size > 2 && value.size % 2 === 0;
+  const hasWords = value.size > 2 && value.size % 2 === 0;
+  return { bytes: row.raw.subarray(0, size), order: orderOf(value, order, hasWords && Boolean(words) && words !== order) };
 }
 
 const COUNTS = ["integer", "boolean"];
@@ -173,9 +160,9 @@ function bytesAgain(value, field, row) {
   const areCounts = COUNTS.includes(own.kind) && COUNTS.includes(value.kind);
   const alike = own.kind === value.kind || areCounts;
   if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
-    return [row.raw, own.order ?? "big", Boolean(own.swapped)];
+    return { bytes: row.raw, order: orderOf(value, ...field.valueOrder) };
   }
   const [low, high] = areCounts && isWhole(row.number) ? typeBounds(value) : [1, 0];
   if (low > row.number || row.number > high) return undefined;
-  return [bytesOfNumber(row.number, value.size, "big", value.signed), "big", false];
+  return { bytes: bytesOfNumber(row.number, value.size, "big", value.signed), order: undefined };
 }

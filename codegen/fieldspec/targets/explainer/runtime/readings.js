@@ -1,7 +1,7 @@
 import { codeIn, isAmbiguous, partNumberText } from "./device.js";
 import { identifierSize } from "./frames.js";
 import { isWhole } from "./numbers.js";
-import { enumeration } from "./texts.js";
+import { enumeration, hexOf } from "./texts.js";
 import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
 
 export const DIRECTIONS = ["request", "response"];
@@ -129,8 +129,7 @@ export function isWrong({ explanation, readings, mismatches }) {
 
 /** The readings of the examples that have exactly these bytes. */
 function exampleReadings(device, frame) {
-  const digits = Array.from(frame, (byte) => byte.toString(16).toUpperCase().padStart(2, "0")).join("");
-  return device.readingsOf.get(digits) ?? [];
+  return device.readingsOf.get(hexOf(frame)) ?? [];
 }
 
 function exampleKeys(device, frame) {

@@ -1,5 +1,6 @@
 import { isWhole } from "./numbers.js";
-import { decodeAnswer, decoded, decodeValue, exponentApplied, forWriting, numberOfBytes } from "./values.js";
+import { contentOf } from "./interpreter.js";
+import { decodeAnswer, decoded, decodeValue, exponentApplied, forWriting } from "./values.js";
 import { factRow, rowOf } from "./rows.js";
 
 function partialText(unit, isAtomic) {
@@ -116,7 +117,7 @@ function baseOf(device, table, span) {
   if ((register.space ?? "") !== span.space) return null;
   const { address, value } = register;
   const piece = span.piece(address, value.size);
-  const number = piece && numberOfBytes(value, piece.content, value.order ?? "big", value.swapped);
+  const number = piece && contentOf(value, piece.content);
   return isWhole(number ?? "") && value.ranges.some(([low, high]) => low <= number && number <= high) ? Number(number) : null;
 }
 
@@ -153,13 +154,13 @@ function addElements(occupants, register, span) {
 function addFields(occupants, device, table, span) {
   const [start, last] = nearElements(table.base, table, span);
   if (start === last) return;
-  const nested = [...nestedFields(device, device.records.get(table.record))];
   for (let number = start; number < last; number++) {
     const base = table.base + number * table.stride;
-    for (const { path, name, field, offset, record, start: first } of nested) {
+    for (const { path, record, field: name, offset, words, access = "", atomic = false, exponent } of table.fields) {
       const address = base + (offset >> 1);
-      const words = ((offset + field.size + 1) >> 1) - (offset >> 1);
       if (address >= span.end || span.address >= address + words) continue;
+      const { named } = device.records.get(record);
+      const field = named.get(name);
       occupants.push({
         address,
         words,
@@ -168,42 +169,15 @@ function addFields(occupants, device, table, span) {
         outer: table,
         value: field.value,
         skip: offset & 1,
-        beside: (other) => besideAt(record, base, first, other),
+        exponent: exponent && { address: base + (exponent[0] >> 1), skip: exponent[0] & 1, value: named.get(exponent[1]).value },
         element: number,
-        access: table.accesses[name] ?? "",
+        access,
         reserved: Boolean(field.reserved),
-        atomic: table.atomic.includes(name),
+        atomic,
         trigger: false,
       });
     }
   }
-}
-
-/**
- * The values of a record, and of the records in it, each element of a list by itself: `parts[1].value` at an offset from
- * the start of the whole record. The record that has the field begins `start` bytes behind it.
- */
-function* nestedFields(device, record, start = 0, before = "", names = "") {
-  for (const field of record.fields) {
-    const name = `${names}${field.name}`;
-    for (let item = 0; item < (field.count ?? 0); item++) {
-      const path = `${before}${field.name}${field.isList ? `[${item}]` : ""}`;
-      const offset = start + field.offset + item * field.size;
-      if (field.record) {
-        yield* nestedFields(device, device.records.get(field.record), offset, `${path}.`, `${name}.`);
-      } else if (field.value) {
-        yield { path, name, field, offset, record, start };
-      }
-    }
-  }
-}
-
-/** A field of a record that begins `start` bytes behind an address; undefined where it has none with a value. */
-function besideAt(record, base, start, name) {
-  const field = record.named.get(name);
-  if (!field?.value) return undefined;
-  const offset = start + field.offset;
-  return { address: base + (offset >> 1), skip: offset & 1, value: field.value };
 }
 
 /** The numbers of the first element that may share words with a span, and of the one behind the last. */
@@ -219,7 +193,7 @@ function registerRow(device, span, occupant, spot, operation) {
     const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
     const value = byExponent(device, span, occupant, own);
     const decode = operation === "write" ? decodeValue : decodeAnswer;
-    read = decode(device, value, piece.content, value.order ?? "big", value.swapped, occupant.reserved);
+    read = decode(device, value, piece.content, occupant.reserved);
     // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {
@@ -238,17 +212,16 @@ function absence(device, span, { outer, element }) {
   const count = outer.countBy && device.data.registers.find(({ name }) => name === outer.countBy);
   const piece = count && span.piece(count.address, count.value.size);
   if (!piece) return [];
-  const number = numberOfBytes(count.value, piece.content, count.value.order ?? "big", count.value.swapped);
+  const number = contentOf(count.value, piece.content);
   return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
 }
 
 /** A value with its scale, where a field of the same element or a register has the exponent, and the span has that one, too. */
 function byExponent(device, span, occupant, value) {
   if (!value.scaleBy) return value;
-  const beside = occupant.beside?.(value.scaleBy);
-  const exponent = beside ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
+  const exponent = occupant.exponent ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
   const piece = span.piece(exponent.address, exponent.value.size, exponent.skip);
-  return piece ? exponentApplied(value, exponent.value, piece.content) : value;
+  return piece ? exponentApplied(value, exponent.value, contentOf(exponent.value, piece.content)) : value;
 }
 
 /** The row of words that no register has, with the reasons of the gaps there. */

@@ -1,0 +1,117 @@
+import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
+import { decodedText } from "../encodings.js";
+import { digitsNumber } from "../digit_texts.js";
+import { widenedBytes } from "../widths.js";
+
+/** The bytes up to which a whole number is no bigint. */
+export const WIDE = 6;
+
+/** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
+export function isArray({ kind }) {
+  switch (kind) {
+    case "text": case "bytes": return true;
+    case "integer": case "float": case "boolean": return false;
+    default: throw new RangeError(`unknown kind: ${kind}`);
+  }
+}
+
+/** Bytes as an unsigned bigint. */
+export function unsignedOf(bytes, order) {
+  let number = 0n;
+  for (let at = 0; at < bytes.length; at++) {
+    number = (number << 8n) | BigInt(bytes[order === "big" ? at : bytes.length - 1 - at]);
+  }
+  return number;
+}
+
+/** Bytes as a whole number; a bigint if there are more than six of them. `signed` is as in `wholeOfBits`. */
+export function wholeOf(bytes, order, signed) {
+  if (bytes.length > WIDE) return wholeOfBits(unsignedOf(bytes, order), 8 * bytes.length, signed);
+  let bits = 0;
+  for (let at = 0; at < bytes.length; at++) bits = bits * 256 + bytes[order === "big" ? at : bytes.length - 1 - at];
+  return wholeOfBits(bits, 8 * bytes.length, signed);
+}
+
+/** The bytes of a whole number; `signed` is as in `bitsOfWhole`. */
+export function bytesOfNumber(number, size, order, signed) {
+  const bits = BigInt.asUintN(8 * size, bitsOfWhole(BigInt(number), 8 * size, signed));
+  const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
+  return order === "big" ? big : big.reverse();
+}
+
+/** The bytes of a value from the most significant one on. */
+export function inOrder({ order }, bytes) {
+  return order ? Uint8Array.from(order, (place) => bytes[place]) : bytes;
+}
+
+/** The bytes of a value as they are sent, of those from the most significant one on. */
+export function inPlaces({ order }, bytes) {
+  return order ? Uint8Array.from(bytes, (_, place) => bytes[order.indexOf(place)]) : bytes;
+}
+
+/** The places of the bytes of a value, the most significant first; `isSwapped` words of 16 bits are in the other order. */
+export function orderOf({ kind, size, textForm }, order, isSwapped) {
+  if (kind === "text" || kind === "bytes") {
+    return textForm?.encoding === "utf_16" && order !== "big" ? orderOf({ size }, "little", true) : undefined;
+  }
+  const isUpward = (order === "big") !== isSwapped;
+  return Array.from({ length: size }, (_, at) => (isUpward ? at : size - 1 - at) ^ (isSwapped ? 1 : 0));
+}
+
+/** What all bytes of a value are; null for digits, or characters, that are none of its. */
+export function contentOf(value, bytes) {
+  const ordered = inOrder(value, bytes);
+  switch (value.kind) {
+    case "text": return decodedText(value.textForm, ordered, false);
+    case "bytes": return bytes;
+    case "float": return realOfBits(wholeOf(ordered, "big", false), bytes.length);
+    case "boolean": return wholeOf(ordered, "big", false);
+    case "integer": return value.digits ? digitsNumber(value, ordered) ?? null : wholeOf(ordered, "big", value.signed);
+    default: throw new RangeError(`unknown kind: ${value.kind}`);
+  }
+}
+
+/** What a reader gets for a content: a truth value as such, and the bytes of what has none. */
+function numberOfContent({ value, reserved }, content, raw, image) {
+  if (content === null || (reserved && value.kind === "text")) return image ?? raw;
+  return value.kind === "boolean" && !reserved && (content === 0 || content === 1) ? content === 1 : content;
+}
+
+/** What all bytes of a field, or of another `value`, gave; of one that varies in width, the `image` has all its bytes. */
+export function loaded(field, raw) {
+  const image = field.span ? widenedBytes(field.span, raw) : raw;
+  const content = image === null ? null : contentOf(field.value, image);
+  return { field, raw, image, content, number: numberOfContent(field, content, raw, image) };
+}
+
+/** The contents that a record gives, by name. Adds what gave them to `rows`. */
+function run(device, record, data, start, stop, path, rows) {
+  const values = new Map();
+  const beside = new Map();
+  for (const field of record.fields) {
+    const first = start + field.offset;
+    const count = field.count ?? Math.floor((stop - first) / field.size);
+    const sizes = field.isList ? new Array(count).fill(field.size) : [field.span ? stop - first : field.size];
+    const contents = runEach(device, field, data, first, sizes, path, rows, beside);
+    values.set(field.name, field.isList ? contents : contents[0]);
+  }
+  return values;
+}
+
+/**
+ * The contents of the elements of a field, which follow each other from `start` on and have some sizes. Adds what gave
+ * them to `rows`, and to `beside`, those of the same record by the names of their fields.
+ */
+export function runEach(device, field, data, start, sizes, path, rows, beside) {
+  let stop = start;
+  return sizes.map((size, index) => {
+    const offset = stop;
+    stop += size;
+    const own = `${path}${field.name}${field.isList ? `[${index}]` : ""}`;
+    if (field.record) return run(device, device.records.get(field.record), data, offset, stop, `${own}.`, rows);
+    const row = { ...loaded(field, data.subarray(offset, stop)), path: own, index, offset, beside };
+    rows.push(row);
+    beside.set(field.name, row);
+    return row.number;
+  });
+}
