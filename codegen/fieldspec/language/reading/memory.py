@@ -55,8 +55,8 @@ class Memory:
     """What reading remembers for a project that is read again and again: what has not changed is not read again.
 
     Of a file that cannot be used, the tree of its last sound text stands in, so that the rest is judged all the same:
-    findings and places in another text than that of `files` are of that one. Where memory is `strict`, none stands in:
-    the findings are those of reading without it.
+    findings and places in another text than that of `files` are of that one. A device is judged without a file that is
+    new to it and has never been sound. Where memory is `strict`, the findings are those of reading without it.
     """
 
     files: dict[str, FileRead] = field(default_factory=dict)

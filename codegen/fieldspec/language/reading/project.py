@@ -66,6 +66,10 @@ def read(
     return _Reader(files, folder, origins or {}, installed, memory).project(only)
 
 
+def _is_of_a_version(path: str) -> bool:
+    return path.split("/")[1] == VERSIONS
+
+
 class _Reader:
     def __init__(
         self,
@@ -177,11 +181,15 @@ class _Reader:
     def _device(self, folder: str, paths: list[str], reused: Reused) -> DeviceSpec | None:
         main = f"{folder}/{MAIN}"
         paths = sorted(paths, key=lambda path: (path != main, path))
-        own = [path for path in paths if not path.startswith(f"{folder}/{VERSIONS}/")]
-        trees = [self._tree(path) for path in own]
-        overlay_trees = {path: self._tree(path) for path in paths if path not in own}
-        usable = [tree for tree in trees if tree is not None]
-        if len(usable) < len(trees) or None in overlay_trees.values() or not usable:
+        trees = {path: self._tree(path) for path in paths}
+        unusable = {path for path, tree in trees.items() if tree is None}
+        if not self._are_new(folder, unusable):
+            return None
+        paths = [path for path in paths if path not in unusable]
+        own = [path for path in paths if not _is_of_a_version(path)]
+        overlay_trees = {path: trees[path] for path in paths if path not in own}
+        usable = [tree for path in own if (tree := trees[path]) is not None]
+        if not usable:
             return None
         whole, findings = joined(usable)
         self.findings += findings
@@ -231,6 +239,14 @@ class _Reader:
         expanded_trees = {version: expanded(tree)[0] for version, tree in layers.items()}
         used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
         return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used, reused)
+
+    def _are_new(self, folder: str, paths: set[str]) -> bool:
+        """Whether files that cannot be used have been no part of a device yet, which is then judged without them."""
+        if not paths or self.memory is None or self.memory.strict:
+            return not paths
+        before = self.memory.devices.get(folder)
+        known = before.spec.files if before is not None and before.spec is not None else None
+        return all(path not in known if known is not None else _is_of_a_version(path) for path in paths)
 
     def _used(self, name: str) -> set[str]:
         """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""

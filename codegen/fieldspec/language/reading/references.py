@@ -244,11 +244,13 @@ class _Search:
                 yield from self._given(value, key, [*self.meanings.parts(field)], holder)
 
     def _meant(self, value: Node, key: str, facts: list[Mapping], holder: str) -> Iterator[Reference]:
-        """The members, bits, states and special values that a value, or each of several, means."""
+        """The members, bits, states and special values that a value means, or each of several: also a `BIT=MEMBER`."""
         for scalar in value.items if isinstance(value, Sequence) else (value,):
-            for item in (item for fact in facts for item, _ in self.meanings.values(fact)):
-                if isinstance(scalar, Scalar) and identity(item) == scalar.text:
-                    yield Reference(scalar, 0, len(scalar.text), key, holder, item)
+            start, known = 0, facts
+            for name in scalar.text.split("=") if isinstance(scalar, Scalar) else ():
+                known = [item for fact in known for item, _ in self.meanings.values(fact) if identity(item) == name]
+                yield from (Reference(scalar, start, start + len(name), key, holder, item) for item in known)
+                start += len(name) + 1
 
     def _targets(self, text: str, key: str, holder: str, fact: Mapping | None) -> Iterator[tuple[int, int, Mapping]]:
         """The facts that a text names, each with the part of the text that is its name."""
