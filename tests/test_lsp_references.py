@@ -250,7 +250,8 @@ IDENTITY = re.compile(r"\b[0-9a-f]{16}\b")
 def respelled(text: str, old: str, new: str) -> str:
     """A text in which a name is the same before and after, in all the cases of the outputs."""
     text = IDENTITY.sub("", text)  # names are part of it
-    for old_case, other in ((old, new), (old.upper(), new.upper())):
+    title, other_title = (name.replace("_", " ").capitalize() for name in (old, new))
+    for old_case, other in ((old, new), (old.upper(), new.upper()), (title, other_title)):
         text = text.replace(old_case, other)
     camel, other_camel = (name.title().replace("_", "") for name in (old, new))
     lower, other_lower = (name[:1].lower() + name[1:] for name in (camel, other_camel))

@@ -188,7 +188,7 @@ class _Reader:
         paths = [path for path in paths if path not in unusable]
         own = [path for path in paths if not _is_of_a_version(path)]
         overlay_trees = {path: trees[path] for path in paths if path not in own}
-        usable = [tree for path in own if (tree := trees[path]) is not None]
+        usable = [known for path in own if (known := trees[path]) is not None]
         if not usable:
             return None
         whole, findings = joined(usable)

@@ -74,10 +74,15 @@ class Reference:
 
 def unquoted(scalar: Scalar) -> Span:
     """The place of the text of a scalar, behind its anchor and within its quotation marks."""
-    anchor = _ANCHOR.match(scalar.file.text, scalar.start, scalar.end)
-    start = anchor.end() if anchor is not None else scalar.start
+    start = unanchored(scalar)
     mark = int(scalar.file.text[start : start + 1] in ("'", '"'))
     return Span(scalar.file, start + mark, scalar.end - mark)
+
+
+def unanchored(node: Node) -> int:
+    """Where a node begins behind its anchor."""
+    anchor = _ANCHOR.match(node.file.text, node.start, node.end)
+    return anchor.end() if anchor is not None else node.start
 
 
 _ANCHOR = re.compile(r"&\S+\s+")
@@ -245,9 +250,10 @@ class _Search:
 
     def _meant(self, value: Node, key: str, facts: list[Mapping], holder: str) -> Iterator[Reference]:
         """The members, bits, states and special values that a value means, or each of several: also a `BIT=MEMBER`."""
-        for scalar in value.items if isinstance(value, Sequence) else (value,):
+        nodes = value.items if isinstance(value, Sequence) else (value,)
+        for scalar in (node for node in nodes if isinstance(node, Scalar)):
             start, known = 0, facts
-            for name in scalar.text.split("=") if isinstance(scalar, Scalar) else ():
+            for name in scalar.text.split("="):
                 known = [item for fact in known for item, _ in self.meanings.values(fact) if identity(item) == name]
                 yield from (Reference(scalar, start, start + len(name), key, holder, item) for item in known)
                 start += len(name) + 1
@@ -258,15 +264,15 @@ class _Search:
         if path.startswith(IN_USE):
             for message in self.names.get("messages", {}):
                 more = len(f"messages/{message}/") - len(IN_USE)
-                for start, end, target in self._on_path(f"messages/{message}/{path.removeprefix(IN_USE)}"):
+                for start, end, named in self._on_path(f"messages/{message}/{path.removeprefix(IN_USE)}"):
                     if start >= more + len(IN_USE):
-                        yield start - more, end - more, target
+                        yield start - more, end - more, named
         elif "/" in path:
             yield from self._on_path(path)
         elif (target := self._named(text, key, holder, fact)) is not None:
             yield 0, len(text), target
         elif self.section in _ACTING and key in _WITH_ROLES:
-            yield from ((0, len(path), target) for target in self.meanings.with_role(path))
+            yield from ((0, len(path), known) for known in self.meanings.with_role(path))
 
     def _named(self, text: str, key: str, holder: str, fact: Mapping | None) -> Mapping | None:
         if key in INNER and fact is not None and self.section in HOLDERS and holder.count("/"):
