@@ -88,6 +88,10 @@ class _Reader:
         """The files that were read, by their paths without what some file systems do not tell apart."""
         self.incomplete: set[str] = set()
         """The protocols that lack one that they use; the empty name is that of the last device."""
+        self.trees: dict[str, Mapping | None] = {}
+        """What the files of the last device gave."""
+        self.own_findings = 0
+        """How many findings there were when its files had been read."""
         self.faulty: set[str] = set()
         """The protocols in whose files something is wrong."""
 
@@ -148,7 +152,10 @@ class _Reader:
         reused = before.reused() if before is not None else {}
         spec, is_broken = self._judged(folder, paths, reused)
         turns = before.turns + 1 if before is not None and reused else 0
-        self.memory.devices[folder] = DeviceRead(contents, spec, self.findings[known:], is_broken, turns)
+        joined_findings = self.findings[self.own_findings :]
+        self.memory.devices[folder] = DeviceRead(
+            contents, spec, self.findings[known:], is_broken, turns, self.trees, joined_findings
+        )
         return spec, is_broken
 
     def _tree(self, path: str) -> Mapping | None:
@@ -181,7 +188,15 @@ class _Reader:
     def _device(self, folder: str, paths: list[str], reused: Reused) -> DeviceSpec | None:
         main = f"{folder}/{MAIN}"
         paths = sorted(paths, key=lambda path: (path != main, path))
-        trees = {path: self._tree(path) for path in paths}
+        known = len(self.findings)
+        self.trees = trees = {path: self._tree(path) for path in paths}
+        self.own_findings = len(self.findings)
+        before = self.memory.devices.get(folder) if self.memory is not None else None
+        if before is not None and before.spec is not None and self.own_findings > known:
+            shared = {path: data for path, data in self.files.items() if path.startswith(_SHARED)}
+            if before.has(trees, shared):  # of a file that cannot be read, its last tree stands in again
+                self.findings += before.joined
+                return before.spec
         unusable = {path for path, tree in trees.items() if tree is None}
         if not self._are_new(folder, unusable):
             return None
