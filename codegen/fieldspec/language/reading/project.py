@@ -203,7 +203,7 @@ class _Reader:
         paths = [path for path in paths if path not in unusable]
         own = [path for path in paths if not _is_of_a_version(path)]
         overlay_trees = {path: trees[path] for path in paths if path not in own}
-        usable = [known for path in own if (known := trees[path]) is not None]
+        usable = [own_tree for path in own if (own_tree := trees[path]) is not None]
         if not usable:
             return None
         whole, findings = joined(usable)
