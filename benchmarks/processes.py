@@ -43,6 +43,12 @@ def run(command: Sequence[str], **variables: str) -> Took:
     return Took((used.ru_utime + used.ru_stime) * 1e3, clock, used.ru_maxrss * 1024)
 
 
+def work_of(process: int) -> float:
+    """Milliseconds of the processor that a process has taken until now."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) * 1e3 / os.sysconf("SC_CLK_TCK")
+
+
 def in_turns(commands: Mapping[str, Sequence[str]], rounds: int, **variables: str) -> dict[str, list[Took]]:
     """What each of some commands took in each round, all of them in turns; what they need lies in memory before."""
     for command in commands.values() if rounds > 1 else ():

@@ -15,7 +15,7 @@ from pathlib import Path
 from statistics import median
 
 from peers import registers
-from processes import FIELDSPEC, limited
+from processes import FIELDSPEC, limited, work_of
 from rows import ROOT, Row, printed
 
 GROUP = "build --watch"
@@ -66,19 +66,13 @@ def _work(files: Mapping[str, str], path: str, text: str) -> float:
             took = []
             for turn in range(ROUNDS):
                 time.sleep(2)  # for what it does while nobody waits
-                before = _time(process.pid)
+                before = work_of(process.pid)
                 _saved(process, Path(folder, "specs", path), files[path].replace(text, f"{text}{turn} ", 1))
-                took.append(_time(process.pid) - before)
+                took.append(work_of(process.pid) - before)
         finally:
             process.kill()
             process.wait()
     return median(took)
-
-
-def _time(process: int) -> float:
-    """Milliseconds of the processor that a process has taken."""
-    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) * 1e3 / os.sysconf("SC_CLK_TCK")
 
 
 def _device_rows() -> Iterator[Row]:

@@ -23,6 +23,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.reading.project import read
 
 SPECS = Path(__file__).resolve().parent / "specs"
+REAL = Path(__file__).resolve().parent.parent / "specs"
 CONFIGURATION = ClientServerConfig(server_command=[sys.executable, "-m", "fieldspec", "lsp"])
 
 Place = tuple[str, int, int, int, int, str]
@@ -94,9 +95,10 @@ def numbers(range: types.Range) -> tuple[int, int, int, int]:
 
 
 def copied(folder: Path, *devices: str) -> Path:
-    """A folder of specs with some of the made-up devices, and the protocols of all of them."""
+    """A folder of specs with some of the devices, made up or real ones, and the protocols of all of their kind."""
+    source = SPECS if (SPECS / devices[0]).is_dir() else REAL
     for device in ("protocols", *devices):
-        shutil.copytree(SPECS / device, folder / "specs" / device)
+        shutil.copytree(source / device, folder / "specs" / device)
     return folder / "specs"
 
 

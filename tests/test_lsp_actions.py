@@ -7,10 +7,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 from lsprotocol import types
 
 from command_line import CommandLine
 from editing import Editor, applied, copied, editor, fresh, place_of
+from fieldspec.command.editor.edits import with_item
+from fieldspec.foundation.source import SourceFile
+from fieldspec.language.reading.memory import FileRead
+from fieldspec.language.reading.nodes import Mapping
+from fieldspec.language.reading.yaml_reader import parsed
 
 pytestmark = pytest.mark.asyncio
 
@@ -78,9 +84,17 @@ async def test_the_help_of_a_finding_is_done_where_it_is_mechanical(tmp_path: Pa
     assert len(left) < len({diagnostic.code for diagnostic in before}) + 1
 
 
-@pytest.mark.parametrize(
-    "row", [ROW, "      - at: 0\n        name: speed\n        type: i16\n        access: ro  # x\n"]
-)
+BLOCK = "      - at: 0\n        name: speed\n        type: i16\n        access: ro  # x\n"
+ROWS = {
+    "in braces": ROW,
+    "behind an anchor": ROW.replace("{at", "&row {at"),
+    "of lines": BLOCK,
+    "of lines that end with braces": f"{BLOCK}        inferred: {{type: So.}}\n",
+    "of lines that end with brackets": f"{BLOCK}        restated: [{{source: L11, at: 0}}]\n",
+}
+
+
+@pytest.mark.parametrize("row", ROWS.values(), ids=ROWS)
 async def test_what_is_allowed_asks_for_the_reason_and_is_no_finding_with_it(tmp_path: Path, row: str) -> None:
     specs = copied(tmp_path, "gizmo")
     other = row.replace("speed", "other")
@@ -116,6 +130,16 @@ async def test_a_corrected_address_can_leave_an_erratum_with_the_print_that_prov
     assert "proof: addresses_disjoint" in new
     with_reason = new.replace('reason: ""', "reason: Both rows have one address.")
     assert {diagnostic.code for diagnostic in fresh(specs, {GIZMO: with_reason})} == {"addresses_ascending"}
+
+
+@pytest.mark.parametrize("last", ["about: [a]", "reason: '[x]'", "fact: a/b"])
+def test_an_item_is_added_behind_the_last_one_whatever_that_ends_with(last: str) -> None:
+    file = SourceFile("device.yaml", f"errata:\n  - id: first\n    {last}\nlinks: []\n")
+    tree, _ = parsed(file)
+    assert isinstance(tree, Mapping)
+    edit = with_item(FileRead(b"", file, [], [], tree), "errata", ["id: second", "fact: c/d"])
+    text = file.text[: edit.span.start] + edit.text + file.text[edit.span.end :]
+    assert [item["id"] for item in yaml.safe_load(text)["errata"]] == ["first", "second"]
 
 
 METER, OVERLAY = "wattmeter/device.yaml", "wattmeter/versions/2.yaml"

@@ -77,6 +77,74 @@ def test_what_stands_in_a_spec_is_offered_there_also_where_the_text_ends_with_it
     assert len(words) > 25
 
 
+# A word of a real device, what of it is typed, and words that stand there: by hand, one of each kind.
+OFFERED = {
+    "a role in a step": ("esc11/tasks.yaml", "send: homing_start", "send: |", {"homing_start", "messages"}),
+    "a bit on a path": (
+        "tc100/tasks.yaml",
+        "registers/output_states/output_1",
+        "registers/output_states/|",
+        {"registers/output_states/output_1"},
+    ),
+    "a member in a condition": (
+        "tc100/behaviour.yaml",
+        "servo_enable: servo_on",
+        "servo_enable: |",
+        {"servo_on", "servo_off"},
+    ),
+    "a member that a rule sets": ("tc100/behaviour.yaml", "to: motion_command_while_moving", "to: |", {"no_fault"}),
+    "a state machine": ("tc100/behaviour.yaml", "enter: servo,", "enter: |,", {"servo", "alarm"}),
+    "a state that is entered": ("tc100/behaviour.yaml", "state: released}", "state: |}", {"released", "energized"}),
+    "a state in a condition": (
+        "tc100/behaviour.yaml",
+        "state/servo: released",
+        "state/servo: |",
+        {"released", "energized"},
+    ),
+    "a bit of the cyclic message": (
+        "hiwin-e/behaviour.yaml",
+        "message/response/status_word_1/no_off2",
+        "message/response/status_word_1/|",
+        {"message/response/status_word_1/no_off2"},
+    ),
+    "a bit in an example": (
+        "esc11/examples-move.yaml",
+        "[executing, out_of_position]",
+        "[executing, |]",
+        {"out_of_position"},
+    ),
+    "an address of the first row": (
+        "tc100/registers-motion.yaml",
+        "- at: 0x2000\n",
+        "- {at: |, name: neu}\n      - at: 0x2000\n",
+        {"0x2004"},
+    ),
+}
+OVERLAY = """overlay: {id: "3.0", line: LINE, based_on: "2.0"}
+adds: [{in: registers/motion, item: {at: ADDRESS, name: neu}}]
+"""
+
+
+@pytest.mark.parametrize("kind", OFFERED)
+def test_names_in_tasks_behaviour_and_examples_are_offered(kind: str) -> None:
+    path, sound, typed, expected = OFFERED[kind]
+    edited = project("specs")
+    text = edited.memory.files[path].file.text.replace(sound, typed, 1)
+    word = typed_word(edited, SourceFile(path, text.replace("|", "")), text.index("|"))
+    assert word is not None
+    assert expected <= {suggestion.text for suggestion in suggestions(word)}
+
+
+@pytest.mark.parametrize(("place", "expected"), [("LINE", {"firmware", "hardware"}), ("ADDRESS", {"0x204F"})])
+def test_the_file_of_a_new_version_is_offered_its_line_and_addresses(place: str, expected: set[str]) -> None:
+    edited = EditedProject(ROOT / "specs")
+    path = "tc100/versions/3.0.yaml"  # it cannot be read yet
+    edited.read({ROOT / "specs" / path: OVERLAY})
+    word = typed_word(edited, SourceFile(path, OVERLAY.replace(place, "")), OVERLAY.index(place))
+    assert word is not None
+    assert expected <= {suggestion.text for suggestion in suggestions(word)}
+
+
 GIZMO = "gizmo/device.yaml"
 ROW = "      - {at: 0, name: speed, type: i16, unit: rpm, access: ro, source: L10}\n"
 

@@ -96,6 +96,25 @@ async def test_a_broken_document_keeps_the_findings_of_the_rest(tmp_path: Path) 
         assert session.places() == places | expected_places(fresh(specs, {GIZMO: broken, WIDGET: unreadable}))
 
 
+async def test_a_file_that_is_new_and_not_sound_yet_keeps_the_findings_of_the_rest(tmp_path: Path) -> None:
+    specs = copied(tmp_path, "wattmeter")
+    name, device, new = "wattmeter/device.yaml", "wattmeter/more.yaml", "wattmeter/versions/3.yaml"
+    async with editor(specs) as session:
+        await session.opened(name)
+        await session.typed(name, session.text(name).replace("range: 1..1000", "range: 1000..1"))
+        places = session.places()
+        assert {place[0] for place in places} == {name}
+        for path, text in (
+            (new, ""),
+            (new, "overlay: {id: '3', li"),
+            (new, "overlay:\n  id: '3'\n"),
+            (device, "enums: [{"),
+        ):
+            await session.opened(path, text) if path not in session.open_names else await session.typed(path, text)
+            assert places < session.places(), text
+            assert path in {place[0] for place in session.places()}, text
+
+
 async def test_a_file_that_changes_on_the_disk_is_judged_when_the_editor_says_so(tmp_path: Path) -> None:
     from lsprotocol import types
 

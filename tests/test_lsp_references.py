@@ -112,6 +112,58 @@ async def test_a_path_leads_to_the_fact_of_the_step_under_the_pointer_also_from_
         assert await defined(session, GLIDER, inner) == spots(GLIDER, text, r"name: (reference_speed)\b")
 
 
+# From a name in a file of a device to the name of the fact that it means: by hand, one of each kind.
+LEADS = {
+    "a bit on a path through a field": (
+        ("tasks", r"wait: links/serial/response/status/(servo_off)"),
+        ("device", r"name: (servo_off)"),
+    ),
+    "a bit on a path behind an anchor": (
+        ("behaviour", r"mark: &wrong links/serial/response/status/(command_error)"),
+        ("device", r"name: (command_error)"),
+    ),
+    "a field that a step gives a value": (
+        ("tasks", r"values: \{(excited): true"),
+        ("commands-status", r"name: (excited), roles"),
+    ),
+    "a field that an example gives a value": (
+        ("examples-move", r"address: 0, (status):"),
+        ("device", r"name: (status)"),
+    ),
+    "a bit that an example has": (("examples-move", r"status: \[(executing)"), ("device", r"name: (executing)")),
+    "a message by a role": (("tasks", r"send: (homing_start)"), ("commands-move", r"name: (start_homing)")),
+    "a bit by a role": (("behaviour", r"show: (busy)"), ("device", r"name: (executing)")),
+    "a state machine that is a condition": (
+        ("behaviour", r"state/(alarm): present"),
+        ("behaviour", r"name: (alarm), m"),
+    ),
+    "a state machine that is entered": (("behaviour", r"enter: (alarm)"), ("behaviour", r"name: (alarm), m")),
+    "a parameter in a product": (
+        ("behaviour", r"product: \[parameters/parameters/(negative_soft_limit)"),
+        ("parameters", r"name: (negative_soft_limit)"),
+    ),
+}
+
+
+@pytest.mark.asyncio
+async def test_names_in_tasks_behaviour_and_examples_lead_to_what_they_mean_and_are_uses_of_it(tmp_path: Path) -> None:
+    specs = copied(tmp_path, "esc11")
+    async with editor(specs) as session:
+        for kind, ((file, pattern), (target_file, target_pattern)) in LEADS.items():
+            name, target = f"esc11/{file}.yaml", f"esc11/{target_file}.yaml"
+            place = first_spot(name, session.text(name), pattern)
+            expected = first_spot(target, session.text(target), target_pattern)
+            assert await defined(session, name, types.Position(place[1], place[2])) == {expected}, kind
+            if "role" not in kind:  # a role is a use of the fact, but not of its name
+                uses = await used(session, target, types.Position(expected[1], expected[2]), declaration=False)
+                assert place in uses, kind
+
+
+def first_spot(name: str, text: str, pattern: str) -> Spot:
+    """The first place of a pattern in a document."""
+    return min(spots(name, text, pattern), key=lambda spot: spot[1:])
+
+
 def unresolved() -> list[tuple[str, Reference]]:
     """A reference of each key in each section of the made-up devices, in their own files."""
     project = EditedProject(TEST_SPECS)
@@ -147,6 +199,11 @@ RENAMED = (
     ("glider-x", "parameters/servo", "servp"),
     ("widget", "enums/color", "colos"),
     ("widget", "records/corner", "cornes"),
+    ("mover", "enums/status/executed", "executee"),
+    ("mover", "links/serial/response/host", "hosu"),
+    ("esc11", "flags/communication_status/command_error", "command_erros"),
+    ("esc11", "messages/set_motor_excitation/request/excited", "excitee"),
+    ("esc11", "behaviour/alarm", "alarn"),
 )
 
 
@@ -193,7 +250,8 @@ IDENTITY = re.compile(r"\b[0-9a-f]{16}\b")
 def respelled(text: str, old: str, new: str) -> str:
     """A text in which a name is the same before and after, in all the cases of the outputs."""
     text = IDENTITY.sub("", text)  # names are part of it
-    for old_case, other in ((old, new), (old.upper(), new.upper())):
+    title, other_title = (name.replace("_", " ").capitalize() for name in (old, new))
+    for old_case, other in ((old, new), (old.upper(), new.upper()), (title, other_title)):
         text = text.replace(old_case, other)
     camel, other_camel = (name.title().replace("_", "") for name in (old, new))
     lower, other_lower = (name[:1].lower() + name[1:] for name in (camel, other_camel))

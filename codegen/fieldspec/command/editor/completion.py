@@ -6,17 +6,19 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.command import rules
-from fieldspec.command.editor.frame_values import VALUES, fields, meanings, value_of
+from fieldspec.command.editor.frame_values import fields, meanings, states
 from fieldspec.command.editor.free_addresses import free_addresses
 from fieldspec.command.editor.typed_word import MARK, TypedWord
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.behaviour.part import AXIS_PROPERTIES
 from fieldspec.language.checks.finding import hexadecimal
+from fieldspec.language.model.task import ACTIONS
 from fieldspec.language.model.units import standard_units
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.findings import PROTOCOLS
+from fieldspec.language.reading.meanings import VALUES, Meanings, value_of
 from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, Sequence, children, find, identity, mappings
-from fieldspec.language.reading.references import ASKED, HOLDERS, INNER, REFERENCES, named_facts
+from fieldspec.language.reading.references import ASKED, HOLDERS, IN_USE, INNER, REFERENCES, named_facts
 from fieldspec.language.schema import Schema, described, referred, resolved
 from fieldspec.language.schema.manual import key_text
 
@@ -102,10 +104,20 @@ def _values(word: TypedWord) -> Iterator[Suggestion]:
             yield from (Suggestion(rule.code, "rule", documentation=rule.what) for rule in rules.all_rules())
         if key == "rule":
             yield from (Suggestion(rule.code, "rule", documentation=rule.what) for rule in rules.change_rules())
+        if key == "line" and place.keys[0] == "overlay":
+            lines = (line for spec in place.specs for line in mappings(spec.tree.values.get("versions")))
+            yield from (_named(line, identity(line) or MARK, "line") for line in lines)
         yield from (_named(item, identity(item) or MARK, kind) for item, kind in meanings(word, key))
+        yield from (Suggestion(state, "state") for state in states(word, key))
+        if key == "enter":
+            yield from (machine for spec in place.specs for machine in _machines(spec, ""))
     if part is referred("#/$defs/behaviour_signal"):
         for spec in place.specs:
             yield from _signals(spec, word.before)
+    elif place.keys[0] == "tasks" and key in ACTIONS:
+        yield from _words(referred("#/$defs/role")) if "/" not in word.before else ()
+        for spec in place.specs:
+            yield from _paths(spec, word.before)
     elif _PATH.search(_description(word)) or "/" in word.before:
         for spec in place.specs:
             yield from _paths(spec, word.before)
@@ -193,12 +205,21 @@ def _scalars(node: Node) -> Iterator[tuple[str | int, Scalar]]:
 def _numbers(word: TypedWord, key: str) -> Iterator[Suggestion]:
     """The next number behind that of the item before; for an address, those that are free."""
     nodes, keys = word.place.nodes, word.place.keys
-    if len(nodes) < 3 or not isinstance(nodes[-3], Sequence):
+    if len(nodes) < 3:
         return
-    number = keys[-2]
-    before = nodes[-3].items[number - 1] if isinstance(number, int) and number else None
-    known = _integer(value_of(before, key))
-    if key in ("at", "base") and keys[0] in ("registers", "tables"):
+    items, number = nodes[-3], keys[-2]
+    neighbours: tuple[Node, ...] = ()
+    added = value_of(items, "in") if number == "item" else None
+    if isinstance(items, Sequence) and isinstance(number, int):
+        neighbours = (*items.items[number - 1 : number], *items.items[number + 1 : number + 2])
+    elif isinstance(added, Scalar):
+        groups = (find(spec.tree_at(spec.versions()[-1]), added.text) for spec in word.place.specs)
+        neighbours = tuple(row for group in groups for row in [*mappings(value_of(group, "rows"))][-1:])
+    else:
+        return
+    known = _integer(value_of(neighbours[0], key)) if neighbours else None
+    section = added.text.partition("/")[0] if isinstance(added, Scalar) else keys[0]
+    if key in ("at", "base") and section in ("registers", "tables"):
         for spec in word.place.specs:
             for address in free_addresses(spec, _space(word), known, identity(nodes[-2]) or MARK):
                 yield Suggestion(hexadecimal(address), "address", "free")
@@ -222,14 +243,18 @@ def _signals(spec: DeviceSpec, before: str) -> Iterator[Suggestion]:
     """What rules of behaviours look at: states of machines, roles, and paths."""
     if "/" not in before:
         yield from _words(referred("#/$defs/role"))
-    for machine in mappings(spec.tree_at(spec.versions()[-1]).values.get("behaviour")):
-        if isinstance(name := machine.values.get("name"), Scalar) and "machine" in machine.values:
-            yield _named(machine, f"state/{name.text}", "state machine")
+    yield from _machines(spec, "state/")
     yield from (Suggestion(f"axis/{name}", "axis") for name in AXIS_PROPERTIES)
     for record in mappings(spec.tree_at(spec.versions()[-1]).values.get("records")):
         for field in mappings(record.values.get("fields")):
             yield _named(field, f"element/{identity(field)}", "field")
     yield from _paths(spec, before)
+
+
+def _machines(spec: DeviceSpec, start: str) -> Iterator[Suggestion]:
+    for machine in mappings(spec.tree_at(spec.versions()[-1]).values.get("behaviour")):
+        if (name := identity(machine)) and "machine" in machine.values:
+            yield _named(machine, start + name, "state machine")
 
 
 def _paths(spec: DeviceSpec, before: str) -> Iterator[Suggestion]:
@@ -239,12 +264,20 @@ def _paths(spec: DeviceSpec, before: str) -> Iterator[Suggestion]:
     if not slash:
         yield from (Suggestion(section, "section") for section in tree.values)
         return
+    if before.startswith(IN_USE):
+        for message in named_facts(tree.values.get("messages", tree)):
+            for path in _paths(spec, f"messages/{message}/{before.removeprefix(IN_USE)}"):
+                yield replace(path, text=IN_USE + path.text.split("/", 2)[-1])
+        return
     section, _, inner = start.partition("/")
     if not inner:
         for name, fact in named_facts(tree.values.get(section, tree)).items():
             yield _named(fact, f"{start}/{name}", section)
         return
-    fact_node = find(tree, start)
+    fact_node, meanings = find(tree, f"{section}/{inner.partition('/')[0]}"), Meanings(tree)
+    for step in inner.split("/")[1:]:
+        fact_node = meanings.step(fact_node, step)
+    yield from (_named(part, f"{start}/{identity(part)}", "part") for part in meanings.parts(fact_node))
     for key, child in children(fact_node) if fact_node is not None else ():
         if isinstance(fact_node, Mapping) and not isinstance(child, Scalar):
             yield Suggestion(f"{start}/{key}", "key")

@@ -10,7 +10,7 @@ from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.memory import FileRead
 from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, children, keys, node_at, schema_path
 from fieldspec.language.reading.scalars import part_at
-from fieldspec.language.reading.yaml_reader import key_at
+from fieldspec.language.reading.yaml_reader import key_spans
 from fieldspec.language.schema import Schema, resolved
 
 
@@ -18,7 +18,8 @@ from fieldspec.language.schema import Schema, resolved
 class Cursor:
     """A place in a document: the `nodes` that hold it, the tree of the file first, and the keys that lead to them.
 
-    The place is an offset in the text of the nodes. `key` is the key of the last node that is there, if it is at one.
+    The place is an offset in the text of the nodes. `key_scalar` is the key of the last node that is there, if it is at
+    one.
     """
 
     project: EditedProject
@@ -26,7 +27,12 @@ class Cursor:
     offset: int
     nodes: tuple[Node, ...]
     keys: tuple[str | int, ...]
-    key: str | None
+    key_scalar: Scalar | None
+
+    @property
+    def key(self) -> str | None:
+        """The key at the place."""
+        return self.key_scalar.text if self.key_scalar is not None else None
 
     @property
     def specs(self) -> list[DeviceSpec]:
@@ -58,8 +64,10 @@ def cursor(project: EditedProject, read: FileRead, offset: int) -> Cursor | None
         key, node = step
         nodes.append(node)
         path.append(key)
-    word = key_at(node, place.start) if isinstance(node, Mapping) else None
-    return Cursor(project, read, place.start, tuple(nodes), tuple(path), word)
+    spans = key_spans(node) if isinstance(node, Mapping) else ()
+    words = (Scalar(span.file, span.start, span.end, word, False) for word, span in spans)
+    key_scalar = next((word for word in words if word.start <= place.start <= word.end), None)
+    return Cursor(project, read, place.start, tuple(nodes), tuple(path), key_scalar)
 
 
 def _below(node: Node, offset: int) -> tuple[str | int, Node] | None:

@@ -9,6 +9,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import SourceFile, Span
 from fieldspec.language.reading.memory import FileRead
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
+from fieldspec.language.reading.references import unanchored
 from fieldspec.language.reading.yaml_reader import key_spans
 
 
@@ -33,7 +34,7 @@ def source_text(value: Scalar) -> str:
 def with_key(mapping: Mapping, key: str, value: str) -> Edit:
     """A mapping with one more key: within its braces, or on a line of its own."""
     text, last = mapping.file.text, _last(mapping)
-    if text[last - 1] == "}":
+    if _opens(mapping) == "{":
         inner = text[mapping.start : last - 1].rstrip()
         comma = "" if inner.endswith(("{", ",")) else ", "
         offset = mapping.start + len(inner)
@@ -55,13 +56,18 @@ def with_item(read: FileRead, section: str, lines: Lines[str]) -> Edit:
         items = end.join(f"  {'  ' if number else '- '}{line}" for number, line in enumerate(lines))
         return Edit(Span(file, offset, offset), f"{end}{end}{section}:{end}{items}")
     last = _last(node)
-    if text[last - 1] == "]":
+    if _opens(node) == "[":
         inner = len(text[: last - 1].rstrip())
         return Edit(Span(file, inner, inner), f", {{{', '.join(lines)}}}")
     column = " " * (node.start - text.rfind("\n", 0, node.start) - 1)
     offset = _end_of_line(text, last)
     items = end.join(f"{column}{'  ' if number else '- '}{line}" for number, line in enumerate(lines))
     return Edit(Span(file, offset, offset), f"{end}{items}")
+
+
+def _opens(node: Node) -> str:
+    """The first character of a node behind its anchor: a bracket, or that of a block."""
+    return node.file.text[unanchored(node)]
 
 
 def _last(node: Node) -> int:

@@ -1,14 +1,12 @@
-"""What the values of an example or a step belong to: the fields of its frame, and what a value of theirs can mean."""
+"""What the values of an example, a step or a behaviour belong to, and what a value of theirs can mean."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from fieldspec.command.editor.typed_word import TypedWord
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, children, find, identity, mappings
-
-VALUES = ("values", "arguments")
-"""Mappings whose keys are fields of a frame."""
+from fieldspec.language.reading.meanings import VALUED, VALUES, Meanings, value_of
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, find, identity
 
 
 def fields(word: TypedWord) -> Iterator[Mapping]:
@@ -20,79 +18,47 @@ def fields(word: TypedWord) -> Iterator[Mapping]:
     inner = [key for key in keys[number + 1 :] if isinstance(key, str)]
     if not word.is_key:
         inner = inner[:-1]
-    for spec in word.place.specs:
-        tree = spec.tree_at(spec.versions()[-1])
-        facts = [*_lists(tree, nodes[number], nodes[number - 1])]
+    for known in _meanings(word):
+        items = [*known.fields(nodes[number], nodes[number - 1])]
         for key in inner:
-            field = next((item for fact in facts for item in mappings(fact) if identity(item) == key), None)
-            facts = [_of_record(tree, value_of(field, "record"))]
-        yield from (item for fact in facts for item in mappings(fact))
+            items = [part for item in items if identity(item) == key for part in known.parts(item)]
+        yield from items
 
 
 def meanings(word: TypedWord, key: str) -> Iterator[tuple[Mapping, str]]:
-    """The members, states, bits and special values of what a value is given for, in examples and steps."""
-    nodes = word.place.nodes
+    """The members, states, bits and special values of what a value is given for."""
+    nodes, keys = word.place.nodes, word.place.keys
     holder = nodes[-3] if isinstance(nodes[-2], Sequence) else nodes[-2]
-    for spec in word.place.specs:
-        tree = spec.tree_at(spec.versions()[-1])
-        if "values" in word.place.keys:
+    for known in _meanings(word):
+        facts: list[Mapping] = []
+        if "values" in keys:
             facts = [field for field in fields(word) if identity(field) == key]
-        elif key == "value" and word.place.keys[0] == "tasks":
-            targets = (value_of(holder, action) for action in ("write", "wait", "read"))
-            facts = [fact for target in targets if isinstance(target, Scalar) for fact in _targets(tree, target.text)]
-        else:
-            return
+        elif "if" in keys:
+            facts = known.facts(key)
+        elif keys[0] in ("tasks", "behaviour"):
+            targets = (value_of(holder, action) for action, valued in VALUED.items() if valued == key)
+            facts = [fact for target in targets if isinstance(target, Scalar) for fact in known.facts(target.text)]
         for fact in facts:
-            for section, list_key in (("enums", "members"), ("flags", "bits"), ("flags", "states")):
-                name = value_of(fact, section.removesuffix("s") if section == "enums" else section)
-                whole = find(tree, f"{section}/{name.text}") if isinstance(name, Scalar) else None
-                for item in mappings(value_of(whole, list_key)):
-                    yield item, list_key
-            for special in mappings(value_of(fact, "sentinels")):
-                yield special, "special value"
+            yield from known.values(fact)
 
 
-def _targets(tree: Mapping, target: str) -> Iterator[Mapping]:
-    """The facts that a step means by a path or a role."""
-    if "/" in target:
-        fact = find(tree, target)
-        if isinstance(fact, Mapping):
-            yield fact
-        return
-    for section in ("registers", "parameters", "messages", "signals"):
-        for node in _below(tree.values.get(section)):
-            roles = node.values.get("roles")
-            texts = roles.items if isinstance(roles, Sequence) else (roles,)
-            if any(isinstance(role, Scalar) and role.text == target for role in texts):
-                yield node
+def states(word: TypedWord, key: str) -> Iterator[str]:
+    """The states of the machine that a value is for."""
+    if key == "state":
+        machine = value_of(word.place.nodes[-2], "enter")
+        name = machine.text if isinstance(machine, Scalar) else ""
+    else:
+        name = key.removeprefix("state/") if key.startswith("state/") else ""
+    for known in _meanings(word) if name else ():
+        machine = find(known.tree, f"behaviour/{name}/machine")
+        yield from (state.text for state in _items(machine) if isinstance(state, Scalar))
 
 
-def _below(node: Node | None) -> Iterator[Mapping]:
-    if isinstance(node, Mapping):
-        yield node
-    for _, child in children(node) if node is not None else ():
-        yield from _below(child)
+def _items(node: Node | None) -> tuple[Node, ...]:
+    return node.items if isinstance(node, Sequence) else ()
 
 
-def _lists(tree: Mapping, holder: Node, above: Node) -> Iterator[Node | None]:
-    """The lists of the fields that an example, a step, an action of a behaviour or the print of an example gives."""
-    fact = value_of(above, "fact")
-    example = find(tree, fact.text) if isinstance(fact, Scalar) else None
-    texts = {key: node.text for key, node in children(example or holder) if isinstance(node, Scalar)}
-    direction = texts.get("direction", "request")
-    yield find(tree, f"messages/{texts.get('message')}/{direction}")
-    yield find(tree, f"links/{texts.get('link')}/{direction}")
-    if "exception_response" in texts:
-        yield _of_record(tree, value_of(find(tree, f"links/{texts.get('link')}/exception_response"), "record"))
-    yield from (value_of(message, direction) for message in _targets(tree, texts.get("send", "")))
-    collection = find(tree, f"behaviour/{texts.get('append') or texts.get('insert')}")
-    yield _of_record(tree, value_of(collection, "collection"))
-
-
-def _of_record(tree: Mapping, name: Node | None) -> Node | None:
-    return find(tree, f"records/{name.text}/fields") if isinstance(name, Scalar) else None
-
-
-def value_of(node: Node | None, key: str) -> Node | None:
-    """The value of a key of a node; None where there is none."""
-    return node.values.get(key) if isinstance(node, Mapping) else None
+def _meanings(word: TypedWord) -> Iterator[Meanings]:
+    """What names mean at the newest version of each device."""
+    for spec in word.place.specs:
+        yield Meanings(spec.tree_at(spec.versions()[-1]))

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.command import rules
 from fieldspec.command.editor.cursor import Cursor
 from fieldspec.command.editor.index import meant
 from fieldspec.command.editor.manual_links import SOURCE, cited_lines, manual_of
@@ -34,8 +35,12 @@ MOST_ITEMS = 4
 def hover(place: Cursor) -> str | None:
     """Markdown about what is at a place; None where there is nothing to be said of it."""
     if place.key is not None:
-        part = place.part()
-        return key_text(part, place.key) if part is not None and place.key in part.get("properties", {}) else None
+        part = place.part() or {}
+        rule = rules.rule(place.key) if place.keys[-1:] == ("allow",) else None
+        if place.key in part.get("properties", {}):
+            return key_text(part, place.key)
+        if rule is not None or not meant(place):
+            return rule.what if rule is not None else None
     return "\n".join(filter(None, (_cited(place), _stated(place)))) or None
 
 

@@ -60,7 +60,7 @@ _INDEXES: ByIdentity[DeviceSpec, _Index] = ByIdentity(limit=50)
 
 def meant(place: Cursor) -> list[NamedFact]:
     """The facts that are named at a place, or that a name there refers to; in a protocol those of each device."""
-    node = place.scalar
+    node = place.scalar or place.key_scalar
     if node is None:
         return []
     results: dict[PlaceInFile, NamedFact] = {}
@@ -85,10 +85,10 @@ def _indexed(project: EditedProject, spec: DeviceSpec) -> _Index:
     results = [reference for tree in trees for reference in references(tree)]
     results += (reference for base, overlay in overlays for reference in references(spec.tree_at(base), overlay))
     for reference in results:
-        if _text(reference.span) not in {_text(unquoted(name)) for name in index.fact(reference.target).names.values()}:
-            continue  # no text has it: it comes from an expansion
-        index.fact(reference.target).uses.setdefault(reference.span, reference)
         index.mean(reference.scalar, reference.span, reference.target)
+        # A role is no name, and one that comes from an expansion is in no text.
+        if _text(reference.span) in {_text(unquoted(name)) for name in index.fact(reference.target).names.values()}:
+            index.fact(reference.target).uses.setdefault(reference.span, reference)
     return index
 
 

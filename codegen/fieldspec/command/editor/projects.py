@@ -105,9 +105,14 @@ class EditedProject:
         return self.memory.files.get(path.relative_to(self.folder).as_posix())
 
     def specs_with(self, file: SourceFile) -> list[DeviceSpec]:
-        """The devices that a file belongs to: one, or those that use a protocol."""
+        """The devices that a file belongs to: one, or those that use a protocol.
+
+        A file in the folder of a device that is no part of it yet, since it cannot be read, belongs to it too.
+        """
         paths = {path for path, read in self.memory.files.items() if read.file.path == file.path}
-        return [spec for spec in self.project.devices.values() if not paths.isdisjoint(spec.files)]
+        folders = {path.partition("/")[0] for path in paths} - {PROTOCOLS}
+        specs = self.project.devices.values()
+        return [spec for spec in specs if spec.id in folders or not paths.isdisjoint(spec.files)]
 
     def layout(self, spec: DeviceSpec, version: str) -> DeviceLayout | None:
         """The layout of a device at a version; None where it has none."""

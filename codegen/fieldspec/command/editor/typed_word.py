@@ -57,7 +57,9 @@ def typed_word(project: EditedProject, file: SourceFile, offset: int) -> TypedWo
         if place is None:
             continue
         if place.scalar is not None and place.scalar.text == MARK:
-            is_key = "properties" in (place.part() or {})
+            part = place.part() or {}
+            begins_line = not file.text[: span.start].rpartition("\n")[2].strip()
+            is_key = "properties" in part and (begins_line or part["type"] == "object")
             return TypedWord(span, before[0], _holding(place) if is_key else place, is_key)
         last = place.nodes[-1]
         if isinstance(last, Mapping) and MARK in last.values:

@@ -36,7 +36,8 @@ class FileRead:
 class DeviceRead:
     """A device as it was read: its files and those of all protocols, what they give, and whether they have errors.
 
-    `turns` says how often it was read anew since its objects were made from nothing.
+    The `trees` are those that its files gave, and `joined` are the findings of these together. `turns` says how often
+    it was read anew since its objects were made from nothing.
     """
 
     files: dict[str, bytes]
@@ -44,6 +45,14 @@ class DeviceRead:
     findings: list[Diagnostic]
     is_broken: bool
     turns: int = 0
+    trees: dict[str, Mapping | None] = field(default_factory=dict)
+    joined: list[Diagnostic] = field(default_factory=list)
+
+    def has(self, trees: dict[str, Mapping | None], protocols: dict[str, bytes]) -> bool:
+        """Whether it was read of these very trees and protocols."""
+        known = {path: data for path, data in self.files.items() if path not in self.trees}
+        same = trees.keys() == self.trees.keys() and all(trees[path] is self.trees[path] for path in trees)
+        return same and known == protocols
 
     def reused(self) -> Reused:
         """The objects of the model that the next reading takes again; none now and then, so that old ones go."""
@@ -55,8 +64,8 @@ class Memory:
     """What reading remembers for a project that is read again and again: what has not changed is not read again.
 
     Of a file that cannot be used, the tree of its last sound text stands in, so that the rest is judged all the same:
-    findings and places in another text than that of `files` are of that one. Where memory is `strict`, none stands in:
-    the findings are those of reading without it.
+    findings and places in another text than that of `files` are of that one. A device is judged without a file that is
+    new to it and has never been sound. Where memory is `strict`, the findings are those of reading without it.
     """
 
     files: dict[str, FileRead] = field(default_factory=dict)

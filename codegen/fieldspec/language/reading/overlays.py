@@ -214,7 +214,8 @@ class _Application:
             reference.keys: targets[id(reference.target)]
             for reference in references(self.tree)
             if id(reference.target) in targets
-            and "/" not in reference.scalar.text
+            and reference.scalar.text == identity(reference.target)
+            and reference.keys
             and reference.keys[0] not in _JUDGING
         }
         paths = RenamedPaths(self.tree, {new.path: new.name.text for new in self.new_names.values()})

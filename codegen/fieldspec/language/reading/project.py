@@ -66,6 +66,10 @@ def read(
     return _Reader(files, folder, origins or {}, installed, memory).project(only)
 
 
+def _is_of_a_version(path: str) -> bool:
+    return path.split("/")[1] == VERSIONS
+
+
 class _Reader:
     def __init__(
         self,
@@ -84,6 +88,10 @@ class _Reader:
         """The files that were read, by their paths without what some file systems do not tell apart."""
         self.incomplete: set[str] = set()
         """The protocols that lack one that they use; the empty name is that of the last device."""
+        self.trees: dict[str, Mapping | None] = {}
+        """What the files of the last device gave."""
+        self.own_findings = 0
+        """How many findings there were when its files had been read."""
         self.faulty: set[str] = set()
         """The protocols in whose files something is wrong."""
 
@@ -144,7 +152,10 @@ class _Reader:
         reused = before.reused() if before is not None else {}
         spec, is_broken = self._judged(folder, paths, reused)
         turns = before.turns + 1 if before is not None and reused else 0
-        self.memory.devices[folder] = DeviceRead(contents, spec, self.findings[known:], is_broken, turns)
+        joined_findings = self.findings[self.own_findings :]
+        self.memory.devices[folder] = DeviceRead(
+            contents, spec, self.findings[known:], is_broken, turns, self.trees, joined_findings
+        )
         return spec, is_broken
 
     def _tree(self, path: str) -> Mapping | None:
@@ -177,11 +188,23 @@ class _Reader:
     def _device(self, folder: str, paths: list[str], reused: Reused) -> DeviceSpec | None:
         main = f"{folder}/{MAIN}"
         paths = sorted(paths, key=lambda path: (path != main, path))
-        own = [path for path in paths if not path.startswith(f"{folder}/{VERSIONS}/")]
-        trees = [self._tree(path) for path in own]
-        overlay_trees = {path: self._tree(path) for path in paths if path not in own}
-        usable = [tree for tree in trees if tree is not None]
-        if len(usable) < len(trees) or None in overlay_trees.values() or not usable:
+        known = len(self.findings)
+        self.trees = trees = {path: self._tree(path) for path in paths}
+        self.own_findings = len(self.findings)
+        before = self.memory.devices.get(folder) if self.memory is not None else None
+        if before is not None and before.spec is not None and self.own_findings > known:
+            shared = {path: data for path, data in self.files.items() if path.startswith(_SHARED)}
+            if before.has(trees, shared):  # of a file that cannot be read, its last tree stands in again
+                self.findings += before.joined
+                return before.spec
+        unusable = {path for path, tree in trees.items() if tree is None}
+        if not self._are_new(folder, unusable):
+            return None
+        paths = [path for path in paths if path not in unusable]
+        own = [path for path in paths if not _is_of_a_version(path)]
+        overlay_trees = {path: trees[path] for path in paths if path not in own}
+        usable = [own_tree for path in own if (own_tree := trees[path]) is not None]
+        if not usable:
             return None
         whole, findings = joined(usable)
         self.findings += findings
@@ -230,6 +253,14 @@ class _Reader:
         expanded_trees = {version: expanded(tree)[0] for version, tree in layers.items()}
         used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
         return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used, reused)
+
+    def _are_new(self, folder: str, paths: set[str]) -> bool:
+        """Whether files that cannot be used have been no part of a device yet, which is then judged without them."""
+        if not paths or self.memory is None or self.memory.strict:
+            return not paths
+        before = self.memory.devices.get(folder)
+        known = before.spec.files if before is not None and before.spec is not None else None
+        return all(path not in known if known is not None else _is_of_a_version(path) for path in paths)
 
     def _used(self, name: str) -> set[str]:
         """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""

@@ -1,13 +1,18 @@
-"""Which facts of a tree refer to which: by names under keys that name facts of one section, by paths, within a fact."""
+"""Which facts of a tree refer to which: by names under keys that name facts of one section, by paths, within a fact, by
+roles, as keys of values, and as values that have names."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import Span
-from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, Sequence, children, find, identity, mappings
+from fieldspec.language.model.task import ACTIONS
+from fieldspec.language.reading.meanings import VALUED, VALUES, Meanings
+from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, Sequence, identity, mappings
+from fieldspec.language.reading.yaml_reader import key_spans
 
 REFERENCES = {
     "enums": ("enum",),
@@ -50,9 +55,11 @@ def place_in_file(node: Node) -> PlaceInFile:
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """A name of the fact `target` under a `key` of the fact at the path `holder`, at some `keys` of the tree.
+    """A name of the fact `target` under a `key` of the fact at the path `holder`.
 
-    The name is the text `start` to `end` of the scalar: all of it, or a step of a path, of which each step is one.
+    The name is the text `start` to `end` of the scalar: all of it, or a step of a path, of which each step is one. The
+    scalar may be a key. It may have a role of the target in place of its name. It is at some `keys` of the tree, which
+    are not known where it is a key, or what a value means.
     """
 
     scalar: Scalar
@@ -61,7 +68,7 @@ class Reference:
     key: str
     holder: str
     target: Mapping
-    keys: Keys
+    keys: Keys = ()
 
     @property
     def span(self) -> Span:
@@ -71,16 +78,28 @@ class Reference:
 
 
 def unquoted(scalar: Scalar) -> Span:
-    """The place of the text of a scalar, within its quotation marks."""
-    mark = int(scalar.file.text[scalar.start : scalar.start + 1] in ("'", '"'))
-    return Span(scalar.file, scalar.start + mark, scalar.end - mark)
+    """The place of the text of a scalar, behind its anchor and within its quotation marks."""
+    start = unanchored(scalar)
+    mark = int(scalar.file.text[start : start + 1] in ("'", '"'))
+    return Span(scalar.file, start + mark, scalar.end - mark)
+
+
+def unanchored(node: Node) -> int:
+    """Where a node begins behind its anchor."""
+    anchor = _ANCHOR.match(node.file.text, node.start, node.end)
+    return anchor.end() if anchor is not None else node.start
+
+
+_ANCHOR = re.compile(r"&\S+\s+")
 
 
 def references(tree: Mapping, overlay: Mapping | None = None) -> Iterator[Reference]:
     """All references in the tree of a version, in its order; or those in the `overlay` of the next version."""
     names = {section: named_facts(node) for section, node in tree.values.items()}
+    names["state"] = names.get("behaviour", {})
+    meanings = Meanings(tree)
     for section, node in (overlay or tree).values.items():
-        yield from _Search(names, section).below(node, section, section, "", None, (section,))
+        yield from _Search(names, meanings, section).below(node, section, section, "", None, (section,))
 
 
 def used_by(tree: Mapping) -> dict[str, list[str]]:
@@ -130,11 +149,54 @@ def _rows(item: Mapping, key: str) -> Iterator[Mapping]:
     yield from mappings(item.values.get(_ROWS[key]))
 
 
+_ACTING = ("tasks", "behaviour")
+"""The sections whose steps and actions name facts by roles."""
+_WITH_ROLES = frozenset(
+    (
+        *ACTIONS,
+        *(
+            "show",
+            "initial",
+            "record",
+            "rises",
+            "falls",
+            "if",
+            "receive",
+            "to",
+            "value",
+            "speed",
+            "acceleration",
+            "deceleration",
+            "product",
+            "over",
+            "or",
+            "of",
+            "answer",
+        ),
+    )
+)
+"""The keys under which they do."""
+IN_USE = "message/"
+"""Begins the path of a part of the cyclic message in use, which may be any message."""
+
+
+_OF_PARTS = ("enter", "append", "insert", "remove", "load", "from")
+"""The keys under which actions name machines and collections, which are parts of the behaviour."""
+_PARTS = frozenset(("machine", "collection"))
+
+
+def _keys(mapping: Mapping) -> Iterator[Scalar]:
+    """The keys of a mapping as scalars with the places that they have in its text."""
+    for key, span in key_spans(mapping):
+        if key in mapping.values:
+            yield Scalar(span.file, span.start, span.end, key, False)
+
+
 class _Search:
     """Looks for references in one section of a tree."""
 
-    def __init__(self, names: dict[str, dict[str, Mapping]], section: str) -> None:
-        self.names, self.section = names, section
+    def __init__(self, names: dict[str, dict[str, Mapping]], meanings: Meanings, section: str) -> None:
+        self.names, self.meanings, self.section = names, meanings, section
 
     def below(
         self, node: Node, path: str, holder: str, key: str, fact: Mapping | None, keys: Keys
@@ -158,18 +220,66 @@ class _Search:
 
     def _within(self, node: Mapping, path: str, holder: str, fact: Mapping | None, keys: Keys) -> Iterator[Reference]:
         name = node.values.get("name")
-        for key, child in children(node):
+        for key, child in node.values.items():
             if child is not name:
                 inner = path if key in LISTS else f"{path}/{key}"
-                yield from self.below(child, inner, holder, str(key), fact, (*keys, key))
+                yield from self.below(child, inner, holder, key, fact, (*keys, key))
+            if isinstance(child, Mapping):
+                yield from self._by_keys(node, key, child, holder)
+        for key, value_key in VALUED.items() if self.section in _ACTING else ():
+            signal, value = node.values.get(key), node.values.get(value_key)
+            if isinstance(signal, Scalar) and value is not None:
+                yield from self._meant(value, value_key, self.meanings.facts(signal.text), holder)
+
+    def _by_keys(self, node: Mapping, key: str, child: Mapping, holder: str) -> Iterator[Reference]:
+        """The references in the keys of a mapping under a `key` of a node, and in what these have."""
+        if key in VALUES:
+            yield from self._given(child, key, [*self.meanings.fields(node, None)], holder)
+        elif key == "printed":
+            for inner, values in child.values.items():
+                if inner in VALUES:
+                    yield from self._given(values, inner, [*self.meanings.fields(child, node)], holder)
+        elif key == "if":
+            for signal in _keys(child):
+                for start, end, target in self._targets(signal.text, key, holder, None):
+                    yield Reference(signal, start, end, key, holder, target)
+                yield from self._meant(child.values[signal.text], key, self.meanings.facts(signal.text), holder)
+
+    def _given(self, values: Node, key: str, fields: list[Mapping], holder: str) -> Iterator[Reference]:
+        """The fields that values are given for, and what the values mean."""
+        for name in _keys(values) if isinstance(values, Mapping) else ():
+            field = next((field for field in fields if identity(field) == name.text), None)
+            if field is not None and isinstance(values, Mapping):
+                yield Reference(name, 0, len(name.text), key, holder, field)
+                value = values.values[name.text]
+                yield from self._meant(value, key, [field], holder)
+                yield from self._given(value, key, [*self.meanings.parts(field)], holder)
+
+    def _meant(self, value: Node, key: str, facts: list[Mapping], holder: str) -> Iterator[Reference]:
+        """The members, bits, states and special values that a value means, or each of several: also a `BIT=MEMBER`."""
+        nodes = value.items if isinstance(value, Sequence) else (value,)
+        for scalar in (node for node in nodes if isinstance(node, Scalar)):
+            start, known = 0, facts
+            for name in scalar.text.split("="):
+                known = [item for fact in known for item, _ in self.meanings.values(fact) if identity(item) == name]
+                yield from (Reference(scalar, start, start + len(name), key, holder, item) for item in known)
+                start += len(name) + 1
 
     def _targets(self, text: str, key: str, holder: str, fact: Mapping | None) -> Iterator[tuple[int, int, Mapping]]:
         """The facts that a text names, each with the part of the text that is its name."""
         path = text.partition("[")[0]  # an element of a list has its number behind its path
-        if "/" in path:
+        if path.startswith(IN_USE):
+            for message in self.names.get("messages", {}):
+                more = len(f"messages/{message}/") - len(IN_USE)
+                for start, end, named in self._on_path(f"messages/{message}/{path.removeprefix(IN_USE)}"):
+                    if start >= more + len(IN_USE):
+                        yield start - more, end - more, named
+        elif "/" in path:
             yield from self._on_path(path)
         elif (target := self._named(text, key, holder, fact)) is not None:
             yield 0, len(text), target
+        elif self.section in _ACTING and key in _WITH_ROLES:
+            yield from ((0, len(path), known) for known in self.meanings.with_role(path))
 
     def _named(self, text: str, key: str, holder: str, fact: Mapping | None) -> Mapping | None:
         if key in INNER and fact is not None and self.section in HOLDERS and holder.count("/"):
@@ -177,6 +287,9 @@ class _Search:
             inner = None if whole else _part(fact, text, [] if key == "same_as" else holder.split("/")[2:3])
             if inner is not None or key == "same_as":
                 return self.names["records"].get(text) if whole else inner
+        if self.section == "behaviour" and key in _OF_PARTS:
+            known_part = self.names["state"].get(text)
+            return known_part if known_part is not None and not _PARTS.isdisjoint(known_part.values) else None
         sections = (section for section, keys in REFERENCES.items() if key in keys)
         known = (self.names.get(section, {}).get(text) for section in sections)
         return next((target for target in known if target is not None), None)
@@ -188,7 +301,7 @@ class _Search:
         start = len(section) + 1
         facts = []
         for number, step in enumerate(steps):
-            node = find(node, step) if number and node is not None else node
+            node = self.meanings.step(node, step) if number else node
             if isinstance(node, Mapping) and identity(node) == step:
                 facts.append((start, start + len(step), node))
             start += len(step) + 1

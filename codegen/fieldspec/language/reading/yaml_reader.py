@@ -343,14 +343,6 @@ def key_span(mapping: Mapping, key: str) -> Span:
     return Span(holder.file, holder.start, holder.start + 1)  # the key is an alias
 
 
-def key_at(mapping: Mapping, offset: int) -> str | None:
-    """The key of a mapping whose text is at an offset of its file; None where there is none."""
-    for word, span in key_spans(mapping):
-        if span.start <= offset <= span.end:
-            return word
-    return None
-
-
 def key_spans(mapping: Mapping) -> Iterator[tuple[str, Span]]:
     """The keys that the text of a mapping has, with their places."""
     text = mapping.file.text
