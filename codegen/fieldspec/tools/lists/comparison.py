@@ -195,7 +195,7 @@ def _likeliest(
 
 def _fit(item: Item, row: ListRow, aspects: Collection[str]) -> float:
     """How well a row fits an item: 1 for the address, more for the name, less for differences."""
-    names = "name" in aspects and _names(item) & {folded(name) for name in row.names}
+    names = "name" in aspects and _names(item, row) & {folded(name) for name in row.names}
     wrong = sum(difference.aspect in ("type", "access", "words") for difference in _differences(item, row, aspects))
     return max(1 + (3 if names else 0) - 0.2 * wrong, 0.1)
 
@@ -262,15 +262,18 @@ def _gaps(item: Item, covered: Collection[int]) -> Iterator[Missing]:
             start = None
 
 
-def _names(item: Item) -> set[str]:
-    names = (item.name, item.name.rpartition(".")[2], item.printed_name, item.label)
+def _names(item: Item, row: ListRow) -> set[str]:
+    """The names of an item; of a field of a table, with the number of the element at the address of a row too."""
+    table, _, name = item.name.rpartition(".")
+    number = item.first + (row.address - item.address) // item.stride if item.stride else item.first
+    names = (item.name, name, item.printed_name, item.label, f"{table}{number}{name}")
     return {folded(name) for name in names} - {""}
 
 
 def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:
     texts, value = row.texts, item.value
     yield from _unread(item, row, aspects)
-    if "name" in aspects and row.names and _names(item).isdisjoint(map(folded, row.names)):
+    if "name" in aspects and row.names and _names(item, row).isdisjoint(map(folded, row.names)):
         yield Difference("name", item.name, row.names[0])
     if "type" in aspects and "type" in texts and not (row.type and row.type.fits(item.type)):
         yield Difference("type", item.type, texts["type"])

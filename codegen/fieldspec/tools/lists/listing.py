@@ -16,7 +16,7 @@ from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
 from fieldspec.tools.lists.column_roles import NOTE, Columns, columns
 from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
-from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, wire_number
+from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, shortened_bits, wire_number
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import FACTORS, Cells, ListRow, exported_row, read_row
 from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
@@ -87,8 +87,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     columns_of_sheet = columns(sheet, names)
     places = placed(columns_of_sheet)
     ways = bases(places, options.base, columns_of_sheet.heading("address"))
-    own = columns_of_sheet.headings == OWN_COLUMNS
-    assumptions: list[Assumption] = []
+    own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
+    assumptions = list(shortened_bits(places))
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]
     reason = "has cells that do not stand under the headings"
@@ -200,7 +200,7 @@ def _decided(
     measured = [decision for row in decided if (decision := _measured(row, row.factor)) is not None]
     factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
     direction, gain_assumption = directions.gain_direction(
-        factor_heading, role, factors, measured, sum(map(_is_coarse, decided)), options.gain
+        factor_heading, role, factors, measured, _coarse(decided), options.gain
     )
     if not direction and gain_assumption is not None:
         undecided.append(gain_assumption)
@@ -238,9 +238,11 @@ def _scaled(row: ListRow, direction: str) -> ListRow:
     return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
 
 
-def _is_coarse(row: ListRow) -> bool:
-    """Whether a factor of ten or more stands beside a unit in whose parts devices measure."""
-    return row.factor is not None and row.factor >= 10 and (known_unit(row.unit) or row.unit) in _FINE
+def _coarse(rows: Sequence[ListRow]) -> int:
+    """How many rows would count in steps of ten or more of a unit in whose parts devices measure, if their factors
+    multiplied; 0 where some would if they divided."""
+    factors = [row.factor for row in rows if row.factor is not None and (known_unit(row.unit) or row.unit) in _FINE]
+    return 0 if any(factor * 10 <= 1 for factor in factors) else sum(factor >= 10 for factor in factors)
 
 
 def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:

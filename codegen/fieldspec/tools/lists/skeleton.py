@@ -12,6 +12,7 @@ from fieldspec.language.model.encoding import is_count, is_exact, is_octets, is_
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.ranges import Ranges, whole_intervals
 from fieldspec.tools.lists.assumption import Refusal
+from fieldspec.tools.lists.cells import whole
 from fieldspec.tools.lists.entries import SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
@@ -170,7 +171,10 @@ class _Writer:
         yield "    unverified: true", 0
         registers = [self._registers[place] for place in places]
         addresses = [entry.row.address for entry in registers]
-        has_tables = any((entry.space, entry.kind) == (space, FIELD) for entry in self._registers)
+        has_tables = any(
+            entry.space == space and (entry.kind == FIELD or (entry.rows and entry.row.stride > entry.shape.words))
+            for entry in self._registers
+        )
         if addresses == sorted(set(addresses)) and not has_tables:
             yield from ((line, 0) for line in _gaps(registers))
         else:
@@ -244,6 +248,11 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
         parts.append(f"words: {own_shape.words}")
     if own_shape.count > 1:
         parts += [f"count: {own_shape.count}", f"stride: {row.stride or own_shape.words}"]
+        parts += [f"index_from: {first}"] if (first := whole(row.texts.get("first", ""))) else []
+        if entry.rows:
+            parts.append(f"element_sources: {quoted('L' + ', '.join(str(own.row) for own in entry.rows))}")
+        if entry.element_name not in ("", f"{name}_{{n}}"):
+            parts.append(f"element_name: {quoted(entry.element_name)}")
     return parts
 
 
@@ -273,7 +282,7 @@ def _list_of(entry: Entry) -> str:
     """The list that an entry is in, of which no two have the same label."""
     if entry.kind == FIELD:
         return entry.row.texts["name"].rpartition(".")[0]
-    return entry.kind if entry.row.subindices is None and entry.kind != SIGNAL else _namespace(entry)
+    return f"{entry.kind} {entry.space}" if entry.row.subindices is None and entry.kind != SIGNAL else _namespace(entry)
 
 
 def _name(entry: Entry) -> str:
