@@ -11,7 +11,7 @@ from fractions import Fraction
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.lists.addresses import BASES
 from fieldspec.tools.lists.assumption import Refusal
-from fieldspec.tools.lists.item import REGISTERS, Item
+from fieldspec.tools.lists.item import MESSAGES, REGISTERS, Item
 from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import REGISTER, ListRow
@@ -121,6 +121,11 @@ class Compared:
     def same(self) -> bool:
         """Whether the device and the list agree in everything."""
         return not (self.shifted or self.differing or self.extras or self.missing or self.unreadable)
+
+
+def has_messages(register_list: Listing) -> bool:
+    """Whether a list is an export with fields of messages, with which those of the device are compared."""
+    return register_list.own and any(row.space == MESSAGES for row in register_list.read)
 
 
 class _Known:
@@ -275,7 +280,7 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
     yield from _unread(item, row, aspects)
     if "name" in aspects and row.names and _names(item, row).isdisjoint(map(folded, row.names)):
         yield Difference("name", item.name, row.names[0])
-    if "type" in aspects and "type" in texts and not (row.type and row.type.fits(item.type)):
+    if "type" in aspects and "type" in texts and not _is_of_type(item, row):
         yield Difference("type", item.type, texts["type"])
     if "access" in aspects and "access" in texts and item.access and row.access != item.access:
         yield Difference("access", item.access, texts["access"])
@@ -328,6 +333,11 @@ _READ: dict[str, Callable[[ListRow], object]] = {
     "unit": lambda row: not any(doubt.startswith("Unit in the list") for doubt in row.doubts),
 }
 """The roles whose cells may be unreadable, and whether that of a row was read."""
+
+
+def _is_of_type(item: Item, row: ListRow) -> bool:
+    """Whether the type of a row is that of an item, with the form in which an export has it."""
+    return row.texts["type"] == item.type or (row.type is not None and row.type.fits(item.type))
 
 
 def _unread(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:

@@ -8,7 +8,7 @@ from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Refusal
-from fieldspec.tools.lists.item import REGISTERS
+from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.row_reading import PARAMETER, REGISTER, ListRow
 from fieldspec.tools.lists.shapes import BIT, Shape, shape
 from fieldspec.tools.lists.sheet import ListError
@@ -203,7 +203,11 @@ def _stated(rows: Sequence[ListRow], refused: list[Refusal]) -> list[Entry]:
         name = row.type.name if row.type is not None else ""
         kind = PRIMITIVES.get(name)
         place = _space(row), row.address, row.subindices
-        if kind is None or (not kind.size and not row.texts.get("bytes")):
+        if place[0] == MESSAGES:
+            reason = (
+                "is a field of a message, which a list has no frames for; take messages from a protocol, or write them"
+            )
+        elif kind is None or (not kind.size and not row.texts.get("bytes")):
             reason = f"has the type {row.texts.get('type', name)}, of which the list does not say how it is sent"
         elif row.subindices is not None and (*place[:2], None) not in numbers:
             reason = "is an element of a parameter that is not taken"

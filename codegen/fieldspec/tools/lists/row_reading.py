@@ -16,6 +16,7 @@ from fieldspec.tools.lists.cells import access, answer, bounds, functions, numbe
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
 from fieldspec.tools.lists.type_words import Loose, Typed, typed
+from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
 
@@ -65,7 +66,7 @@ class ListRow:
     address. `special` are states that a list has apart from other values, `scale_text` is its scale as written.
     `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
     the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
-    signal in its message.
+    signal in its message. `form` has the keys of how a value is sent beyond its type.
     """
 
     row: int
@@ -73,6 +74,7 @@ class ListRow:
     words: int | None = None
     names: tuple[str, ...] = ()
     type: Typed | None = None
+    form: Mapping[str, str] = field(default_factory=dict)
     access: str = ""
     low: Decimal | None = None
     high: Decimal | None = None
@@ -162,10 +164,11 @@ def exported_row(row: ListRow) -> ListRow:
     own_text = text if "/" in text else ""
     is_parameter = row.length is None and row.texts.get("type") != BIT and row.space not in ("", REGISTERS)
     kind = PARAMETER if is_parameter else FIELD if "." in row.texts.get("name", "") else REGISTER
-    own_type = Typed(row.texts["type"]) if row.texts.get("type") in PRIMITIVES else None
+    type_name, form = type_parts(row.texts.get("type", ""))
+    own_type = Typed(type_name) if type_name in PRIMITIVES else None
     subindices = _bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
     row = replace(row, doubts=tuple(doubt for doubt in row.doubts if not doubt.startswith("Subindex")))
-    row = replace(row, type=own_type, kind=kind, words=row.length, is_own=True, subindices=subindices)
+    row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
     return replace(row, scale=scale, scale_text=own_text)
 
 
