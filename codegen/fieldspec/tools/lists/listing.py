@@ -20,10 +20,13 @@ from fieldspec.tools.lists.numbering import Placed, bases, contradictions, place
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import FACTORS, Cells, ListRow, exported_row, read_row
 from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
-from fieldspec.tools.lists.words import meaning
+from fieldspec.tools.lists.words import folded, meaning
 
 _NUMERIC = (*FACTORS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
+_SHORTEST_TITLE = 8
+"""The letters of a title that names a space: shorter ones, such as `Inputs`, are those of groups."""
+
 _EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
     r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
@@ -109,7 +112,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
                 space=row_place.first.space or row.space or meaning("spaces", sheet.name),
             )
         )
-    read = _by_functions(read)
+    read = _by_functions(_beneath_titles(read, sheet, assumptions))
     undecided: list[Assumption] = []
     if own:
         read = [exported_row(row) for row in read]
@@ -164,6 +167,31 @@ def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
         if column in used and row >= first:
             heading = columns_of_sheet.heading(used[column])
             yield Refusal(row, heading, f"{letters(column)}{row}", "is a formula whose value the file does not have")
+
+
+def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows, those that name no space in that of the title above: a row with nothing but the name of a space."""
+    titles: dict[int, tuple[str, str]] = {}
+    for row in sheet.rows:
+        texts = {cell for cell in row.cells if cell}
+        text = next(iter(texts)) if len(texts) == 1 else ""
+        if len(folded(text)) >= _SHORTEST_TITLE and (space := meaning("spaces", text)):
+            titles[row.number] = space, text
+    result = []
+    title, used = ("", ""), {}
+    ordered = sorted(
+        [*((number, None) for number in titles), *((row.row, row) for row in rows)], key=lambda pair: pair[0]
+    )
+    for number, own in ordered:
+        if own is None:
+            title = titles[number]
+        else:
+            used |= dict([title]) if title[0] and not own.space else {}
+            result.append(replace(own, space=own.space or title[0]))
+    if used:
+        reading = ", ".join(f"{space} below `{text}`" for space, text in used.items())
+        assumptions.append(Assumption("address space", reading, "the titles", "--space"))
+    return result
 
 
 def _by_functions(rows: list[ListRow]) -> list[ListRow]:
