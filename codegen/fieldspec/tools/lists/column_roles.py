@@ -239,7 +239,7 @@ def _whole_words() -> Mapping[str, str]:
     """The headings that are whole words of a role, with the first such role."""
     return {
         word: role
-        for role, role_words in reversed(words("headings").items())
+        for role, role_words in reversed([*words("headings").items()])
         for word in role_words
         if not word.startswith("*")
     }

@@ -178,7 +178,7 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
         if len(folded(text)) >= _SHORTEST_TITLE and (space := meaning("spaces", text)):
             titles[row.number] = space, text
     result = []
-    title, used = ("", ""), {}
+    title, used = ("", ""), dict[str, str]()
     ordered = sorted(
         [*((number, None) for number in titles), *((row.row, row) for row in rows)], key=lambda pair: pair[0]
     )

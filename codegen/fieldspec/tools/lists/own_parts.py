@@ -71,11 +71,11 @@ def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[in
     end = entries[next(_places({"": ordered[0][1]}))].row.address
     for key, inner in ordered:
         if isinstance(inner, int) and entries[inner].rows:
-            row = entries[inner].row
-            if row.address > end:
-                keys = f"type: bytes, length: {2 * (row.address - end)}, reserved: true"
-                yield f"      - {{name: unused_{end:04x}, {keys}, source: L{row.row}, unverified: true}}", row.row
-            end = row.address + entries[inner].shape.words
+            own = entries[inner].row
+            if own.address > end:
+                keys = f"type: bytes, length: {2 * (own.address - end)}, reserved: true"
+                yield f"      - {{name: unused_{end:04x}, {keys}, source: L{own.row}, unverified: true}}", own.row
+            end = own.address + entries[inner].shape.words
         if isinstance(inner, dict):
             row = entries[next(_places(inner))].row.row
             yield f"      - {{name: {key}, record: {name}_{key}, source: L{row}, unverified: true}}", row
