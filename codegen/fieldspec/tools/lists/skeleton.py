@@ -251,8 +251,8 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
         parts.append(f"words: {own_shape.words}")
     if own_shape.count > 1:
         parts += [f"count: {own_shape.count}", f"stride: {row.stride or own_shape.words}"]
-        index = whole(row.texts.get("first", ""))
-        parts += [f"index_from: {index}"] if index else []
+        first_number = whole(row.texts.get("first", ""))
+        parts += [f"index_from: {first_number}"] if first_number else []
         if entry.rows:
             parts.append(f"element_sources: {quoted('L' + ', '.join(str(own.row) for own in entry.rows))}")
         if entry.element_name not in ("", f"{name}_{{n}}"):
