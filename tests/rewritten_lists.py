@@ -30,7 +30,7 @@ from fieldspec.command.sources import spec_files
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.tools.lists.export import as_json
 from fieldspec.tools.lists.item import items
-from listed_devices import listed_devices
+from random_lists import list_devices
 
 BATCH = 10
 UNHEALTHY = tuple(HealthCheck)
@@ -118,24 +118,24 @@ def rewritten(draw: Any, rows: Sequence[Mapping[str, Any]]) -> Rewritten:
     form = draw(st.sampled_from(("csv", "csv", "xlsx", "json")))
     separator = draw(st.sampled_from((",", ";", "\t"))) if form == "csv" else ";"
     comma = separator != "," and form != "json" and draw(st.booleans())
-    written = [{key: value for key, value in row.items() if value is not None} for row in rows]
-    for row in written:
+    cell_rows = [{key: value for key, value in row.items() if value is not None} for row in rows]
+    for row in cell_rows:
         for key in ("section", "line", "unverified", "ucum"):
             row.pop(key, None)
     has_rows_of_bits = draw(st.integers(0, 3)) == 0
-    lines = list(_with_rows_of_bits(written) if has_rows_of_bits else enumerate(written))
-    written = [row for _, row in lines]
-    _retype(draw, written, comma)
-    _join(draw, written, comma)
+    lines = list(_with_rows_of_bits(cell_rows) if has_rows_of_bits else enumerate(cell_rows))
+    cell_rows = [row for _, row in lines]
+    _retype(draw, cell_rows, comma)
+    _join(draw, cell_rows, comma)
     is_numbered = draw(st.integers(0, 3)) == 0
-    for number, row in enumerate(written if is_numbered else (), 1):
+    for number, row in enumerate(cell_rows if is_numbered else (), 1):
         row["number"] = number
     own = draw(st.integers(0, 5)) == 0
-    kept = list(dict.fromkeys(key for row in written for key in row))
-    headings = {key: key if own else draw(st.sampled_from(HEADINGS[key])) for key in kept}
-    order = list(draw(st.permutations(kept)))
+    keys = list(dict.fromkeys(key for row in cell_rows for key in row))
+    headings = {key: key if own else draw(st.sampled_from(HEADINGS[key])) for key in keys}
+    order = list(draw(st.permutations(keys)))
     titles = [["Register list of the device"]] if form != "json" and draw(st.integers(0, 3)) == 0 else []
-    cells = [[_number(row[key], comma) if key in row else "" for key in order] for row in written]
+    cells = [[_number(row[key], comma) if key in row else "" for key in order] for row in cell_rows]
     result = Rewritten(_bytes(form, separator, titles, [headings[key] for key in order], cells), headings)
     for number, (place, row) in enumerate(lines, 2 + len(titles)):
         if place is not None:
@@ -192,7 +192,7 @@ def _join(draw: Any, rows: Sequence[dict[str, Any]], comma: bool) -> None:
     way = draw(st.sampled_from(("apart", "apart", "unit with scale", "name with unit", "gain", "divisor", "slash")))
     for row in rows:
         scale, unit = Fraction(str(row.get("scale", 1))), row.get("unit", "")
-        if way == "unit with scale" and scale != 1 and unit:
+        if way == "unit with scale" and scale != 1 and unit not in ("", "%"):  # 0.1% is a unit itself
             row["unit"] = f"{_number(row.pop('scale'), comma)} {unit}"
         elif way == "name with unit" and unit:
             row["name"] = f"{row['name']} [{row.pop('unit')}]"
@@ -238,7 +238,7 @@ CELLS = {
     "address": ("address", "hex"),
     "special": ("special",),
 }
-"""The columns in which a fact may be told of."""
+"""The columns in which a fact may be noted of."""
 
 ASSUMED = {
     "space": r"address space",
@@ -248,17 +248,17 @@ ASSUMED = {
     "max": "bounds beside a scale",
     "default": "bounds beside a scale",
     "words": "lengths in",
-    "bits": "bits: those that are written",
+    "bits": "bits: those that are cell_rows",
 }
 
 
 @dataclass
 class Outcome:
-    """What came back: of how many lists, how many facts are right, and which are wrong, told or in silence."""
+    """What came back: of how many lists, how many facts are right, and which are wrong, noted or in silence."""
 
     lists: int = 0
     right: int = 0
-    told: list[str] = field(default_factory=list)
+    noted: list[str] = field(default_factory=list)
     silent: list[str] = field(default_factory=list)
 
 
@@ -272,13 +272,13 @@ def judged(
     for row in again:
         by_line.setdefault(row["line"], row)
     refused = {int(number) for number in re.findall(r"(?:not used: |# )row (\d+)", report + spec)}
-    unused = ", ".join(re.findall(r"columns not used(?: as facts but kept as notes)?: (.*)", report))
+    unused = ", ".join(re.findall(r"columns not used(?: as facts but keys as notes)?: (.*)", report))
     notes = "\n".join(line for line in spec.splitlines() if "notes:" in line)
     for number, place in file.places.items():
         before = rows[place]
         after = by_line.get(number)
         if after is None:
-            (outcome.told if number in refused else outcome.silent).append(f"row {number} is missing")
+            (outcome.noted if number in refused else outcome.silent).append(f"row {number} is missing")
             continue
         cells = file.cells[number]
         if after["count"] is None and counts[number] != (before["count"] or 1):
@@ -289,7 +289,7 @@ def judged(
                 continue
             columns = [key for key in CELLS.get(fact, (fact,)) if key in cells]
             own = [line for line in notes.splitlines() if re.search(rf"\bL{number}\b", line)]
-            is_told = (
+            has_message = (
                 number in refused
                 or (fact == "bits" and not refused.isdisjoint(file.bits.get(number, ())))
                 or any(cells[key] in line or json.dumps(cells[key])[1:-1] in line for key in columns for line in own)
@@ -297,7 +297,7 @@ def judged(
                 or (fact in ASSUMED and re.search(f"assumed: .*{ASSUMED[fact]}", report) is not None)
             )
             text = f"row {number} {fact}: {before.get(fact)} became {after.get(fact)}; cells {cells}"
-            (outcome.told if is_told else outcome.silent).append(text)
+            (outcome.noted if has_message else outcome.silent).append(text)
     return outcome
 
 
@@ -350,23 +350,23 @@ def _draw(number: int, total: Outcome) -> None:
     @seed(number)
     @given(st.data())
     def each(data: st.DataObject) -> None:
-        rows = exported(data.draw(listed_devices()))
+        rows = exported(data.draw(list_devices()))
         file = data.draw(rewritten(rows))
         with tempfile.TemporaryDirectory() as folder:
             code, spec, report = imported(file.content, Path(folder))
         total.lists += 1
         if code:
-            (total.told if "leaves open" in report or "two readings" in report else total.silent).append(report)
+            (total.noted if "leaves open" in report or "two readings" in report else total.silent).append(report)
             return
         outcome = judged(rows, exported(spec), file, report, spec)
         total.right += outcome.right
-        total.told += outcome.told
+        total.noted += outcome.noted
         total.silent += outcome.silent
 
     each()
 
 
 if __name__ == "__main__":
-    found = came_back(int(sys.argv[2]), float(sys.argv[1]), 1 << 20)
-    print("\n".join(dict.fromkeys(found.silent)))
-    print(f"{found.lists} lists: {found.right} facts are right, {len(found.told)} told, {len(found.silent)} silent")
+    total = came_back(int(sys.argv[2]), float(sys.argv[1]), 1 << 20)
+    print("\n".join(dict.fromkeys(total.silent)))
+    print(f"{total.lists} lists: {total.right} facts are right, {len(total.noted)} noted, {len(total.silent)} silent")

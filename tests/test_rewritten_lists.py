@@ -12,4 +12,4 @@ def test_no_fact_of_a_rewritten_export_is_wrong_in_silence() -> None:
     outcome = came_back(1, SECONDS, 150)
     assert outcome.silent == []
     assert outcome.lists > 20
-    assert outcome.right > 50 * len(outcome.told)
+    assert outcome.right > 50 * len(outcome.noted)

@@ -105,7 +105,7 @@ def _with_further_tables(first: Columns) -> Columns:
 def _joined(first: Columns, further: Columns) -> Columns:
     """Two tables as one: columns of a role that both have are one, and others follow behind those of the first."""
     headings = [*first.headings]
-    places, more = dict(first.places), dict(first.more)
+    places, further_columns = dict(first.places), dict(first.more)
     targets: dict[int, int] = {}
     for role, column in further.places.items():
         targets[column] = places.setdefault(role, len(headings))
@@ -115,14 +115,14 @@ def _joined(first: Columns, further: Columns) -> Columns:
             targets[column] = len(headings)
             headings.append(further.heading_at(column))
     for role, columns_of_role in further.more.items():
-        more[role] = (*more.get(role, ()), *(targets[column] for column in columns_of_role))
+        further_columns[role] = (*further_columns.get(role, ()), *(targets[column] for column in columns_of_role))
     rows = list(first.rows)
     for row in further.rows:
         cells = [""] * len(headings)
         for column, target in targets.items():
             cells[target] = row.cell(column)
         rows.append(SheetRow(row.number, tuple(cells)))
-    return Columns(places, tuple(headings), tuple(rows), more)
+    return Columns(places, tuple(headings), tuple(rows), further_columns)
 
 
 def role_count(sheet: Sheet) -> int:

@@ -56,14 +56,16 @@ def placed(columns: Columns) -> Placed:
             skipped.append(row)
     if not rows:
         _refuse_all(columns, refused)
-    kept = list(_with_bits(rows))
-    shortened = {row.number for row in _shortened(kept)}
+    known = list(_with_bits(rows))
+    shortened = {row.number for row in _shortened(known)}
     reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
     refused += [
-        Refusal(row.number, heading, columns.cell(row, "address"), reason) for row, _ in kept if row.number in shortened
+        Refusal(row.number, heading, columns.cell(row, "address"), reason)
+        for row, _ in known
+        if row.number in shortened
     ]
-    kept = [(row, row_place) for row, row_place in kept if row.number not in shortened]
-    return Placed(tuple(kept), tuple(skipped), tuple(refused))
+    known = [(row, row_place) for row, row_place in known if row.number not in shortened]
+    return Placed(tuple(known), tuple(skipped), tuple(refused))
 
 
 def _refuse_all(columns: Columns, refused: Sequence[Refusal]) -> None:

@@ -88,8 +88,8 @@ def _replace(parts: Mapping[int, tuple[Entry, _Run]], rolled: dict[int, Entry]) 
 
 def _may_repeat(entry: Entry) -> bool:
     row = entry.row
-    is_plain = entry.kind == REGISTER and entry.is_own and not row.is_own and not entry.bits and row.const is None
-    return is_plain and entry.shape.count == 1 and row.place is None and entry.shape.type != BIT
+    can_repeat = entry.kind == REGISTER and entry.is_own and not row.is_own and not entry.bits and row.const is None
+    return can_repeat and entry.shape.count == 1 and row.place is None and entry.shape.type != BIT
 
 
 def _numbered(entry: Entry, name: str) -> Iterator[_Numbered]:
@@ -104,8 +104,8 @@ def _numbered(entry: Entry, name: str) -> Iterator[_Numbered]:
         digits = match[0]
         places = [other for other in _NUMBER.finditer(printed) if other[0] == digits]
         if len(places) == 1 and digits == str(int(digits)):
-            around = printed[: places[0].start()], printed[places[0].end() :]
-            yield _Numbered(entry, int(digits), name[: match.start()], name[match.end() :], around, facts)
+            printed_parts = printed[: places[0].start()], printed[places[0].end() :]
+            yield _Numbered(entry, int(digits), name[: match.start()], name[match.end() :], printed_parts, facts)
 
 
 def _runs(parts: Sequence[_Numbered]) -> Iterator[_Run]:

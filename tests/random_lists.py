@@ -21,7 +21,7 @@ BITS = ("ready", "fault", "remote", "in_position", "homed", "brake_released")
 
 
 @st.composite
-def listed_devices(draw: Any) -> str:
+def list_devices(draw: Any) -> str:
     """The text of the spec of a device that is a list: registers with all that a list can have."""
     spaces = draw(st.sampled_from((("registers",), ("registers", "input_registers"), tuple(SPACES))))
     spec: dict[str, Any] = {"device": {"id": "chance", "name": "Chance", "vendor": "Nobody", "manual": MANUAL}}
