@@ -6,6 +6,7 @@
 # make fuzz-bytes  fuzz the generated Python and JavaScript: coverage-guided for SECONDS=60 for each device, damaged frames, random bytes
 # make mutants  put slips into the specs of the devices, one at a time, and count which checks, proofs, manuals and vectors notice
 # make fuzz-specs   compare all codecs on random devices for a minute, or SECONDS=600; what they disagree on becomes a case
+# make fuzz-lists   rewrite random exports as people keep lists for a minute, or SECONDS=600, and look for facts that come back wrong in silence
 # make frozen  ask every codec about more than a million inputs and compare with the recorded digests; ACCEPT=yes records them
 # make fuzz-texts  put hostile texts into every text of devices for a minute, or SECONDS=600, and parse all outputs
 # make mutants-compiler  change single places of the compiler, and count which mutants recorded outputs and tests notice
@@ -45,7 +46,7 @@ NOISE := 2000000
 WRITER := build/docs/environment
 INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs frozen fuzz-texts queries plants edits plc-sizes capabilities accept soak soak-device dist sbom docs-site extension bench pins clean
+.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-lists frozen fuzz-texts queries plants edits plc-sizes capabilities accept soak soak-device dist sbom docs-site extension bench pins clean
 
 build: $(INSTALLED) bytecode
 	$(BIN)/fieldspec build
@@ -82,6 +83,9 @@ mutants: $(INSTALLED)
 
 fuzz-specs: $(INSTALLED)
 	$(BIN)/python tests/random_devices/fuzz.py $(or $(SECONDS),60) $(SEED)
+
+fuzz-lists: $(INSTALLED)
+	$(BIN)/python tests/rewritten_lists.py $(or $(SECONDS),60) $(or $(SEED),1)
 
 frozen: $(INSTALLED)
 	FIELDSPEC_FROZEN=all $(BIN)/pytest -n 2 $(if $(ACCEPT),--accept) tests/frozen

@@ -53,7 +53,11 @@ def hostile_items() -> list[Item]:
 @pytest.mark.parametrize("device", DEVICES)
 def test_an_export_does_not_differ_from_its_device(device: str, form: str, run: CommandLine, tmp_path: Path) -> None:
     path = tmp_path / f"list.{form}"
-    assert run("export", device, "--to", form, "--out", str(path)) == (0, "", "")
+    ran = run("export", device, "--to", form, "--out", str(path))
+    assert (ran.code, ran.out) == (0, "")
+    assert re.fullmatch(
+        rf"not in the list: the frames of \d+ links? and \d+ messages; `fieldspec facts {device}` .*\n", ran.err
+    )
     ran = run("compare", device, str(path))
     assert ran.code == 0, ran.out
     count = len(items(newest(SPECS, device)))
@@ -70,6 +74,30 @@ def test_an_export_of_a_made_up_device_does_not_differ_from_it(
     assert run("export", device, "--to", form, "--out", str(path)).code == 0
     ran = run("compare", device, str(path))
     assert ran.code == 0, ran.out
+
+
+@pytest.mark.parametrize("device", ["caller", "widget", "grinder", "weigher"])
+def test_messages_are_exported_compared_and_refused_by_name(
+    device: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    run = CommandLine(capsys, monkeypatch, TEST_SPECS)
+    path = tmp_path / "list.csv"
+    assert "message" not in run("export", device, "--messages", "--out", str(path)).err
+    rows = list(csv.DictReader(io.StringIO(path.read_text("utf-8"))))
+    fields = [number for number, row in enumerate(rows, 2) if row["space"] == "messages"]
+    names = {rows[number - 2]["name"].rsplit(".")[0] for number in fields}
+    own = newest(TEST_SPECS, device)
+    with_data = [m.name for m in own.messages.values() for d in m.message.directions if m.data(d).fields]
+    assert names == {*with_data}
+    assert run("compare", device, str(path)).code == 0
+    ran = run("import", str(path), "--to", str(tmp_path / "again.yaml"), "--protocol", "none")
+    if len(fields) == len(rows):
+        assert (ran.code, "is a field of a message" in ran.err) == (2, True)
+        return
+    assert ran.code == 0
+    spec = (tmp_path / "again.yaml").read_text("utf-8")
+    refused = re.findall(r"^# row (\d+): is a field of a message", spec, re.MULTILINE)
+    assert [int(number) for number in refused] == fields
 
 
 def test_documentation_describes_every_column_in_order() -> None:
@@ -157,5 +185,8 @@ def test_a_device_without_registers_cannot_be_exported(
     run = CommandLine(capsys, monkeypatch, tmp_path)
     assert run("new", "device", "empty", "--protocol", "packet").code == 0
     ran = run("export", "empty", "--out", str(tmp_path / "x.csv"))
-    assert (ran.code, ran.err) == (2, "fieldspec: empty has no registers and no parameters\n")
+    assert (ran.code, ran.err) == (
+        2,
+        "fieldspec: empty has no registers and no parameters; --messages exports its messages\n",
+    )
     assert not (tmp_path / "x.csv").exists()

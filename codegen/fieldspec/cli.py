@@ -140,6 +140,7 @@ def _parser() -> argparse.ArgumentParser:
     export = verb("export", "export the registers and parameters of a device as a list", compiled=True)
     export.add_argument("device", metavar="DEVICE[@VERSION]")
     export.add_argument("--to", choices=forms, default="csv")
+    export.add_argument("--messages", action="store_true", help="the fields of messages too, which no import takes")
     export.add_argument("--out", metavar="FILE", help="the file to write (default: standard output)")
 
     def list_options(inner: argparse.ArgumentParser) -> None:

@@ -22,7 +22,9 @@ def lines(name: str, result: Imported, noted: Sequence[int]) -> Iterator[str]:
     used = len(result.used_rows())
     kinds = {entry.kind for entry in result.registers}
     noun = "message" if MESSAGE in kinds else "parameter" if kinds == {PARAMETER} else "register"
-    number = sum(entry.kind == MESSAGE for entry in result.registers) or len(result.registers)
+    number = sum(entry.kind == MESSAGE for entry in result.registers) or sum(
+        len(entry.rows) or 1 for entry in result.registers
+    )
     registers = f"1 {noun}" if number == 1 else f"{number} {noun}s"
     yield f"{name}: {registers}, addresses read as {result.base}"
     yield from _columns(result)

@@ -14,7 +14,7 @@ from fieldspec.command.sources import layout_cache
 def run(arguments: argparse.Namespace) -> int:
     """Prints what agrees, differs and is missing. Exit code 1 where there is any difference. Raises UsageError."""
     from fieldspec.command.rendering import comparison
-    from fieldspec.tools.lists.comparison import ASPECTS, compared
+    from fieldspec.tools.lists.comparison import ASPECTS, compared, has_messages
     from fieldspec.tools.lists.item import items
     from fieldspec.tools.lists.list_file import file_list
     from fieldspec.tools.lists.sheet import ListError
@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
     try:
         data, options = list_files.content(arguments.file), list_files.reading_options(arguments)
         _, register_list = file_list(data, arguments.encoding or "", arguments.sheet or "", columns, options)
-        result = compared(items(layout), register_list, arguments.offset, ignored)
+        result = compared(items(layout, has_messages(register_list)), register_list, arguments.offset, ignored)
     except ListError as error:
         raise UsageError(f"{arguments.file} {error}") from None
     if arguments.format == "json":

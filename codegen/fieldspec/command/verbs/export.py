@@ -7,12 +7,14 @@ import sys
 from pathlib import Path
 
 from fieldspec.codec.layout.bases import base_refusals
+from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.omissions import expressed
-from fieldspec.command.console.streams import print_document
+from fieldspec.command.console.streams import print_document, print_note
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.storage import write
 from fieldspec.command.sources import layout_cache
 from fieldspec.foundation.classes import replace
+from fieldspec.language.checks.finding import plural
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -28,9 +30,10 @@ def run(arguments: argparse.Namespace) -> int:
         help = "it is left out; name its values in `fieldspec live`, which reads where they are"
         print_document(rendered([replace(finding, help=help) for finding in remaining.findings]), sys.stderr)
     layout = remaining.layout
-    entries = items(layout)
+    entries = items(layout, arguments.messages)
     if not entries:
-        raise UsageError(f"{layout.device.id} has no registers and no parameters")
+        hint = "; --messages exports its messages" if layout.messages and not arguments.messages else ""
+        raise UsageError(f"{layout.device.id} has no registers and no parameters{hint}")
     if arguments.to == "xlsx":
         data = as_xlsx(entries, layout.device.id)
     else:
@@ -43,4 +46,13 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("a workbook cannot be printed; name a file with --out")
     else:
         sys.stdout.buffer.write(data)
+    if absent := _left_out(layout, arguments.messages):
+        print_note(f"not in the list: {absent}; `fieldspec facts {layout.device.id}` has everything")
     return 0
+
+
+def _left_out(layout: DeviceLayout, with_messages: bool) -> str:
+    """What of a device its list does not have, in words; empty if it has all."""
+    absent = [f"the frames of {plural(len(layout.links), 'link')}"] if layout.links else []
+    absent += [plural(len(layout.messages), "message")] if layout.messages and not with_messages else []
+    return " and ".join(absent)

@@ -25,6 +25,7 @@ _HALVES = re.compile(r"([0-9a-f]{2}) ([0-9a-f]{2})", re.IGNORECASE)
 _TABLE = re.compile(r"([0134])x[ -]?([0-9]{5})|([134])x[ -]?([0-9]{1,5})", re.IGNORECASE)
 _DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
 _POINTLESS = re.compile(r"([0-9]+)\.0+")
+_POINTED = re.compile(r"[0-9]+\.[0-9]{1,2}")
 _GROUPED = re.compile(r"[0-9]{1,3}(?:[,.' ][0-9]{3})+")
 _SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|\bto\b|\bbis\b)\s*", re.IGNORECASE)
 _SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
@@ -86,8 +87,8 @@ class AddressText:
 class Place:
     """What a cell says of an address: one, or the first and the last of several, and bits of it.
 
-    `other` is a second notation of the first address, `bits` the lowest and the highest bit. `whole` is the place
-    without bits where `.0` may as well be what a spreadsheet adds to a number.
+    `other` is a second notation of the first address, `bits` the lowest and the highest bit. `pointless`
+    says that `.0` may as well be what a spreadsheet adds to a number, `pointed` that the cell is one with a fraction.
     """
 
     first: AddressText
@@ -95,6 +96,7 @@ class Place:
     bits: tuple[int, int] | None = None
     other: AddressText | None = None
     pointless: bool = False
+    pointed: bool = False
 
 
 def address_text(text: str) -> AddressText | None:
@@ -130,7 +132,8 @@ def place(text: str) -> Place | None:
     if (bits := _BITS.fullmatch(normalized)) and (address := address_text(bits[1])):
         low, high = int(bits[2]), int(bits[3] or bits[2])
         pointless = _POINTLESS.fullmatch(normalized) is not None
-        return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless)
+        pointed = _POINTED.fullmatch(normalized) is not None
+        return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless, pointed=pointed)
     for separator in (_SPAN, _SEVERAL):
         ends = [address_text(part) for part in separator.split(normalized)]
         known = [end for end in ends if end is not None]

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cache
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache, reduce
 
-from fieldspec.foundation.classes import dataclass, field
+from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text, place
 from fieldspec.tools.lists.sheet import CellError, ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.value_texts import bit_names
 from fieldspec.tools.lists.words import folded, words
 
+_ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
+_BETWEEN = re.compile(r"\s*[/|\n]\s*")
 _LONGEST = 200
 _HEADED_BY = 40
 """The number of rows among which the heading is searched."""
 
 _MOST_HEADING_ROWS = 3
+_MOST_TABLES = 40
 _LOOKED_AT = 200
 """The number of rows whose cells show what a column holds."""
 
@@ -80,7 +83,46 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
         best = _without_heading(sheet, names)
     if not best.rows:
         raise ListError("has a heading and no rows")
-    return best
+    return best if names else _with_further_tables(best)
+
+
+def _with_further_tables(first: Columns) -> Columns:
+    """The columns of a sheet, with the rows of the tables below in them, each of which has a heading of its own."""
+    tables = [(first, 0, first.headings)]
+    for index, row in enumerate(first.rows):
+        known = [_whole_words().get(folded(cell)) for cell in row.cells if cell]
+        is_heading = "address" in known and known.count(None) * 2 <= len(known) and row.cells != tables[-1][2]
+        if is_heading and len(tables) < _MOST_TABLES:
+            sample = first.rows[index + 1 : index + 1 + _LOOKED_AT]
+            further = _guessed([[cell] if cell else [] for cell in row.cells], {}, sample)
+            if further is not None and len(further.places) > 1:
+                tables.append((further, index + 1, row.cells))
+    ends = [start - 1 for _, start, _ in tables[1:]] + [len(first.rows)]
+    parts = [replace(table, rows=first.rows[start:end]) for (table, start, _), end in zip(tables, ends, strict=True)]
+    return reduce(_joined, parts)
+
+
+def _joined(first: Columns, further: Columns) -> Columns:
+    """Two tables as one: columns of a role that both have are one, and others follow behind those of the first."""
+    headings = [*first.headings]
+    places, further_columns = dict(first.places), dict(first.more)
+    targets: dict[int, int] = {}
+    for role, column in further.places.items():
+        targets[column] = places.setdefault(role, len(headings))
+        headings += [further.heading_at(column)] if targets[column] == len(headings) else []
+    for column in range(max((len(row.cells) for row in further.rows), default=0)):
+        if column not in targets:
+            targets[column] = len(headings)
+            headings.append(further.heading_at(column))
+    for role, columns_of_role in further.more.items():
+        further_columns[role] = (*further_columns.get(role, ()), *(targets[column] for column in columns_of_role))
+    rows = list(first.rows)
+    for row in further.rows:
+        cells = [""] * len(headings)
+        for column, target in targets.items():
+            cells[target] = row.cell(column)
+        rows.append(SheetRow(row.number, tuple(cells)))
+    return Columns(places, tuple(headings), tuple(rows), further_columns)
 
 
 def role_count(sheet: Sheet) -> int:
@@ -132,7 +174,7 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
         if column is None:
             return None
         places[role] = column
-    heads = [tuple(dict.fromkeys(folded(text) for text in (" ".join(texts), *texts))) for texts in parts]
+    heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
     sample = rows[:_LOOKED_AT]
     further: dict[str, tuple[int, ...]] = {}
     for role, role_words in words("headings").items():
@@ -161,6 +203,18 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     return Columns(places, headings, rows, further)
 
 
+def _variants(texts: Sequence[str]) -> Iterator[str]:
+    """A heading as a whole, its rows, each without what is in brackets, and what means the same in two languages."""
+    for text in (" ".join(texts), *texts):
+        yield text
+        if bare := _ASIDE.sub(" ", text).strip():
+            yield bare
+        pieces = _BETWEEN.split(text)
+        roles = {_whole_words().get(folded(piece)) for piece in pieces}
+        if len(pieces) > 1 and len(roles) == 1 and None not in roles:
+            yield pieces[0]
+
+
 def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_columns: set[int]) -> list[int]:
     """The columns whose headings fit a role, the likeliest first. No part counts of a heading that is another word."""
     whole = _whole_words()
@@ -172,8 +226,8 @@ def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_co
                 and any(_fits(text, word) for text in texts)
                 and (
                     not word.startswith("*")
-                    or whole.isdisjoint(texts)
-                    or not whole.isdisjoint({*texts} & {*role_words})
+                    or whole.keys().isdisjoint(texts)
+                    or not whole.keys().isdisjoint({*texts} & {*role_words})
                 )
             ):
                 ranked_columns.setdefault(column)
@@ -181,11 +235,14 @@ def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_co
 
 
 @cache
-def _whole_words() -> frozenset[str]:
-    """The headings that are whole words of a role."""
-    return frozenset(
-        word for role_words in words("headings").values() for word in role_words if not word.startswith("*")
-    )
+def _whole_words() -> Mapping[str, str]:
+    """The headings that are whole words of a role, with the first such role."""
+    return {
+        word: role
+        for role, role_words in reversed([*words("headings").items()])
+        for word in role_words
+        if not word.startswith("*")
+    }
 
 
 def _fits(head: str, word: str) -> bool:

@@ -11,7 +11,7 @@ from fractions import Fraction
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.lists.addresses import BASES
 from fieldspec.tools.lists.assumption import Refusal
-from fieldspec.tools.lists.item import REGISTERS, Item
+from fieldspec.tools.lists.item import MESSAGES, REGISTERS, Item
 from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import REGISTER, ListRow
@@ -123,6 +123,11 @@ class Compared:
         return not (self.shifted or self.differing or self.extras or self.missing or self.unreadable)
 
 
+def has_messages(register_list: Listing) -> bool:
+    """Whether a list is an export with fields of messages, with which those of the device are compared."""
+    return register_list.own and any(row.space == MESSAGES for row in register_list.read)
+
+
 class _Known:
     """The items by the address of each element, and by every further word."""
 
@@ -195,7 +200,7 @@ def _likeliest(
 
 def _fit(item: Item, row: ListRow, aspects: Collection[str]) -> float:
     """How well a row fits an item: 1 for the address, more for the name, less for differences."""
-    names = "name" in aspects and _names(item) & {folded(name) for name in row.names}
+    names = "name" in aspects and _names(item, row) & {folded(name) for name in row.names}
     wrong = sum(difference.aspect in ("type", "access", "words") for difference in _differences(item, row, aspects))
     return max(1 + (3 if names else 0) - 0.2 * wrong, 0.1)
 
@@ -262,17 +267,20 @@ def _gaps(item: Item, covered: Collection[int]) -> Iterator[Missing]:
             start = None
 
 
-def _names(item: Item) -> set[str]:
-    names = (item.name, item.name.rpartition(".")[2], item.printed_name, item.label)
+def _names(item: Item, row: ListRow) -> set[str]:
+    """The names of an item; of a field of a table, with the number of the element at the address of a row too."""
+    table, _, name = item.name.rpartition(".")
+    number = item.first + (row.address - item.address) // item.stride if item.stride else item.first
+    names = (item.name, name, item.printed_name, item.label, f"{table}{number}{name}")
     return {folded(name) for name in names} - {""}
 
 
 def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:
     texts, value = row.texts, item.value
     yield from _unread(item, row, aspects)
-    if "name" in aspects and row.names and _names(item).isdisjoint(map(folded, row.names)):
+    if "name" in aspects and row.names and _names(item, row).isdisjoint(map(folded, row.names)):
         yield Difference("name", item.name, row.names[0])
-    if "type" in aspects and "type" in texts and not (row.type and row.type.fits(item.type)):
+    if "type" in aspects and "type" in texts and not _is_of_type(item, row):
         yield Difference("type", item.type, texts["type"])
     if "access" in aspects and "access" in texts and item.access and row.access != item.access:
         yield Difference("access", item.access, texts["access"])
@@ -325,6 +333,11 @@ _READ: dict[str, Callable[[ListRow], object]] = {
     "unit": lambda row: not any(doubt.startswith("Unit in the list") for doubt in row.doubts),
 }
 """The roles whose cells may be unreadable, and whether that of a row was read."""
+
+
+def _is_of_type(item: Item, row: ListRow) -> bool:
+    """Whether the type of a row is that of an item, with the form in which an export has it."""
+    return row.texts["type"] == item.type or (row.type is not None and row.type.fits(item.type))
 
 
 def _unread(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:

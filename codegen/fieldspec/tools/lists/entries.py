@@ -8,7 +8,7 @@ from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.encoding import is_real
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Refusal
-from fieldspec.tools.lists.item import REGISTERS
+from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.row_reading import PARAMETER, REGISTER, ListRow
 from fieldspec.tools.lists.shapes import BIT, Shape, shape
 from fieldspec.tools.lists.sheet import ListError
@@ -16,6 +16,8 @@ from fieldspec.tools.lists.type_words import Loose
 
 SPACES = {REGISTERS: False, "input_registers": False, "coils": True, "discrete_inputs": True}
 """The address spaces that a list may have, and whether they are of bits."""
+
+_ONLY_READ = ("input_registers", "discrete_inputs")
 
 _HIGHEST_ADDRESS = 0xFFFF
 _MOST_WORDS = 1 << 20
@@ -35,7 +37,8 @@ class Bit:
 class Entry:
     """A register with its bits, a field, or a parameter.
 
-    Without a row of its own, it has the first of its bits as `row`, and no name.
+    Without a row of its own, it has the first of its bits as `row`, and no name. Where it stands for several equal
+    rows, `rows` has them, and `element_name` is what they print, with `{n}` for the number.
     """
 
     row: ListRow
@@ -43,6 +46,8 @@ class Entry:
     space: str
     bits: tuple[Bit, ...] = ()
     is_own: bool = True
+    rows: tuple[ListRow, ...] = ()
+    element_name: str = ""
 
     @property
     def kind(self) -> str:
@@ -53,7 +58,7 @@ class Entry:
 def entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple[list[Entry], list[Refusal]]:
     """The registers of a list in its order, and the rows that are none. `refused_before` has rows with reasons."""
     refused = [Refusal(number, "", "", reason) for number, reason in refused_before.items()]
-    left = [row for row in rows if row.row not in refused_before and row.place is None]
+    left = [_as_readable(row) for row in rows if row.row not in refused_before and row.place is None]
     stated = _stated([row for row in left if row.is_own or row.kind != REGISTER], refused)
     wholes: list[Entry] = []
     by_place: dict[tuple[str, int], int] = {}
@@ -84,6 +89,14 @@ def entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple
 
 def _space(row: ListRow) -> str:
     return row.space or REGISTERS
+
+
+def _as_readable(row: ListRow) -> ListRow:
+    """A row without the access to write where its space has none."""
+    if row.is_own or row.access not in ("rw", "wo") or _space(row) not in _ONLY_READ:
+        return row
+    text = row.texts.get("access") or row.texts.get("writable") or row.access
+    return replace(row, access="ro", doubts=(*row.doubts, f"The list says {text}, and {row.space} are only read."))
 
 
 def _outside(row: ListRow, space: str) -> str:
@@ -190,7 +203,11 @@ def _stated(rows: Sequence[ListRow], refused: list[Refusal]) -> list[Entry]:
         name = row.type.name if row.type is not None else ""
         kind = PRIMITIVES.get(name)
         place = _space(row), row.address, row.subindices
-        if kind is None or (not kind.size and not row.texts.get("bytes")):
+        if place[0] == MESSAGES:
+            reason = (
+                "is a field of a message, which a list has no frames for; take messages from a protocol, or write them"
+            )
+        elif kind is None or (not kind.size and not row.texts.get("bytes")):
             reason = f"has the type {row.texts.get('type', name)}, of which the list does not say how it is sent"
         elif row.subindices is not None and (*place[:2], None) not in numbers:
             reason = "is an element of a parameter that is not taken"

@@ -86,9 +86,7 @@ def row(item: Item) -> dict[str, Cell]:
         "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,
         "special": "; ".join(f"{number} {name}" for number, name in item.special) or None,
         "bits": "; ".join(_bit(*bit) for bit in item.bits) or None,
-        "bytes": value.size
-        if value is not None and not value.type.is_number and item.type in ("text", "bytes")
-        else None,
+        "bytes": value.size if value is not None and (value.digits or value.type.name in ("text", "bytes")) else None,
         "order": item.order or None,
         "section": source.section or None if source else None,
         "line": source.line() if source else None,

@@ -11,6 +11,7 @@ from fieldspec.tools.lists.entries import SPACES, Entry, entries
 from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.message_entries import message_entries
 from fieldspec.tools.lists.numbering import chosen
+from fieldspec.tools.lists.rolling_up import rolled_up
 from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.sheet import ListError, Sheet
@@ -57,7 +58,7 @@ class Imported:
 
     def used_rows(self) -> set[int]:
         """The numbers of the rows that are registers or bits."""
-        own = {entry.row.row for entry in self.registers if entry.is_own}
+        own = {row.row for entry in self.registers if entry.is_own for row in entry.rows or (entry.row,)}
         return own | {bit.row.row for entry in self.registers for bit in entry.bits if bit.row is not None}
 
 
@@ -93,6 +94,7 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
 def _entered(result: Imported) -> Imported:
     """The result with its registers, and what of the list is none."""
     registers, contradicting = entries(result.rows, result.reasons)
+    registers = rolled_up(registers)
     messages = [row for row in result.rows if row.kind in (MESSAGE, SIGNAL)]
     registers += message_entries(messages, result.reasons, contradicting)
     if not registers:

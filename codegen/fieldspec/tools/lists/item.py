@@ -7,6 +7,7 @@ from decimal import Decimal
 from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.access import narrowed
@@ -15,6 +16,10 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation
 from fieldspec.language.model.registers import Parameter, ParameterSet
 from fieldspec.language.model.value import Value
+from fieldspec.tools.lists.value_forms import type_text
+
+MESSAGES = "messages"
+"""What an export has in place of the name of a space for the fields of messages."""
 
 REGISTERS = "registers"
 """The name of the first space of registers; further ones, and spaces of parameters, have their own names."""
@@ -60,13 +65,16 @@ class Item:
         return range(self.address, self.address + (self.count if self.stride else 1) * step, step)
 
 
-def items(layout: DeviceLayout) -> list[Item]:
-    """All items of a device: registers, tables and parameters, each by address."""
+def items(layout: DeviceLayout, with_messages: bool = False) -> list[Item]:
+    """All items of a device: registers, tables and parameters, each by address, and perhaps fields of messages."""
     items = [item for register in layout.registers for item in _register(layout.device, register)]
     items += [item for table in layout.tables.values() for item in _table(layout.device, table)]
     items.sort(key=lambda item: item.address)
     for parameter_set in layout.device.parameters.values():
         items += [item for parameter in parameter_set.parameters for item in _parameter(parameter_set, parameter)]
+    if with_messages:
+        for message in layout.messages.values():
+            items += [item for direction in message.message.directions for item in _message(message, direction)]
     return [replace(item, ucum=_code(layout.device, item.value), **_named(layout.device, item.value)) for item in items]
 
 
@@ -107,11 +115,6 @@ def _code(device: Device, value: Value | None) -> str:
     return unit.ucum if unit is not None else ""
 
 
-def _type(value: Value) -> str:
-    """The type, and the form of the digits of a number that is sent as such: `u16 bcd`."""
-    return f"{value.type.name} {value.digits}".strip()
-
-
 def _register(device: Device, layout: RegisterLayout) -> Iterator[Item]:
     register = layout.register
     for number in range(register.count):
@@ -124,7 +127,7 @@ def _register(device: Device, layout: RegisterLayout) -> Iterator[Item]:
             address=register.address + number * register.stride,
             name=f"{register.name}_{index}" if is_list else register.name,
             words=register.width if register.unit_size > 1 and register.value.type.name != BIT else None,
-            type=_type(register.value),
+            type=type_text(register.value),
             access=register.access,
             value=register.value,
             printed_name=printed,
@@ -138,23 +141,59 @@ def _register(device: Device, layout: RegisterLayout) -> Iterator[Item]:
 def _table(device: Device, table_layout: TableLayout) -> Iterator[Item]:
     table = table_layout.table
     for name, part, byte, access in _flat(table_layout.record, table.access):
-        yield Item(
+        yield _field(
+            part,
             space=_space(device, table.space),
             address=table.base + byte // 2,
             name=f"{table.name}.{name}",
             words=(byte % 2 + part.size + 1) // 2,
-            type=_type(part.value) if part.value else "bytes",
             access=access,
-            value=part.value,
             count=table.count,
             stride=table.stride,
             first=table.index_from,
-            order=_order(part.value, part.order, part.swapped),
-            printed_name=part.field.printed_name,
-            label=part.field.label,
-            source=_first(part.field.sources),
-            unverified=part.field.unverified,
         )
+
+
+def _field(part: FieldLayout, **place: Any) -> Item:
+    """The item of a field, with where it is."""
+    return Item(
+        type=type_text(part.value) if part.value else "bytes",
+        value=part.value,
+        order=_order(part.value, part.order, part.swapped),
+        printed_name=part.field.printed_name,
+        label=part.field.label,
+        source=_first(part.field.sources),
+        unverified=part.field.unverified,
+        **place,
+    )
+
+
+def _message(layout: MessageLayout, direction: str) -> Iterator[Item]:
+    """The fields of a message, at its code, or at the number by which people know it."""
+    message = layout.message
+    code = message.code_of(direction)
+    for name, part in _parts(layout.data(direction)):
+        yield _field(
+            part,
+            space=MESSAGES,
+            address=code if code is not None else message.number or 0,
+            name=f"{message.name}.{direction}.{name}",
+            words=None,
+            access="",
+            count=part.count or 1,
+        )
+
+
+def _parts(record: RecordLayout, before: str = "") -> Iterator[tuple[str, FieldLayout]]:
+    """The name and the layout of each field in a record, and in the records and cases in it."""
+    for part in record.fields:
+        name = f"{before}{part.name}"
+        if part.record is not None:
+            yield from _parts(part.record, f"{name}.")
+        elif part.cases:
+            yield from ((f"{name}.{case.name}", replace(part, value=case.value)) for case in part.cases)
+        else:
+            yield name, part
 
 
 def _space(device: Device, name: str) -> str:
@@ -188,7 +227,7 @@ def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[It
             address=parameter_set.base + number,
             name=f"{parameter.name}_{number}" if parameter.count > 1 else parameter.name,
             words=None,
-            type=parameter.value.type.name,
+            type=type_text(parameter.value),
             access=parameter.access,
             value=parameter.value,
             count=parameter.elements or 1,
@@ -210,7 +249,7 @@ def _elements(parameter_set: ParameterSet, parameter: Parameter, number: int) ->
             address=parameter_set.base + number,
             name=f"{parameter.name}.{part.name}",
             words=None,
-            type=part.value.type.name,
+            type=type_text(part.value),
             access=parameter.element_access(part.indices.low),
             value=part.value,
             subindices=(part.indices.low, part.indices.high),

@@ -16,14 +16,17 @@ from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
 from fieldspec.tools.lists.column_roles import NOTE, Columns, columns
 from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
-from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, wire_number
+from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, shortened_bits, wire_number
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import FACTORS, Cells, ListRow, exported_row, read_row
 from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
-from fieldspec.tools.lists.words import meaning
+from fieldspec.tools.lists.words import folded, meaning
 
 _NUMERIC = (*FACTORS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
+_SHORTEST_TITLE = 8
+"""The letters of a title that names a space: shorter ones, such as `Inputs`, are those of groups."""
+
 _EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
     r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
@@ -87,8 +90,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     columns_of_sheet = columns(sheet, names)
     places = placed(columns_of_sheet)
     ways = bases(places, options.base, columns_of_sheet.heading("address"))
-    own = columns_of_sheet.headings == OWN_COLUMNS
-    assumptions: list[Assumption] = []
+    own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
+    assumptions = list(shortened_bits(places))
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]
     reason = "has cells that do not stand under the headings"
@@ -109,7 +112,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
                 space=row_place.first.space or row.space or meaning("spaces", sheet.name),
             )
         )
-    read = _by_functions(read)
+    read = _by_functions(_beneath_titles(read, sheet, assumptions))
     undecided: list[Assumption] = []
     if own:
         read = [exported_row(row) for row in read]
@@ -166,6 +169,31 @@ def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
             yield Refusal(row, heading, f"{letters(column)}{row}", "is a formula whose value the file does not have")
 
 
+def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows, those that name no space in that of the title above: a row with nothing but the name of a space."""
+    titles: dict[int, tuple[str, str]] = {}
+    for row in sheet.rows:
+        texts = {cell for cell in row.cells if cell}
+        text = next(iter(texts)) if len(texts) == 1 else ""
+        if len(folded(text)) >= _SHORTEST_TITLE and (space := meaning("spaces", text)):
+            titles[row.number] = space, text
+    result = []
+    title, used = ("", ""), dict[str, str]()
+    ordered = sorted(
+        [*((number, None) for number in titles), *((row.row, row) for row in rows)], key=lambda pair: pair[0]
+    )
+    for number, own in ordered:
+        if own is None:
+            title = titles[number]
+        else:
+            used |= dict([title]) if title[0] and not own.space else {}
+            result.append(replace(own, space=own.space or title[0]))
+    if used:
+        reading = ", ".join(f"{space} below `{text}`" for space, text in used.items())
+        assumptions.append(Assumption("address space", reading, "the titles", "--space"))
+    return result
+
+
 def _by_functions(rows: list[ListRow]) -> list[ListRow]:
     """The rows, read only where the functions that the list names for them only read, and others also write."""
     codes = [functions(row.texts.get("function", "")) for row in rows]
@@ -200,7 +228,7 @@ def _decided(
     measured = [decision for row in decided if (decision := _measured(row, row.factor)) is not None]
     factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
     direction, gain_assumption = directions.gain_direction(
-        factor_heading, role, factors, measured, sum(map(_is_coarse, decided)), options.gain
+        factor_heading, role, factors, measured, _coarse(decided), options.gain
     )
     if not direction and gain_assumption is not None:
         undecided.append(gain_assumption)
@@ -238,9 +266,11 @@ def _scaled(row: ListRow, direction: str) -> ListRow:
     return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
 
 
-def _is_coarse(row: ListRow) -> bool:
-    """Whether a factor of ten or more stands beside a unit in whose parts devices measure."""
-    return row.factor is not None and row.factor >= 10 and (known_unit(row.unit) or row.unit) in _FINE
+def _coarse(rows: Sequence[ListRow]) -> int:
+    """How many rows would count in steps of ten or more of a unit in whose parts devices measure, if their factors
+    multiplied; 0 where some would if they divided."""
+    factors = [row.factor for row in rows if row.factor is not None and (known_unit(row.unit) or row.unit) in _FINE]
+    return 0 if any(factor * 10 <= 1 for factor in factors) else sum(factor >= 10 for factor in factors)
 
 
 def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:

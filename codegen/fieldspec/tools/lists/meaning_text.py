@@ -35,7 +35,7 @@ class Meant:
 
 
 def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str], only_states: bool) -> Meant:
-    """What a register's numbers mean; beside a power of ten they are states.
+    """What a register's numbers mean; beside a scale they are states.
 
     `enums` has the names of enums by their members, `used_names` all names.
     """
@@ -63,7 +63,7 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
         own_states = (f"sentinels: [{', '.join(_states(entry.row.special))}]",)
     if not members:
         return Meant(keys=own_states)
-    if only_states:
+    if only_states or entry.row.scale not in (None, 1) or entry.row.offset:
         return Meant(keys=(f"sentinels: [{', '.join(_members(members))}]",))
     if is_truth(kind.encoding) and own_type != BIT and not entry.row.is_own:
         own_type, kind = unsigned, PRIMITIVES[unsigned]

@@ -11,6 +11,9 @@ from fieldspec.language.schema import schema
 _NAME = re.compile(schema()["$defs"]["name"]["pattern"])
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
 _ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
+_BETWEEN = re.compile(r"\s*[/|]\s*")
+"""What stands between the same words in two languages."""
+
 _LONGEST = 48
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth", "6th": "sixth"}
 _LATIN = {
@@ -41,8 +44,8 @@ def snake(text: str) -> str:
     if len(text) <= _LONGEST and _NAME.fullmatch(text):
         return text
     bare = _ASIDE.sub(" ", text)
-    name = _snake(bare if re.search(r"[^\W\d_]", bare) else text)
-    return name or _snake(text)
+    parts = (bare if re.search(r"[^\W\d_]", bare) else text, text, *_BETWEEN.split(bare))
+    return next((name for part in parts if (name := _snake(part))), "")
 
 
 def _snake(text: str) -> str:

@@ -56,7 +56,16 @@ def placed(columns: Columns) -> Placed:
             skipped.append(row)
     if not rows:
         _refuse_all(columns, refused)
-    return Placed(tuple(_with_bits(rows)), tuple(skipped), tuple(refused))
+    known = list(_with_bits(rows))
+    shortened = {row.number for row in _shortened(known)}
+    reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
+    refused += [
+        Refusal(row.number, heading, columns.cell(row, "address"), reason)
+        for row, _ in known
+        if row.number in shortened
+    ]
+    known = [(row, row_place) for row, row_place in known if row.number not in shortened]
+    return Placed(tuple(known), tuple(skipped), tuple(refused))
 
 
 def _refuse_all(columns: Columns, refused: Sequence[Refusal]) -> None:
@@ -78,6 +87,31 @@ def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, P
     for row, row_place in rows:
         whole = row_place.pointless and not bits
         yield row, Place(row_place.first, row_place.last, None, row_place.other) if whole else row_place
+
+
+def _shortened(rows: Sequence[tuple[SheetRow, Place]]) -> Iterator[SheetRow]:
+    """The rows of a bit `100.1` behind a higher one of the same register: it may be `100.10`."""
+    last: dict[AddressText, int] = {}
+    for row, row_place in rows:
+        if row_place.bits is not None:
+            low, high = row_place.bits
+            if low == high and 0 < low < 10 and row_place.pointed and low < last.get(row_place.first, 0):
+                yield row
+            last[row_place.first] = high
+
+
+def shortened_bits(placed_rows: Placed) -> Iterator[Assumption]:
+    """What is assumed of a bit `100.1`, beside bits of two digits none of which ends in zero: it may be `100.10`."""
+    pointed = [
+        (row_place.first.digits, row_place.bits[0])
+        for _, row_place in placed_rows.rows
+        if row_place.bits and row_place.pointed
+    ]
+    highest = dict(sorted(pointed))
+    doubtful = [f"{digits}.{bit}" for digits, bit in pointed if 0 < bit * 10 < highest[digits]]
+    if doubtful and not any(bit and bit % 10 == 0 for _, bit in pointed):
+        evidence = f"`{doubtful[0]}` may be `{doubtful[0]}0`, whose zero a spreadsheet has dropped"
+        yield Assumption("bits", "those that are written", evidence)
 
 
 def bases(placed_rows: Placed, base: str, heading: str) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""The tables and the parameters of an exported list, as lines of a spec."""
+"""The tables and the parameters of a list, as lines of a spec."""
 
 from __future__ import annotations
 
@@ -38,13 +38,23 @@ def tables(entries: Sequence[Entry], fact: Callable[[int], str], used_records: S
         rows = [entries[place].row for place in _places(tree)]
         first = rows[0]
         base = min(row.address for row in rows)
-        width = max(row.address + (row.words or 1) for row in rows) - base
+        width = max(entries[place].row.address + entries[place].shape.words for place in _places(tree)) - base
         own_space = "" if space == REGISTERS else f"space: {space}, "
         numbers = f"base: 0x{base:04X}, stride: {first.stride or width}, count: {first.count}"
         index = f", index_from: {first.texts['first']}" if first.texts.get("first") else ""
         area = f"{own_space}{numbers}{index}"
-        line = f"  - {{name: {table}, {area}, record: {table}, source: 1 L{first.row}, unverified: true}}"
+        cited = "".join(_elements(entries[next(_places(tree))]))
+        line = f"  - {{name: {table}, {area}, record: {table}, source: 1 L{first.row}, {cited}unverified: true}}"
         yield line, first.row
+
+
+def _elements(entry: Entry) -> Iterator[str]:
+    """The elements of a table whose rows are rolled up, with the addresses of the first field, which the list has."""
+    if entry.rows:
+        first = int(entry.row.texts["first"])
+        numbered = enumerate(entry.rows, first)
+        elements = (f'{{index: {n}, at: "0x{row.address:04X}", source: 1 L{row.row}}}' for n, row in numbered)
+        yield f"elements: [{', '.join(elements)}], "
 
 
 def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[int], str]) -> Iterator[Line]:
@@ -57,7 +67,15 @@ def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[in
     yield f"    source: 1 L{first}", 0
     yield "    unverified: true", 0
     yield "    fields:", 0
-    for key, inner in tree.items():
+    ordered = sorted(tree.items(), key=lambda item: entries[next(_places({"": item[1]}))].row.address)
+    end = entries[next(_places({"": ordered[0][1]}))].row.address
+    for key, inner in ordered:
+        if isinstance(inner, int) and entries[inner].rows:
+            own = entries[inner].row
+            if own.address > end:
+                keys = f"type: bytes, length: {2 * (own.address - end)}, reserved: true"
+                yield f"      - {{name: unused_{end:04x}, {keys}, source: L{own.row}, unverified: true}}", own.row
+            end = own.address + entries[inner].shape.words
         if isinstance(inner, dict):
             row = entries[next(_places(inner))].row.row
             yield f"      - {{name: {key}, record: {name}_{key}, source: L{row}, unverified: true}}", row

@@ -16,6 +16,7 @@ from fieldspec.tools.lists.cells import access, answer, bounds, functions, numbe
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
 from fieldspec.tools.lists.type_words import Loose, Typed, typed
+from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
 
@@ -62,10 +63,10 @@ class ListRow:
 
     Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what could
     not be understood or contradicts something. `words` is the size that the list states, `gap` the distance to the next
-    address. `special` are states that an export has apart from other values, `scale_text` is its scale as written.
+    address. `special` are states that a list has apart from other values, `scale_text` is its scale as written.
     `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
     the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
-    signal in its message.
+    signal in its message. `form` has the keys of how a value is sent beyond its type.
     """
 
     row: int
@@ -73,6 +74,7 @@ class ListRow:
     words: int | None = None
     names: tuple[str, ...] = ()
     type: Typed | None = None
+    form: Mapping[str, str] = field(default_factory=dict)
     access: str = ""
     low: Decimal | None = None
     high: Decimal | None = None
@@ -146,6 +148,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
         ),
+        special=_special(texts, doubts),
         doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
     )
 
@@ -158,15 +161,15 @@ def exported_row(row: ListRow) -> ListRow:
         scale = Fraction(exact) if exact is not None else None
     except ValueError:
         scale = row.factor
-    special = tuple((match[1], match[2]) for match in _STATE.finditer(row.texts.get("special", "")))
     own_text = text if "/" in text else ""
     is_parameter = row.length is None and row.texts.get("type") != BIT and row.space not in ("", REGISTERS)
     kind = PARAMETER if is_parameter else FIELD if "." in row.texts.get("name", "") else REGISTER
-    own_type = Typed(row.texts["type"]) if row.texts.get("type") in PRIMITIVES else None
+    type_name, form = type_parts(row.texts.get("type", ""))
+    own_type = Typed(type_name) if type_name in PRIMITIVES else None
     subindices = _bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
     row = replace(row, doubts=tuple(doubt for doubt in row.doubts if not doubt.startswith("Subindex")))
-    row = replace(row, type=own_type, kind=kind, words=row.length, is_own=True, subindices=subindices)
-    return replace(row, scale=scale, scale_text=own_text, special=special)
+    row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
+    return replace(row, scale=scale, scale_text=own_text)
 
 
 def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
@@ -232,6 +235,15 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     if codes.space != stated:
         doubts.append(f"The list says {text}, and the function codes {code_text}.")
     return stated
+
+
+def _special(texts: Mapping[str, str], doubts: list[str]) -> tuple[tuple[str, str], ...]:
+    """The states of a column of special values."""
+    text = texts.get("special", "")
+    states = [_STATE.fullmatch(part.strip()) for part in text.split(";") if part.strip()]
+    if not all(states):
+        doubts.append(f"Special values in the list: {text}.")
+    return tuple((state[1], state[2]) for state in states if state)
 
 
 def _bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:

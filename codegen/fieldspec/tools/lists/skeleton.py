@@ -12,6 +12,7 @@ from fieldspec.language.model.encoding import is_count, is_exact, is_octets, is_
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.ranges import Ranges, whole_intervals
 from fieldspec.tools.lists.assumption import Refusal
+from fieldspec.tools.lists.cells import whole
 from fieldspec.tools.lists.entries import SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
@@ -170,7 +171,10 @@ class _Writer:
         yield "    unverified: true", 0
         registers = [self._registers[place] for place in places]
         addresses = [entry.row.address for entry in registers]
-        has_tables = any((entry.space, entry.kind) == (space, FIELD) for entry in self._registers)
+        has_tables = any(
+            entry.space == space and (entry.kind == FIELD or (entry.rows and entry.row.stride > entry.shape.words))
+            for entry in self._registers
+        )
         if addresses == sorted(set(addresses)) and not has_tables:
             yield from ((line, 0) for line in _gaps(registers))
         else:
@@ -193,7 +197,7 @@ class _Writer:
             inferred["range"] = "The list does not say it; that of SunSpec is taken."
         parts = _head(entry, name, type_name)
         parts += [f"access: {row.access}"] if row.access else []
-        parts += _orders(row.order, kind)
+        parts += _orders(row.order, kind, int(texts["bytes"]) if "digits" in row.form else kind.size)
         unit = known_unit(row.unit) or row.unit
         if unit and (is_count(kind.encoding) or is_real(kind.encoding)):
             parts.append(f"unit: {quoted(unit)}")
@@ -222,7 +226,8 @@ class _Writer:
 def _head(entry: Entry, name: str, type_name: str) -> list[str]:
     """The first keys of a fact: where it is, its name, its type and its size."""
     row, own_shape = entry.row, entry.shape
-    is_sized = bool(PRIMITIVES[type_name].size)
+    is_sized = bool(PRIMITIVES[type_name].size) and "digits" not in row.form
+    type_name = ", ".join([type_name, *(f"{key}: {text}" for key, text in row.form.items())])
     if entry.kind == PARAMETER:
         elements = [f"elements: {row.count}"] if row.count > 1 or row.subindices else []
         elements += [] if is_sized else [f"length: {row.texts.get('bytes')}"]
@@ -240,10 +245,18 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
         length += ["reserved: true"] if row.const is not None else []
         return [f"name: {quoted(name.rpartition('.')[2])}", f"type: {type_name}", *length]
     parts = [f"at: 0x{row.address:04X}", f"name: {quoted(name)}", f"type: {type_name}"]
-    if type_name != BIT and (row.words is not None or not row.is_own):
+    if "digits" in row.form:
+        parts.append(f"length: {row.texts.get('bytes')}")
+    elif type_name != BIT and (row.words is not None or not row.is_own):
         parts.append(f"words: {own_shape.words}")
     if own_shape.count > 1:
         parts += [f"count: {own_shape.count}", f"stride: {row.stride or own_shape.words}"]
+        first_number = whole(row.texts.get("first", ""))
+        parts += [f"index_from: {first_number}"] if first_number else []
+        if entry.rows:
+            parts.append(f"element_sources: {quoted('L' + ', '.join(str(own.row) for own in entry.rows))}")
+        if entry.element_name not in ("", f"{name}_{{n}}"):
+            parts.append(f"element_name: {quoted(entry.element_name)}")
     return parts
 
 
@@ -273,7 +286,7 @@ def _list_of(entry: Entry) -> str:
     """The list that an entry is in, of which no two have the same label."""
     if entry.kind == FIELD:
         return entry.row.texts["name"].rpartition(".")[0]
-    return entry.kind if entry.row.subindices is None and entry.kind != SIGNAL else _namespace(entry)
+    return f"{entry.kind} {entry.space}" if entry.row.subindices is None and entry.kind != SIGNAL else _namespace(entry)
 
 
 def _name(entry: Entry) -> str:
@@ -307,9 +320,9 @@ def _extent(entry: Entry) -> int:
     return (entry.shape.count - 1) * (entry.row.stride or words) + words
 
 
-def _orders(order: str, kind: Primitive) -> Iterator[str]:
+def _orders(order: str, kind: Primitive, size: int) -> Iterator[str]:
     """The order of words and of bytes, where they are not those of the device: big, as frames have them."""
-    if order in ("CDAB", "DCBA", "BADC") and kind.is_number and kind.size > 2 and kind.size % 2 == 0:
+    if order in ("CDAB", "DCBA", "BADC") and kind.is_number and size > 2 and size % 2 == 0:
         yield f"word_order: {'big' if order == 'BADC' else 'little'}"
     if order in ("BADC", "DCBA") and not (is_truth(kind.encoding) or is_octets(kind.encoding)):
         yield "byte_order: little"

@@ -144,16 +144,16 @@ def _separator(lines: list[str]) -> str:
     looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
-    best, best_score = ",", (0, 0)
+    best, best_score, rows = ",", (0, 0), 0
     for separator in _SEPARATORS:
         try:
-            widths = Counter(len(row) for row in csv.reader(looked_at, delimiter=separator) if len(row) > 1)
+            widths = Counter(map(len, csv.reader(looked_at, delimiter=separator)))
         except csv.Error:
             continue
-        width, count = max(widths.items(), key=lambda pair: (pair[1], pair[0]), default=(0, 0))
-        if (count, width) > best_score:
-            best, best_score = separator, (count, width)
-    return best if best_score[0] * 2 >= len(looked_at) else ""
+        parted = [(count, width) for width, count in widths.items() if width > 1]
+        if (score := max(parted, default=(0, 0))) > best_score:
+            best, best_score, rows = separator, score, widths.total()
+    return best if 0 < rows <= best_score[0] * 2 else ""
 
 
 def _of_json(text: str) -> Sheet:
