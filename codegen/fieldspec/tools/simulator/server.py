@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 
-_MOST_KNOWN = 512
+_MOST_KNOWN = 64
 """The frames of which a device remembers what they ask for."""
 
 
@@ -250,7 +250,7 @@ class Server:
             return frames.encode("response", message, values)
         if key not in self._frames:
             if len(self._frames) == _MOST_KNOWN:
-                self._frames.clear()
+                del self._frames[next(iter(self._frames))]
             self._frames[key] = frames.encode("response", message, values)
         return self._frames[key]
 
