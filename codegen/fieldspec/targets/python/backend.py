@@ -84,7 +84,7 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     device = versions[-1].device
     folder = f"{PACKAGE}/{package_name(device.id)}"
     modules = {layout.device.version: scope.take(module_name(layout.device.version)) for layout in versions}
-    texts = {}
+    texts: dict[str, str] = {}
     for layout in versions:
         module = modules[layout.device.version]
         view = device_view(layout)
