@@ -102,7 +102,7 @@ def rows() -> Iterator[Row]:
         yield from rates("simulated device, each time another position written", server, compared(*both))
     answering = str(PEERS / "answering.py")
     with served(answering) as own, served(answering) as other, transports.tcp("127.0.0.1", own) as transport:
-        generated = client.Client(transport, pause=0.0)
+        generated = client.Client(transport, link="rtu", pause=0.0)
         library = ModbusTcpClient("127.0.0.1", port=other, framer=FramerType.RTU)
         assert library.connect()
 
