@@ -1,4 +1,4 @@
-"""The generated JavaScript in Node, beside a DataView by hand and the JavaScript of Kaitai Struct."""
+"""The generated JavaScript in Node, beside what is written by hand and the JavaScript of Kaitai Struct."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ GROUP = "JavaScript"
 TOOLS = Path(__file__).resolve().parent / "tools"
 PEERS = Path(__file__).resolve().parent / "peers"
 GOALS: dict[str, dict[str, Any]] = {
-    "decode telegram 111": {"at_most": 1.2},
-    "encode telegram 111, all values checked": {"at_most": 1.2},
+    "decode telegram 111, nine fields read": {"at_most": 1.1},
+    "encode telegram 111, all values checked": {"at_most": 1.3},
+    "write telegram 111 into bytes, all values checked": {"at_most": 1.3},
     "decode a point": {"at_least": 10},
     "decode a frame": {},
 }

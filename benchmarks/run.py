@@ -40,6 +40,7 @@ FILES = (
     "javascript",
     "c_instructions",
     "c_cortex",
+    "c_compiling",
     "compiler",
     "yaml_reading",
     "builds",

@@ -58,9 +58,11 @@ def test_the_file_chooses_outputs_and_versions_and_the_folder(bench: Bench) -> N
     assert {path for path in built_paths if path.startswith("c/glider")} == {
         "c/glider_x.h",
         f"c/glider_x_{NEW}.h",
+        f"c/glider_x_{NEW}_constants.h",
         f"c/glider_x_{NEW}_selftest.c",
         f"c/glider_x_{NEW}_fuzz.c",
         f"c/glider_x_{OLD}.h",
+        f"c/glider_x_{OLD}_constants.h",
     }
     assert build(bench, "--check") == 0
 
@@ -104,6 +106,7 @@ def test_the_command_line_takes_the_place_of_the_file(bench: Bench) -> None:
     assert paths(bench.folder / "generated") == {
         f"wireshark/glider_x_{OLD}.lua",
         f"c/glider_x_{OLD}.h",
+        f"c/glider_x_{OLD}_constants.h",
         f"c/glider_x_{OLD}_selftest.c",
         f"c/glider_x_{OLD}_fuzz.c",
         "c/glider_x.h",

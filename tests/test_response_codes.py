@@ -290,7 +290,7 @@ def test_the_page_has_both_codes() -> None:
 
 
 CONSTANTS: dict[str, tuple[Callable[..., Any], str]] = {
-    "ecu_v1.h": (c_files, "#define ECU_READ_WORD_RESPONSE_CODE 98u"),
+    "ecu_v1_constants.h": (c_files, "#define ECU_READ_WORD_RESPONSE_CODE 98u"),
     "ecu_v1.st": (st_files, "    READ_WORD_RESPONSE_CODE : UINT := 16#0062; //"),
     "ecu_v1_constants.st": (iec_files, "    ECU_MSG_READ_WORD_RESPONSE_CODE : UINT := 16#0062; (*"),
     "fieldspec_devices/ecu/v1.py": (python_files, "    CODE: _ClassVar[int | None] = 0x62"),

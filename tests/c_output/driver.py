@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.names import stem
-from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.backend import headers
 from fieldspec.targets.c.delimiters import is_wrapped
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.naming import Naming
@@ -63,7 +63,7 @@ def records(layout: DeviceLayout) -> dict[str, RecordLayout]:
 def settled(layout: DeviceLayout) -> Naming:
     """The C names in the header of a layout."""
     naming = Naming(layout.device.id)
-    header(layout, naming)
+    headers(layout, naming)
     return naming
 
 

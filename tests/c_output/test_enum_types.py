@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import compiled
 
-from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.backend import headers
 from fieldspec.targets.c.naming import Naming
 from layouts import SPECS, TEST_SPECS, layouts
 
@@ -41,7 +41,8 @@ def test_a_number_that_is_no_member_is_refused_and_never_becomes_an_enum(
     tmp_path: Path, compiler: str, flags: tuple[str, ...]
 ) -> None:
     layout = layouts(SPECS)["tc100"][-1]
-    (tmp_path / "tc100_v2_0.h").write_text(header(layout, Naming("tc100")), encoding="utf-8")
+    for path, text in headers(layout, Naming("tc100")).items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
     source = tmp_path / "cast.c"
     source.write_text(CAST, encoding="utf-8")
     program = compiled(compiler, source, tmp_path / "cast", *flags)
@@ -49,7 +50,7 @@ def test_a_number_that_is_no_member_is_refused_and_never_becomes_an_enum(
 
 
 def test_values_of_closed_enums_have_their_types_and_others_say_why_not() -> None:
-    text = header(layouts(TEST_SPECS)["widget"][-1], Naming("widget"))
+    text = "".join(headers(layouts(TEST_SPECS)["widget"][-1], Naming("widget")).values())
     assert "widget_reg_paint_encode(widget_color value, " in text
     assert "widget_reg_paint_decode(const uint8_t *in, uint16_t *out)" in text
     assert "An integer, as the device may answer what color does not have." in text

@@ -19,7 +19,7 @@ from compilers import compiled
 from fieldspec.targets.c.backend import files
 from layouts import TEST_SPECS, newest
 
-HEADER = files([newest(TEST_SPECS, "compass")])["compass_v1.h"]
+FILES = files([newest(TEST_SPECS, "compass")])
 MAIN = """
 #include "compass_v1.h"
 #include <inttypes.h>
@@ -58,7 +58,8 @@ HALVES = range(1 << 16)
 @pytest.fixture(scope="module")
 def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("forms")
-    (folder / "compass_v1.h").write_text(HEADER, encoding="utf-8")
+    for path, text in FILES.items():
+        (folder / path).write_text(text, encoding="utf-8")
     (folder / "main.c").write_text(MAIN, encoding="utf-8")
     return compiled("sanitized", folder / "main.c", folder / "main")
 

@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.encoding import bounds_of, has_single_bytes, is_count, is_odd
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.backend import headers
 from fieldspec.targets.c.naming import Naming
 from layouts import SPECS, TEST_SPECS, layouts
 
@@ -41,7 +41,7 @@ def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
 @pytest.mark.parametrize("layout", NEWEST, ids=[layout.device.id for layout in NEWEST])
 def test_a_register_tests_nothing_that_another_test_implies(layout: DeviceLayout) -> None:
     naming = Naming(layout.device.id)
-    text = header(layout, naming)
+    text = "".join(headers(layout, naming).values())
     for register in layout.registers:
         value = register.register.value
         if not is_count(value.encoding) or value.const is not None:

@@ -21,7 +21,7 @@ from fieldspec.language.model.encoding import (
     is_text,
 )
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.backend import header
+from fieldspec.targets.c.backend import headers
 from fieldspec.targets.c.delimiters import is_wrapped
 from fieldspec.targets.c.encoded_texts import text_capacity
 from fieldspec.targets.c.fields import case_member, count_member, members
@@ -114,7 +114,7 @@ class Driver:
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
         self.naming = Naming(layout.device.id)
-        self.quantities = QuantityCases(layout, self.naming, header(layout, self.naming))
+        self.quantities = QuantityCases(layout, self.naming, "".join(headers(layout, self.naming).values()))
 
     def source(self) -> str:
         """The source."""

@@ -412,7 +412,7 @@ function readException(b, o) {
 }
 function writeException(value, b, o) {
   const exceptionCode_ = value.exceptionCode;
-  if (!((exceptionCode_ >>> 0) === exceptionCode_ && exceptionCode_ <= 255)) throw refusedNumber("exception_code", exceptionCode_, 0, 255, "0..255");
+  if (!((exceptionCode_ & 255) === exceptionCode_)) throw refusedNumber("exception_code", exceptionCode_, 0, 255, "0..255");
   b[o] = exceptionCode_;
 }
 function checkException(b, o, end) {
@@ -480,55 +480,55 @@ function writePoint(value, b, o) {
   b[o + 9] = highSpeed_ >>> 16;
   b[o + 8] = highSpeed_ >>> 24;
   const accelerationTime_ = value.accelerationTime;
-  if (!((accelerationTime_ >>> 0) === accelerationTime_ && accelerationTime_ <= 65535 && accelerationTime_ >= 1 && accelerationTime_ <= 9999)) throw refusedNumber("acceleration_time", accelerationTime_, 0, 65535, "1..9999");
+  if (!((accelerationTime_ & 65535) === accelerationTime_ && accelerationTime_ >= 1 && accelerationTime_ <= 9999)) throw refusedNumber("acceleration_time", accelerationTime_, 0, 65535, "1..9999");
   b[o + 13] = accelerationTime_;
   b[o + 12] = accelerationTime_ >>> 8;
   const decelerationTime_ = value.decelerationTime;
-  if (!((decelerationTime_ >>> 0) === decelerationTime_ && decelerationTime_ <= 65535 && decelerationTime_ >= 1 && decelerationTime_ <= 9999)) throw refusedNumber("deceleration_time", decelerationTime_, 0, 65535, "1..9999");
+  if (!((decelerationTime_ & 65535) === decelerationTime_ && decelerationTime_ >= 1 && decelerationTime_ <= 9999)) throw refusedNumber("deceleration_time", decelerationTime_, 0, 65535, "1..9999");
   b[o + 15] = decelerationTime_;
   b[o + 14] = decelerationTime_ >>> 8;
   const command_ = value.command;
-  if (!((command_ >>> 0) === command_ && command_ <= 65535 && (command_ <= 11 || command_ === 65535))) throw refusedMember("command", command_, "point_command", false);
+  if (!((command_ & 65535) === command_ && (command_ <= 11 || command_ === 65535))) throw refusedMember("command", command_, "point_command", false);
   b[o + 17] = command_;
   b[o + 16] = command_ >>> 8;
   const waitingTime_ = value.waitingTime;
-  if (!((waitingTime_ >>> 0) === waitingTime_ && waitingTime_ <= 65535 && waitingTime_ <= 60000)) throw refusedNumber("waiting_time", waitingTime_, 0, 65535, "0..60000");
+  if (!((waitingTime_ & 65535) === waitingTime_ && waitingTime_ <= 60000)) throw refusedNumber("waiting_time", waitingTime_, 0, 65535, "0..60000");
   b[o + 19] = waitingTime_;
   b[o + 18] = waitingTime_ >>> 8;
   const jumpPoint_ = value.jumpPoint;
-  if (!((jumpPoint_ >>> 0) === jumpPoint_ && jumpPoint_ <= 65535 && (jumpPoint_ <= 127 || (jumpPoint_ >= 10000 && jumpPoint_ <= 10127) || jumpPoint_ === 65535))) throw refusedNumber("jump_point", jumpPoint_, 0, 65535, "0..127, 10000..10127");
+  if (!((jumpPoint_ & 65535) === jumpPoint_ && (jumpPoint_ <= 127 || (jumpPoint_ >= 10000 && jumpPoint_ <= 10127) || jumpPoint_ === 65535))) throw refusedNumber("jump_point", jumpPoint_, 0, 65535, "0..127, 10000..10127");
   b[o + 23] = jumpPoint_;
   b[o + 22] = jumpPoint_ >>> 8;
   const jumpPointOfInput0_ = value.jumpPointOfInput0;
-  if (!((jumpPointOfInput0_ >>> 0) === jumpPointOfInput0_ && jumpPointOfInput0_ <= 65535 && (jumpPointOfInput0_ <= 127 || (jumpPointOfInput0_ >= 10000 && jumpPointOfInput0_ <= 10127) || jumpPointOfInput0_ === 65535))) throw refusedNumber("jump_point_of_input_0", jumpPointOfInput0_, 0, 65535, "0..127, 10000..10127");
+  if (!((jumpPointOfInput0_ & 65535) === jumpPointOfInput0_ && (jumpPointOfInput0_ <= 127 || (jumpPointOfInput0_ >= 10000 && jumpPointOfInput0_ <= 10127) || jumpPointOfInput0_ === 65535))) throw refusedNumber("jump_point_of_input_0", jumpPointOfInput0_, 0, 65535, "0..127, 10000..10127");
   b[o + 25] = jumpPointOfInput0_;
   b[o + 24] = jumpPointOfInput0_ >>> 8;
   const jumpPointOfInput1_ = value.jumpPointOfInput1;
-  if (!((jumpPointOfInput1_ >>> 0) === jumpPointOfInput1_ && jumpPointOfInput1_ <= 65535 && (jumpPointOfInput1_ <= 127 || (jumpPointOfInput1_ >= 10000 && jumpPointOfInput1_ <= 10127) || jumpPointOfInput1_ === 65535))) throw refusedNumber("jump_point_of_input_1", jumpPointOfInput1_, 0, 65535, "0..127, 10000..10127");
+  if (!((jumpPointOfInput1_ & 65535) === jumpPointOfInput1_ && (jumpPointOfInput1_ <= 127 || (jumpPointOfInput1_ >= 10000 && jumpPointOfInput1_ <= 10127) || jumpPointOfInput1_ === 65535))) throw refusedNumber("jump_point_of_input_1", jumpPointOfInput1_, 0, 65535, "0..127, 10000..10127");
   b[o + 27] = jumpPointOfInput1_;
   b[o + 26] = jumpPointOfInput1_ >>> 8;
   const jumpPointOfInput2_ = value.jumpPointOfInput2;
-  if (!((jumpPointOfInput2_ >>> 0) === jumpPointOfInput2_ && jumpPointOfInput2_ <= 65535 && (jumpPointOfInput2_ <= 127 || (jumpPointOfInput2_ >= 10000 && jumpPointOfInput2_ <= 10127) || jumpPointOfInput2_ === 65535))) throw refusedNumber("jump_point_of_input_2", jumpPointOfInput2_, 0, 65535, "0..127, 10000..10127");
+  if (!((jumpPointOfInput2_ & 65535) === jumpPointOfInput2_ && (jumpPointOfInput2_ <= 127 || (jumpPointOfInput2_ >= 10000 && jumpPointOfInput2_ <= 10127) || jumpPointOfInput2_ === 65535))) throw refusedNumber("jump_point_of_input_2", jumpPointOfInput2_, 0, 65535, "0..127, 10000..10127");
   b[o + 29] = jumpPointOfInput2_;
   b[o + 28] = jumpPointOfInput2_ >>> 8;
   const loopCount_ = value.loopCount;
-  if (!((loopCount_ >>> 0) === loopCount_ && loopCount_ <= 65535 && loopCount_ <= 100)) throw refusedNumber("loop_count", loopCount_, 0, 65535, "0..100");
+  if (!((loopCount_ & 65535) === loopCount_ && loopCount_ <= 100)) throw refusedNumber("loop_count", loopCount_, 0, 65535, "0..100");
   b[o + 31] = loopCount_;
   b[o + 30] = loopCount_ >>> 8;
   const loopJumpPoint_ = value.loopJumpPoint;
-  if (!((loopJumpPoint_ >>> 0) === loopJumpPoint_ && loopJumpPoint_ <= 65535 && (loopJumpPoint_ <= 127 || (loopJumpPoint_ >= 10000 && loopJumpPoint_ <= 10127)))) throw refusedNumber("loop_jump_point", loopJumpPoint_, 0, 65535, "0..127, 10000..10127");
+  if (!((loopJumpPoint_ & 65535) === loopJumpPoint_ && (loopJumpPoint_ <= 127 || (loopJumpPoint_ >= 10000 && loopJumpPoint_ <= 10127)))) throw refusedNumber("loop_jump_point", loopJumpPoint_, 0, 65535, "0..127, 10000..10127");
   b[o + 33] = loopJumpPoint_;
   b[o + 32] = loopJumpPoint_ >>> 8;
   const outputSetting_ = value.outputSetting;
-  if (!((outputSetting_ >>> 0) === outputSetting_ && outputSetting_ <= 65535 && outputSetting_ <= 23)) throw refusedNumber("output_setting", outputSetting_, 0, 65535, "0..23");
+  if (!((outputSetting_ & 65535) === outputSetting_ && outputSetting_ <= 23)) throw refusedNumber("output_setting", outputSetting_, 0, 65535, "0..23");
   b[o + 35] = outputSetting_;
   b[o + 34] = outputSetting_ >>> 8;
   const clearLoopCounterOf_ = value.clearLoopCounterOf;
-  if (!((clearLoopCounterOf_ >>> 0) === clearLoopCounterOf_ && clearLoopCounterOf_ <= 65535 && (clearLoopCounterOf_ <= 127 || clearLoopCounterOf_ === 65535))) throw refusedNumber("clear_loop_counter_of", clearLoopCounterOf_, 0, 65535, "0..127");
+  if (!((clearLoopCounterOf_ & 65535) === clearLoopCounterOf_ && (clearLoopCounterOf_ <= 127 || clearLoopCounterOf_ === 65535))) throw refusedNumber("clear_loop_counter_of", clearLoopCounterOf_, 0, 65535, "0..127");
   b[o + 37] = clearLoopCounterOf_;
   b[o + 36] = clearLoopCounterOf_ >>> 8;
   const checkInPosition_ = value.checkInPosition;
-  if (!((checkInPosition_ >>> 0) === checkInPosition_ && checkInPosition_ <= 65535 && (checkInPosition_ <= 1))) throw refusedMember("check_in_position", checkInPosition_, "check_in_position", false);
+  if (!((checkInPosition_ & 65535) === checkInPosition_ && (checkInPosition_ <= 1))) throw refusedMember("check_in_position", checkInPosition_, "check_in_position", false);
   b[o + 39] = checkInPosition_;
   b[o + 38] = checkInPosition_ >>> 8;
   const triggerPosition_ = value.triggerPosition;
@@ -538,11 +538,11 @@ function writePoint(value, b, o) {
   b[o + 41] = triggerPosition_ >>> 16;
   b[o + 40] = triggerPosition_ >>> 24;
   const triggerTime_ = value.triggerTime;
-  if (!((triggerTime_ >>> 0) === triggerTime_ && triggerTime_ <= 65535)) throw refusedNumber("trigger_time", triggerTime_, 0, 65535, "0..65535");
+  if (!((triggerTime_ & 65535) === triggerTime_)) throw refusedNumber("trigger_time", triggerTime_, 0, 65535, "0..65535");
   b[o + 45] = triggerTime_;
   b[o + 44] = triggerTime_ >>> 8;
   const pushTorqueRatio_ = value.pushTorqueRatio;
-  if (!((pushTorqueRatio_ >>> 0) === pushTorqueRatio_ && pushTorqueRatio_ <= 65535 && pushTorqueRatio_ >= 20 && pushTorqueRatio_ <= 90)) throw refusedNumber("push_torque_ratio", pushTorqueRatio_, 0, 65535, "20..90");
+  if (!((pushTorqueRatio_ & 65535) === pushTorqueRatio_ && pushTorqueRatio_ >= 20 && pushTorqueRatio_ <= 90)) throw refusedNumber("push_torque_ratio", pushTorqueRatio_, 0, 65535, "20..90");
   b[o + 47] = pushTorqueRatio_;
   b[o + 46] = pushTorqueRatio_ >>> 8;
   const pushSpeed_ = value.pushSpeed;
@@ -558,7 +558,7 @@ function writePoint(value, b, o) {
   b[o + 53] = pushPosition_ >>> 16;
   b[o + 52] = pushPosition_ >>> 24;
   const pushMode_ = value.pushMode;
-  if (!((pushMode_ >>> 0) === pushMode_ && pushMode_ <= 65535 && pushMode_ <= 10000)) throw refusedNumber("push_mode", pushMode_, 0, 65535, "0..10000");
+  if (!((pushMode_ & 65535) === pushMode_ && pushMode_ <= 10000)) throw refusedNumber("push_mode", pushMode_, 0, 65535, "0..10000");
   b[o + 57] = pushMode_;
   b[o + 56] = pushMode_ >>> 8;
 }
@@ -586,11 +586,11 @@ function readReadRegistersRequest(b, o) {
 }
 function writeReadRegistersRequest(value, b, o) {
   const address_ = value.address;
-  if (!((address_ >>> 0) === address_ && address_ <= 65535)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
+  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const wordCount_ = value.wordCount;
-  if (!((wordCount_ >>> 0) === wordCount_ && wordCount_ <= 65535 && wordCount_ >= 1 && wordCount_ <= 125)) throw refusedNumber("word_count", wordCount_, 0, 65535, "1..125");
+  if (!((wordCount_ & 65535) === wordCount_ && wordCount_ >= 1 && wordCount_ <= 125)) throw refusedNumber("word_count", wordCount_, 0, 65535, "1..125");
   b[o + 3] = wordCount_;
   b[o + 2] = wordCount_ >>> 8;
 }
@@ -623,12 +623,12 @@ function writeReadRegistersResponse(value, b, o) {
   checkList("values", value.values, 1, 125);
   for (let at = o + 1, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("values", item, 0, 65535, "0..65535");
+    if (!((item & 65535) === item)) throw refusedNumber("values", item, 0, 65535, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const byteCount_ = value.values.length * 2;
-  if (!((byteCount_ >>> 0) === byteCount_ && byteCount_ <= 255)) throw refusedNumber("byte_count", byteCount_, 0, 255, "0..255");
+  if (!((byteCount_ & 255) === byteCount_)) throw refusedNumber("byte_count", byteCount_, 0, 255, "0..255");
   b[o] = byteCount_;
 }
 function sizeReadRegistersResponse(value) {
@@ -662,11 +662,11 @@ function readWriteRegisterRequest(b, o) {
 }
 function writeWriteRegisterRequest(value, b, o) {
   const address_ = value.address;
-  if (!((address_ >>> 0) === address_ && address_ <= 65535)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
+  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const value_ = value.value;
-  if (!((value_ >>> 0) === value_ && value_ <= 65535)) throw refusedNumber("value", value_, 0, 65535, "0..65535");
+  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, 0, 65535, "0..65535");
   b[o + 3] = value_;
   b[o + 2] = value_ >>> 8;
 }
@@ -693,11 +693,11 @@ function readWriteRegisterResponse(b, o) {
 }
 function writeWriteRegisterResponse(value, b, o) {
   const address_ = value.address;
-  if (!((address_ >>> 0) === address_ && address_ <= 65535)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
+  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const value_ = value.value;
-  if (!((value_ >>> 0) === value_ && value_ <= 65535)) throw refusedNumber("value", value_, 0, 65535, "0..65535");
+  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, 0, 65535, "0..65535");
   b[o + 3] = value_;
   b[o + 2] = value_ >>> 8;
 }
@@ -730,22 +730,22 @@ function readWriteRegistersRequest(b, o, end) {
 }
 function writeWriteRegistersRequest(value, b, o) {
   const address_ = value.address;
-  if (!((address_ >>> 0) === address_ && address_ <= 65535)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
+  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   checkList("values", value.values, 1, 123);
   for (let at = o + 5, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item >>> 0) === item && item <= 65535)) throw refusedNumber("values", item, 0, 65535, "0..65535");
+    if (!((item & 65535) === item)) throw refusedNumber("values", item, 0, 65535, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const wordCount_ = value.values.length;
-  if (!((wordCount_ >>> 0) === wordCount_ && wordCount_ <= 65535 && wordCount_ >= 1 && wordCount_ <= 123)) throw refusedNumber("word_count", wordCount_, 0, 65535, "1..123");
+  if (!((wordCount_ & 65535) === wordCount_ && wordCount_ >= 1 && wordCount_ <= 123)) throw refusedNumber("word_count", wordCount_, 0, 65535, "1..123");
   b[o + 3] = wordCount_;
   b[o + 2] = wordCount_ >>> 8;
   const byteCount_ = value.values.length * 2;
-  if (!((byteCount_ >>> 0) === byteCount_ && byteCount_ <= 255)) throw refusedNumber("byte_count", byteCount_, 0, 255, "0..255");
+  if (!((byteCount_ & 255) === byteCount_)) throw refusedNumber("byte_count", byteCount_, 0, 255, "0..255");
   b[o + 4] = byteCount_;
 }
 function sizeWriteRegistersRequest(value) {
@@ -778,11 +778,11 @@ function readWriteRegistersResponse(b, o) {
 }
 function writeWriteRegistersResponse(value, b, o) {
   const address_ = value.address;
-  if (!((address_ >>> 0) === address_ && address_ <= 65535)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
+  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, 0, 65535, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const wordCount_ = value.wordCount;
-  if (!((wordCount_ >>> 0) === wordCount_ && wordCount_ <= 65535)) throw refusedNumber("word_count", wordCount_, 0, 65535, "0..65535");
+  if (!((wordCount_ & 65535) === wordCount_)) throw refusedNumber("word_count", wordCount_, 0, 65535, "0..65535");
   b[o + 3] = wordCount_;
   b[o + 2] = wordCount_ >>> 8;
 }
@@ -939,43 +939,43 @@ export const asciiRequestFramer = () => delimiterFramer({ ...framesOfAscii, part
 export const asciiResponseFramer = () => delimiterFramer({ ...framesOfAscii, parts: framesOfAscii.response, shortest: 11, longest: 511, address: { offset: 0, size: 1, order: "big", signed: false, unitSize: 1, base: 0 }, addresses: new Set([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]) });
 
 export const AXIS_START_SPEED = /* @__PURE__ */ register("axis_start_speed", 0x07D0, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("axis_start_speed", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true, units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
-export const AXIS_ACCELERATION_TIME = /* @__PURE__ */ register("axis_acceleration_time", 0x07D2, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("axis_acceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }) });
-export const AXIS_DECELERATION_TIME = /* @__PURE__ */ register("axis_deceleration_time", 0x07D3, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("axis_deceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }) });
+export const AXIS_ACCELERATION_TIME = /* @__PURE__ */ register("axis_acceleration_time", 0x07D2, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("axis_acceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }) });
+export const AXIS_DECELERATION_TIME = /* @__PURE__ */ register("axis_deceleration_time", 0x07D3, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("axis_deceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }) });
 export const AXIS_MOVE_SPEED = /* @__PURE__ */ register("axis_move_speed", 0x07D4, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("axis_move_speed", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const TARGET_POSITION_OR_DISTANCE = /* @__PURE__ */ register("target_position_or_distance", 0x07D6, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("target_position_or_distance", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
-export const START_MOVE = /* @__PURE__ */ register("start_move", 0x07D8, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535 && (value >= 1 && value <= 2))) throw refusedMember("start_move", value, "move_kind", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
-export const AXIS_JOG_ACCELERATION_TIME = /* @__PURE__ */ register("axis_jog_acceleration_time", 0x07D9, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("axis_jog_acceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }) });
+export const START_MOVE = /* @__PURE__ */ register("start_move", 0x07D8, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && (value >= 1 && value <= 2))) throw refusedMember("start_move", value, "move_kind", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
+export const AXIS_JOG_ACCELERATION_TIME = /* @__PURE__ */ register("axis_jog_acceleration_time", 0x07D9, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("axis_jog_acceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }) });
 export const AXIS_JOG_START_SPEED = /* @__PURE__ */ register("axis_jog_start_speed", 0x07DA, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("axis_jog_start_speed", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true, units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
 export const AXIS_JOG_SPEED = /* @__PURE__ */ register("axis_jog_speed", 0x07DC, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("axis_jog_speed", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true, units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
-export const JOG_DIRECTION = /* @__PURE__ */ register("jog_direction", 0x07DE, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "jog_direction", number, "which jog_direction does not list", o); return number; }, (value, b, o) => { if (!((value >>> 0) === value && value <= 65535 && (value <= 1))) throw refusedMember("jog_direction", value, "jog_direction", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const JOG_DIRECTION = /* @__PURE__ */ register("jog_direction", 0x07DE, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "jog_direction", number, "which jog_direction does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("jog_direction", value, "jog_direction", false); b[o + 1] = value; b[o] = value >>> 8; });
 export const START_JOG = /* @__PURE__ */ register("start_jog", 0x07DF, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "start_jog", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
 export const PUSH_START_SPEED = /* @__PURE__ */ register("push_start_speed", 0x07E0, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("push_start_speed", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const PUSH_MOVE_SPEED = /* @__PURE__ */ register("push_move_speed", 0x07E2, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("push_move_speed", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
-export const PUSH_ACCELERATION_TIME = /* @__PURE__ */ register("push_acceleration_time", 0x07E4, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("push_acceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const PUSH_DECELERATION_TIME = /* @__PURE__ */ register("push_deceleration_time", 0x07E5, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("push_deceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const PUSH_MODE = /* @__PURE__ */ register("push_mode", 0x07E6, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "push_mode", number, "which push_mode does not list", o); return number; }, (value, b, o) => { if (!((value >>> 0) === value && value <= 65535 && (value <= 1))) throw refusedMember("push_mode", value, "push_mode", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const PUSH_TORQUE_RATIO = /* @__PURE__ */ register("push_torque_ratio", 0x07E7, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("push_torque_ratio", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const PUSH_ACCELERATION_TIME = /* @__PURE__ */ register("push_acceleration_time", 0x07E4, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("push_acceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const PUSH_DECELERATION_TIME = /* @__PURE__ */ register("push_deceleration_time", 0x07E5, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("push_deceleration_time", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const PUSH_MODE = /* @__PURE__ */ register("push_mode", 0x07E6, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "push_mode", number, "which push_mode does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("push_mode", value, "push_mode", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const PUSH_TORQUE_RATIO = /* @__PURE__ */ register("push_torque_ratio", 0x07E7, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("push_torque_ratio", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const PUSH_SPEED = /* @__PURE__ */ register("push_speed", 0x07E8, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("push_speed", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const PUSH_START_POSITION = /* @__PURE__ */ register("push_start_position", 0x07EA, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("push_start_position", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const PUSH_END_POSITION = /* @__PURE__ */ register("push_end_position", 0x07EC, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("push_end_position", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const START_PUSH_MOTION = /* @__PURE__ */ register("start_push_motion", 0x07EE, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "start_push_motion", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
 export const START_HOMING = /* @__PURE__ */ register("start_homing", 0x07EF, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "start_homing", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
-export const STOP = /* @__PURE__ */ register("stop", 0x07F0, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535 && (value <= 1))) throw refusedMember("stop", value, "stop_kind", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
-export const SERVO = /* @__PURE__ */ register("servo", 0x07F1, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("servo", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const STOP = /* @__PURE__ */ register("stop", 0x07F0, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("stop", value, "stop_kind", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
+export const SERVO = /* @__PURE__ */ register("servo", 0x07F1, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("servo", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const CLEAR_POSITION = /* @__PURE__ */ register("clear_position", 0x07F2, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "clear_position", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
 export const RESET_ALARM = /* @__PURE__ */ register("reset_alarm", 0x07F3, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "reset_alarm", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
 export const SAVE_POINT_TABLE = /* @__PURE__ */ register("save_point_table", 0x07F5, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "save_point_table", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
-export const START_POINT = /* @__PURE__ */ register("start_point", 0x07F6, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("start_point", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const RUN_POINT_TABLE = /* @__PURE__ */ register("run_point_table", 0x07F7, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535 && (value >= 1 && value <= 3))) throw refusedMember("run_point_table", value, "point_table_command", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
+export const START_POINT = /* @__PURE__ */ register("start_point", 0x07F6, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("start_point", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const RUN_POINT_TABLE = /* @__PURE__ */ register("run_point_table", 0x07F7, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && (value >= 1 && value <= 3))) throw refusedMember("run_point_table", value, "point_table_command", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
 export const SAVE_ALL_PARAMETERS = /* @__PURE__ */ register("save_all_parameters", 0x07F4, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "save_all_parameters", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
 export const COMPARE_START_POSITION = /* @__PURE__ */ register("compare_start_position", 0x07F8, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("compare_start_position", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const COMPARE_PERIOD = /* @__PURE__ */ register("compare_period", 0x07FA, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("compare_period", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
-export const COMPARE_PULSE_WIDTH = /* @__PURE__ */ register("compare_pulse_width", 0x07FC, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535 && value >= 1 && value <= 1000)) throw refusedNumber("compare_pulse_width", value, 0, 65535, "1..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 1000]] }) });
+export const COMPARE_PULSE_WIDTH = /* @__PURE__ */ register("compare_pulse_width", 0x07FC, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 1000)) throw refusedNumber("compare_pulse_width", value, 0, 65535, "1..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 1000]] }) });
 export const COMPARE_ENABLE = /* @__PURE__ */ register("compare_enable", 0x07FD, 1, "rw", (b, o) => booleanOf("compare_enable", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("compare_enable", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const COMPARE_ACTIVE = /* @__PURE__ */ register("compare_active", 0x07FE, 1, "ro", (b, o) => booleanOf("compare_active", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("compare_active", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const MODEL_ID = /* @__PURE__ */ register("model_id", 0x0834, 2, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (value !== 104) throw wrongNumber("wrong_const", "model_id", value, "not 104", null); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const HARDWARE_TYPE = /* @__PURE__ */ register("hardware_type", 0x0836, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 31) throw wrongNumber("wrong_const", "hardware_type", value, "not 31", null); b[o + 1] = value; b[o] = value >>> 8; });
-export const FIRMWARE_VERSION = /* @__PURE__ */ register("firmware_version", 0x0837, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("firmware_version", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const FIRMWARE_VERSION = /* @__PURE__ */ register("firmware_version", 0x0837, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("firmware_version", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const POWER_CYCLES = /* @__PURE__ */ register("power_cycles", 0x0838, 2, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("power_cycles", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const TURNS_TOTAL = /* @__PURE__ */ register("turns_total", 0x083A, 4, "ro", (b, o) => ((BigInt((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)) << 32n) | BigInt((((b[o + 4] << 24) | (b[o + 5] << 16) | (b[o + 6] << 8) | b[o + 7]) >>> 0))), (value, b, o) => { if (!(typeof value === "bigint" && value >= 0n && value <= 18446744073709551615n)) throw refusedNumber("turns_total", value, 0n, 18446744073709551615n, "0..18446744073709551615"); b[o + 7] = Number(value & 255n); b[o + 6] = Number((value >> 8n) & 255n); b[o + 5] = Number((value >> 16n) & 255n); b[o + 4] = Number((value >> 24n) & 255n); b[o + 3] = Number((value >> 32n) & 255n); b[o + 2] = Number((value >> 40n) & 255n); b[o + 1] = Number((value >> 48n) & 255n); b[o] = Number((value >> 56n) & 255n); }, { atomic: true, units: /* @__PURE__ */ unit({ unit: "rev", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 18446744073709551615n]], wide: true }) });
 export const TURNS_SINCE_POWER_ON = /* @__PURE__ */ register("turns_since_power_on", 0x083E, 4, "ro", (b, o) => ((BigInt((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)) << 32n) | BigInt((((b[o + 4] << 24) | (b[o + 5] << 16) | (b[o + 6] << 8) | b[o + 7]) >>> 0))), (value, b, o) => { if (!(typeof value === "bigint" && value >= 0n && value <= 18446744073709551615n)) throw refusedNumber("turns_since_power_on", value, 0n, 18446744073709551615n, "0..18446744073709551615"); b[o + 7] = Number(value & 255n); b[o + 6] = Number((value >> 8n) & 255n); b[o + 5] = Number((value >> 16n) & 255n); b[o + 4] = Number((value >> 24n) & 255n); b[o + 3] = Number((value >> 32n) & 255n); b[o + 2] = Number((value >> 40n) & 255n); b[o + 1] = Number((value >> 48n) & 255n); b[o] = Number((value >> 56n) & 255n); }, { atomic: true, units: /* @__PURE__ */ unit({ unit: "rev", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 18446744073709551615n]], wide: true }) });
@@ -1156,12 +1156,12 @@ export const SPEED = /* @__PURE__ */ register("speed", 0x03EE, 2, "ro", (b, o) =
 export const POSITION_ERROR = /* @__PURE__ */ register("position_error", 0x03F0, 2, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("position_error", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const INPUTS = /* @__PURE__ */ register("inputs", 0x03F2, 2, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("inputs", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
 export const OUTPUTS = /* @__PURE__ */ register("outputs", 0x03F4, 2, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("outputs", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { atomic: true });
-export const CURRENT_POINT = /* @__PURE__ */ register("current_point", 0x03F6, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("current_point", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const CURRENT_POINT = /* @__PURE__ */ register("current_point", 0x03F6, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("current_point", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const POINT_TABLE_RUNNING = /* @__PURE__ */ register("point_table_running", 0x03F7, 1, "ro", (b, o) => booleanOf("point_table_running", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("point_table_running", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const PUSH_STATUS = /* @__PURE__ */ register("push_status", 0x03F8, 1, "ro", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 3)) throw wrongNumber("unknown_value", "push_status", number, "which push_status does not list", o); return number; }, (value, b, o) => { if (!((value >>> 0) === value && value <= 65535 && (value <= 3))) throw refusedMember("push_status", value, "push_status", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const CURRENT_ALARM = /* @__PURE__ */ register("current_alarm", 0x03F9, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("current_alarm", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const MOTOR_ID = /* @__PURE__ */ register("motor_id", 0x03FA, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("motor_id", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_INPUTS = /* @__PURE__ */ register("user_inputs", 0x0406, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_inputs", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const PUSH_STATUS = /* @__PURE__ */ register("push_status", 0x03F8, 1, "ro", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 3)) throw wrongNumber("unknown_value", "push_status", number, "which push_status does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 3))) throw refusedMember("push_status", value, "push_status", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const CURRENT_ALARM = /* @__PURE__ */ register("current_alarm", 0x03F9, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("current_alarm", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const MOTOR_ID = /* @__PURE__ */ register("motor_id", 0x03FA, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("motor_id", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_INPUTS = /* @__PURE__ */ register("user_inputs", 0x0406, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_inputs", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const USER_INPUT_0 = /* @__PURE__ */ register("user_input_0", 0x0407, 1, "ro", (b, o) => booleanOf("user_input_0", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("user_input_0", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const USER_INPUT_1 = /* @__PURE__ */ register("user_input_1", 0x0408, 1, "ro", (b, o) => booleanOf("user_input_1", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("user_input_1", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const USER_INPUT_2 = /* @__PURE__ */ register("user_input_2", 0x0409, 1, "ro", (b, o) => booleanOf("user_input_2", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("user_input_2", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
@@ -1171,18 +1171,18 @@ export const USER_INPUT_5 = /* @__PURE__ */ register("user_input_5", 0x040C, 1, 
 export const USER_INPUT_6 = /* @__PURE__ */ register("user_input_6", 0x040D, 1, "ro", (b, o) => booleanOf("user_input_6", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("user_input_6", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const USER_INPUT_7 = /* @__PURE__ */ register("user_input_7", 0x040E, 1, "ro", (b, o) => booleanOf("user_input_7", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("user_input_7", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const USER_INPUT_8 = /* @__PURE__ */ register("user_input_8", 0x040F, 1, "ro", (b, o) => booleanOf("user_input_8", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("user_input_8", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const USER_OUTPUTS = /* @__PURE__ */ register("user_outputs", 0x0410, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_outputs", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_0 = /* @__PURE__ */ register("user_output_0", 0x0411, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_0", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_1 = /* @__PURE__ */ register("user_output_1", 0x0412, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_1", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_2 = /* @__PURE__ */ register("user_output_2", 0x0413, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_2", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_3 = /* @__PURE__ */ register("user_output_3", 0x0414, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_3", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_4 = /* @__PURE__ */ register("user_output_4", 0x0415, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_4", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_5 = /* @__PURE__ */ register("user_output_5", 0x0416, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_5", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_6 = /* @__PURE__ */ register("user_output_6", 0x0417, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_6", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_7 = /* @__PURE__ */ register("user_output_7", 0x0418, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_7", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const USER_OUTPUT_8 = /* @__PURE__ */ register("user_output_8", 0x0419, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("user_output_8", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUTS = /* @__PURE__ */ register("user_outputs", 0x0410, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_outputs", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_0 = /* @__PURE__ */ register("user_output_0", 0x0411, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_0", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_1 = /* @__PURE__ */ register("user_output_1", 0x0412, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_1", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_2 = /* @__PURE__ */ register("user_output_2", 0x0413, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_2", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_3 = /* @__PURE__ */ register("user_output_3", 0x0414, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_3", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_4 = /* @__PURE__ */ register("user_output_4", 0x0415, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_4", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_5 = /* @__PURE__ */ register("user_output_5", 0x0416, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_5", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_6 = /* @__PURE__ */ register("user_output_6", 0x0417, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_6", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_7 = /* @__PURE__ */ register("user_output_7", 0x0418, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_7", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const USER_OUTPUT_8 = /* @__PURE__ */ register("user_output_8", 0x0419, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("user_output_8", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const CLEAR_ALARM_HISTORY = /* @__PURE__ */ register("clear_alarm_history", 0x0423, 1, "wo", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (value !== 65535) throw wrongNumber("wrong_const", "clear_alarm_history", value, "not 65535", null); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
-export const ALARM_HISTORY = /* @__PURE__ */ registerArray(30, 0, 1, "alarm_history", 0x0424, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value >>> 0) === value && value <= 65535)) throw refusedNumber("alarm_history", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const ALARM_HISTORY = /* @__PURE__ */ registerArray(30, 0, 1, "alarm_history", 0x0424, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_history", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const POINTS = /* @__PURE__ */ table(128, 0, 32, "points", 0x2710, "rw", Point);
 export const FLASH_POINTS = /* @__PURE__ */ table(128, 0, 32, "flash_points", 0x4E20, "ro", Point);
 const accesses = () => [

@@ -260,7 +260,8 @@ class FrameCodec:
             raise CodecError("unknown_code", f"an exception response has the code {refusal.code:#04x}")
         # What is escaped comes first: how many bytes are sent depends on all of its bytes.
         self._complete(direction, numbers, inner, False)
-        self._complete(direction, numbers, inner, True)
+        if shape.escape is not None:
+            self._complete(direction, numbers, inner, True)
         return self._marked(direction, self._joined(direction, numbers, inner, True))
 
     def _complete(self, direction: str, numbers: Values, inner: bytes, is_sent: bool) -> None:

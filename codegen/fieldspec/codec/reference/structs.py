@@ -10,13 +10,21 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import narrowed, widened
 from fieldspec.codec.reference.digits import digits_of_number, number_of_digits
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Sign, Text, Truth, Whole
 from fieldspec.language.model.value import Value
 
+_STRUCTS: ByIdentity[RecordLayout, construct.Struct] = ByIdentity(1024)
+"""The newest structs: making one takes longer than using it."""
+
 
 def record_struct(record: RecordLayout) -> construct.Struct:
     """A record as a construct Struct; its values are raw integers, bytes, lists and containers."""
+    return _STRUCTS.get_or_compute(record, _struct)
+
+
+def _struct(record: RecordLayout) -> construct.Struct:
     return construct.Struct(*(field.name / _construct(record, field) for field in record.sent_fields))
 
 

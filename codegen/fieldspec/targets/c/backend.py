@@ -1,4 +1,7 @@
-"""The files of the C output: for each version a header, a self-test and a fuzz target, and the header that selects."""
+"""The files of the C output: for each version two headers, a self-test and a fuzz target, and the header that selects.
+
+One of the headers has the constants of a version, and the other one, which includes it, the functions.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,15 @@ from fieldspec.language.model.device import Device
 from fieldspec.targets.c.absent import absent_values, declare_absent, declare_out_of_range, ranged_values
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
 from fieldspec.targets.c.conversions import declare_conversion
-from fieldspec.targets.c.declarations import Declaration, Define, Directive, comment, describe_fact, escape_comment
+from fieldspec.targets.c.declarations import (
+    Declaration,
+    Define,
+    Directive,
+    comment,
+    describe_fact,
+    escape_comment,
+    parted,
+)
 from fieldspec.targets.c.enums import code_tables, declare_code_texts, declare_enum
 from fieldspec.targets.c.escapes import declare_escapes
 from fieldspec.targets.c.flags import declare_flags
@@ -35,7 +46,15 @@ from fieldspec.targets.templates import fill
 from fieldspec.targets.usages import Usage, VersionUsages, cache_spelling, spelling
 
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
-_OWN_MACROS = ("included", "version", "identity", "with_texts", "without_double", "wide_crc_table")
+_OWN_MACROS = (
+    "included",
+    "constants_included",
+    "version",
+    "identity",
+    "with_texts",
+    "without_double",
+    "wide_crc_table",
+)
 _SELECT, _LATEST = "select", "latest"
 
 Block = Sequence[Declaration]
@@ -53,12 +72,12 @@ class FactBlock:
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """For each version of a device a header, a self-test and a fuzz target; and the header that takes one of these."""
+    """For each version of a device its headers, a self-test and a fuzz target; and the header that takes a version."""
     texts = _selecting_header(versions)
     for layout in versions:
         name = stem(layout.device.id, layout.device.version)
         naming = Naming(layout.device.id)
-        texts[f"{name}.h"] = header(layout, naming)
+        texts |= headers(layout, naming)
         texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
         texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
         cache_spelling("c", layout, partial(usage_rows, layout, naming))
@@ -82,30 +101,46 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def header(layout: DeviceLayout, naming: Naming) -> str:
-    """The header of a version. It decides the names: other files of the version need the same naming."""
-    device = layout.device
+def headers(layout: DeviceLayout, naming: Naming) -> dict[str, str]:
+    """The headers of a version by path. They decide the names: other files of the version need the same naming."""
+    device, name = layout.device, stem(layout.device.id, layout.device.version)
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
     algorithms = {part.algorithm for part in checksum_parts(layout)}
-    return fill(
-        "c/header.h.j2",
-        title=escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
-        manual=escape_comment(f"{device.manual.title} {device.manual.edition}".strip()),
-        identity=layout.identity,
-        guard=naming.own_macro("included"),
-        version_guard=naming.own_macro("version", "is", device.version),
-        version_macro=naming.own_macro("version"),
-        version=string(device.version).text,
-        identity_macro=naming.own_macro("identity"),
-        identity_text=string(layout.identity).text,
-        switches=_describe_switches(
-            naming,
-            algorithms,
-            bool(code_tables(device)),
-            bool(device.conversions or scaled_values(layout) or fixed_values(layout)),
-        ),
-        sections=_print_sections(naming, layout),
+    constants, functions = _print_sections(naming, layout)
+    described = {
+        "title": escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
+        "manual": escape_comment(f"{device.manual.title} {device.manual.edition}".strip()),
+        "identity": layout.identity,
+    }
+    switches = _describe_switches(
+        naming,
+        algorithms,
+        bool(code_tables(device)),
+        bool(device.conversions or scaled_values(layout) or fixed_values(layout)),
     )
+    return {
+        f"{name}_constants.h": fill(
+            "c/constants.h.j2",
+            **described,
+            header=f"{name}.h",
+            guard=naming.own_macro("constants_included"),
+            version_guard=naming.own_macro("version", "is", device.version),
+            version_macro=naming.own_macro("version"),
+            version=string(device.version).text,
+            identity_macro=naming.own_macro("identity"),
+            identity_text=string(layout.identity).text,
+            enum_size=copy_runtime(naming, "enum_size.h").text,
+            sections=constants,
+        ),
+        f"{name}.h": fill(
+            "c/header.h.j2",
+            **described,
+            constants=f"{name}_constants.h",
+            guard=naming.own_macro("included"),
+            switches=switches,
+            sections=functions,
+        ),
+    }
 
 
 def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable[Block | FactBlock]], ...]:
@@ -185,24 +220,32 @@ def _registers(naming: Naming, layout: DeviceLayout) -> Iterator[FactBlock]:
         )
 
 
-def _print_sections(naming: Naming, layout: DeviceLayout) -> Iterator[str]:
-    """The C text of all sections, each under its heading."""
+def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], list[str]]:
+    """The C text of all sections, each under its heading: the constants, and what is not constant."""
     printer = Printer()
+    constants: list[str] = []
+    functions: list[str] = []
     for name, blocks in _sections(naming, layout):
-        texts = [_print_block(printer, naming, block) for block in blocks if block]
-        if texts:
-            yield f"\n/* ---- {name} ---- */\n"
-            yield from texts
+        pairs = [_print_block(printer, naming, block) for block in blocks if block]
+        for texts, own in ((constants, [pair[0] for pair in pairs]), (functions, [pair[1] for pair in pairs])):
+            if any(own):
+                texts += [f"\n/* ---- {name} ---- */\n", *own]
+    return constants, functions
 
 
-def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> str:
-    """Declarations behind an empty line."""
+def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> tuple[str, str]:
+    """The constants of declarations, and the rest of them, each behind an empty line; empty where there is none."""
     if isinstance(block, FactBlock):
         declare = block.declare
         return piece(
             f"c {block.kind}", block.facts, block.words, lambda: _print_block(printer, naming, declare()), naming
         )
-    return "\n".join(["", *printer.print_declarations(block), ""])
+    constants, rest = parted(block)
+    return _print_lines(printer, constants), _print_lines(printer, rest)
+
+
+def _print_lines(printer: Printer, declarations: Block) -> str:
+    return "\n".join(["", *printer.print_declarations(declarations), ""]) if declarations else ""
 
 
 def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:

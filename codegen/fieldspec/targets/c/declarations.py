@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TypeAlias
 
@@ -110,6 +111,29 @@ class Source:
 Declaration: TypeAlias = Comment | Blank | Directive | Define | Typedef | Struct | Enumeration | Function | Source
 
 BLANK = Blank()
+
+
+def parted(block: Sequence[Declaration]) -> tuple[list[Declaration], list[Declaration]]:
+    """The constants of a block with their comments, and the rest of it.
+
+    Between directives, constants stay where they are.
+    """
+    constants: list[Declaration] = []
+    rest: list[Declaration] = []
+    waiting: list[Declaration] = []
+    is_whole = any(isinstance(declaration, Directive) for declaration in block)
+    for declaration in block:
+        if isinstance(declaration, Comment | Blank):
+            waiting.append(declaration)
+            continue
+        is_constant = isinstance(declaration, Define | Enumeration | Typedef) and not is_whole
+        part = constants if is_constant else rest
+        if isinstance(declaration, Function) and part and not waiting:
+            waiting.append(BLANK)
+        part += waiting if part or not waiting or waiting[0] != BLANK else waiting[1:]
+        part.append(declaration)
+        waiting.clear()
+    return constants, rest + waiting
 
 
 _WIDTH = 108

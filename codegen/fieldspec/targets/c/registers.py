@@ -96,11 +96,9 @@ def access_functions(
     wire: WireValue,
     size: int,
     trigger: bool,
-    unit: str = "words",
 ) -> list[Declaration]:
     """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
 
-    A register consists of a whole number of the `unit`, `words` or `bytes`.
     What the device answers is read whatever it is. Only what is written must be the constant or, of a `trigger`, a
     member of its closed enum. A value of a closed enum has the type of the enum where that holds all that it may be.
 
@@ -126,8 +124,8 @@ def access_functions(
     padding = [assign(Element(OUT, decimal(index)), ZERO) for index in range(wire.size, size)]
     source, target = "", ""
     if noun == "register":
-        bytes_text = f"{size} bytes of its words" if unit == "words" else f"{size} byte{'s' * (size > 1)}"
-        source, target = f" from the {bytes_text}", f" into the {bytes_text}"
+        bytes_text = f"its {size} byte{'s' * (size > 1)}"
+        source, target = f" from {bytes_text}", f" into {bytes_text}"
     reason = integer_reason(device, value)
     answer_reason = integer_reason(device, answer.value)
     if value.enum and value.const is None and answer.value.enum != value.enum and not device.enums[value.enum].open:
@@ -180,7 +178,7 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
     if not is_bit(layout):
         declarations += [
             BLANK,
-            *access_functions(naming, device, "register", names, wire, layout.size, register.trigger, unit),
+            *access_functions(naming, device, "register", names, wire, layout.size, register.trigger),
         ]
     if layout.count > 1:
         declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]

@@ -63,7 +63,8 @@ def status_names() -> list[str]:
 
 def runtime_macros() -> list[str]:
     """The macros that every header defines."""
-    defined = re.findall(r"#define DEVICE_(\w+)", text(f"{_FOLDER}/machine.h"))
+    files = (text(f"{_FOLDER}/{name}") for name in ("enum_size.h", "machine.h"))
+    defined = [macro for content in files for macro in re.findall(r"#define DEVICE_(\w+)", content)]
     return [*dict.fromkeys(name.lower() for name in defined), *status_names()]
 
 

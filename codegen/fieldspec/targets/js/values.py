@@ -200,6 +200,8 @@ class Slot:
             return f'typeof {number} === "bigint" && {number} >= {low}n && {number} <= {high}n'
         if whole.bits > 8 * BYTES_OF_OPERATOR:
             return f"Number.isInteger({number}) && {number} >= {low} && {number} <= {high}"
+        if low == 0 and high & (high + 1) == 0 and whole.bits < 8 * BYTES_OF_OPERATOR:
+            return f"({number} & {high}) === {number}"
         operator, widest = ("|", Whole(32, Sign.COMPLEMENT)) if whole.sign.is_signed else (">>>", Whole(32, Sign.NONE))
         lowest, highest = widest.bounds
         bounds = [f"{number} >= {low}"] * (low > lowest) + [f"{number} <= {high}"] * (high < highest)

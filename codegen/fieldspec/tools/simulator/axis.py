@@ -77,6 +77,12 @@ class Axis:
         """Whether the axis moves."""
         return bool(self.ramps)
 
+    @property
+    def parts(self) -> tuple[object, ...]:
+        """All that the axis is made of: only what differs in it differs at some time."""
+        motion = self.ramps, self.began, self.origin, self.goal, self.kind
+        return *motion, self.machine_zero, self.home_position, self.homed, self.limited
+
     def position(self, now: float) -> float:
         """The position at a time."""
         position, rest = self.origin, now - self.began

@@ -42,6 +42,10 @@ class Engine(Operation):
         self._levels = [rule for rule in self._rules if rule.get("when") is None and "refused" not in rule.keys]
         self._edges = [rule for rule in self._rules if {"rises", "falls"} & (rule.get("when") or {}).keys()]
         self._shows = behaviour.of_kind("show")
+        self._shown: tuple[object, ...] | None = None
+        """What decided on what signals show, if writing that has changed nothing."""
+        self._settled: tuple[object, ...] | None = None
+        """What decided on the conditions of rules without an event, if all of them had been carried out."""
         self.overridden: dict[str, Raw] = {}
         """Values that a person or a fault holds fast, by the path of their cells."""
         self.reported_version = reported_version(layout, behaviour)
@@ -63,15 +67,16 @@ class Engine(Operation):
 
     def power_on(self) -> None:
         """Begins with what outlasts the power."""
-        self.memory.words = dict(self.saved)
-        self.memory.elements = dict(self.saved_elements)
-        self.memory.fields = dict(self.delivered_fields)
+        self.memory.words.replace(self.saved)
+        self.memory.elements.replace(self.saved_elements)
+        self.memory.fields.replace(self.delivered_fields)
         self.memory.transfers.clear()
         self.axis.halt(self.now)
         self.axis.homed = False
         self.states = {part.name: part.subject[0] for part in self.behaviour.of_kind("machine")}
         self._queue.clear()
         self._held.clear()
+        self._settled = None
         self.element.clear()
         self._old = {rule.name: self._bit(rule) for rule in self._edges}
         self.raise_event("power_on")
@@ -146,7 +151,11 @@ class Engine(Operation):
         self._settle()
 
     def _settle(self) -> None:
+        """Carries out the rules without an event whose condition is new, until none is."""
         for _ in range(_MOST_ROUNDS):
+            decisive = self._decisive()
+            if decisive == self._settled:
+                return
             acted = False
             for rule in self._levels:
                 holds = self.holds(rule.get("if") or {})
@@ -157,8 +166,7 @@ class Engine(Operation):
                         ACTIONS[action.kind](self, action)
                 elif not holds:
                     self._held[rule.name] = False
-            if not acted:
-                return
+            self._settled = None if acted else decisive
 
     def _bit(self, rule: Part) -> int:
         name = next(iter(rule["when"].values()))
@@ -175,13 +183,24 @@ class Engine(Operation):
         self._settle()
 
     def refresh(self) -> None:
-        """Writes what signals show."""
+        """Writes what signals show, unless nothing has changed since nothing of it changed the last time."""
+        before = self._decisive()
+        if before == self._shown:
+            return
         for part in self._shows:
             for cell in self.cells.of(part.subject, "response"):
                 cell.write(self.raw(cell, self._displayed(part)))
         for path, raw in self.overridden.items():
             for cell in self.cells.of(path):
                 cell.write(raw)
+        self._shown = before if self._decisive() == before else None
+
+    def _decisive(self) -> tuple[object, ...]:
+        """What decides on that which signals show. The time does so in a motion only."""
+        memory, axis = self.memory, self.axis
+        changes = memory.words.changes, memory.elements.changes, memory.fields.changes
+        settings = *self.states.values(), *self.element.items(), *self.overridden.items()
+        return *changes, *settings, *axis.parts, self.now if axis.moving else None
 
     def _displayed(self, part: Part) -> object:
         condition = part.get("if")

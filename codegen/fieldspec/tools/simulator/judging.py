@@ -23,10 +23,6 @@ _REASONS = {
 }
 
 
-class DamagedError(Exception):
-    """A frame that no device can understand."""
-
-
 def refusal_reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
     """The reason for which a request that cannot be decoded is refused."""
     shape = frames.link.request

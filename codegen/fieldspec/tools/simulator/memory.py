@@ -17,6 +17,7 @@ from fieldspec.language.model.encoding import is_array, is_real
 from fieldspec.language.model.registers import Parameter, ParameterSet, Register, Table
 from fieldspec.language.model.text_form import text_bytes
 from fieldspec.language.model.value import Value
+from fieldspec.tools.simulator.noted import Noted
 
 if TYPE_CHECKING:
     from typing import Any, Literal, TypeAlias
@@ -74,10 +75,10 @@ class Memory:
 
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
-        self.words: dict[Address, int] = {}
+        self.words: Noted[Address, int] = Noted()
         self.occupants: dict[Address, list[Occupant]] = {}
-        self.elements: dict[Element, Raw] = {}
-        self.fields: dict[str, Raw] = {}
+        self.elements: Noted[Element, Raw] = Noted()
+        self.fields: Noted[str, Raw] = Noted()
         self.lists: dict[str, list[dict[str, Raw]]] = {}
         self.formats: dict[tuple[str, int], int] = {}
         self.transfers: dict[str, Transfer] = {}
@@ -99,21 +100,22 @@ class Memory:
     def deliver(self) -> None:
         """Sets everything to what it is when the device is delivered, as far as the values themselves say it."""
         device = self.layout.device
-        self.words = dict.fromkeys(self.occupants, 0)
+        self.words.replace(dict.fromkeys(self.occupants, 0))
         for (space, address), present in self.occupants.items():
             for occupant in present:
                 if occupant.address == address:
                     self.write(space, occupant, default_raw(device, _as_read(occupant)))
         for table, space, register in self._bases:
             self.write(space, register, table.table.base)
-        self.elements = {
-            (parameter_set.name, parameter.number + offset, index): default_raw(device, element_value(parameter, index))
+        elements = (
+            ((parameter_set.name, parameter.number + offset, index), element_value(parameter, index))
             for parameter_set in device.parameters.values()
             for parameter in parameter_set.parameters
             for offset in range(parameter.count)
             for index in range(parameter.elements or 1)
-        }
-        self.fields.clear()
+        )
+        self.elements.replace({element: default_raw(device, value) for element, value in elements})
+        self.fields.replace({})
         self.lists.clear()
 
     def at(self, space: str, address: int) -> list[Occupant]:

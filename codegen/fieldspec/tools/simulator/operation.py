@@ -150,27 +150,32 @@ class Operation(ABC):
     def of_axis(self, name: str) -> Number:
         """A property of the axis; truth values are 0 or 1."""
         axis, now = self.axis, self.now
-        if name in ("position", "commanded"):
-            return axis.position(now)
-        speed = axis.speed(now)
-        if name == "speed":
-            return speed
+        match name:
+            case "position" | "commanded":
+                return axis.position(now)
+            case "speed":
+                return axis.speed(now)
+            case "moving":
+                return axis.moving
+            case "homing":
+                return axis.moving and axis.kind == "home"
+            case "homed":
+                return axis.homed
+            case "in_position":
+                zone = float(self.number(self.axis_keys.get("zone", 0)))
+                return not axis.moving or abs(axis.goal - axis.position(now)) < zone
+            case "forward":
+                return axis.speed(now) > 0
+            case "at_lowest":
+                return axis.position(now) <= self.limits().lowest
+            case "at_highest":
+                return axis.position(now) >= self.limits().highest
         ramp = axis.ramp(now)
         change = (abs(ramp[0].last) > abs(ramp[0].first)) - (abs(ramp[0].last) < abs(ramp[0].first)) if ramp else 0
-        limits = self.limits()
-        zone = float(self.number(self.axis_keys.get("zone", 0)))
-        is_near = not axis.moving or abs(axis.goal - axis.position(now)) < zone
         return {
-            "moving": axis.moving,
-            "homing": axis.moving and axis.kind == "home",
-            "homed": axis.homed,
-            "in_position": is_near,
             "accelerating": change > 0,
             "decelerating": change < 0,
-            "constant_speed": ramp is not None and change == 0 and speed != 0,
-            "forward": speed > 0,
-            "at_lowest": axis.position(now) <= limits.lowest,
-            "at_highest": axis.position(now) >= limits.highest,
+            "constant_speed": ramp is not None and change == 0 and axis.speed(now) != 0,
         }[name]
 
     def limits(self) -> Limits:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
@@ -12,10 +13,11 @@ from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.behaviour.part import Part
 from fieldspec.language.model.encoding import is_count, is_signed
-from fieldspec.tools.simulator import judging, parameters, raw_values
+from fieldspec.tools.simulator import parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.memory import element_value
+from fieldspec.tools.simulator.received import number_key, received
 from fieldspec.tools.simulator.refusal import Refusal, reason_place
 from fieldspec.tools.simulator.register_requests import read_bits, read_registers, write_bits, write_registers
 from fieldspec.tools.simulator.segments import Transfer, Transfers, sent_bytes
@@ -23,6 +25,10 @@ from fieldspec.tools.simulator.target import Target
 
 if TYPE_CHECKING:
     from typing import Any
+
+
+_MOST_KNOWN = 64
+"""The frames of which a device remembers what they ask for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +49,11 @@ class Server:
         self.refusals: dict[str, Part] = {part.subject: part for part in engine.behaviour.of_kind("refuse")}
         self.transfers = Transfers(engine.layout, engine.memory.transfers)
         self.answers = {part.subject: part for part in engine.behaviour.of_kind("answer")}
+        self._received = lru_cache(_MOST_KNOWN)(
+            lambda link, frame, message: received(self.codecs[link], unit_address, frame, message)
+        )
+        """What frames ask for: whoever watches a device asks the same again and again."""
+        self._frames: dict[tuple[object, ...], bytes] = {}
 
     def answer(self, link: str, frame: bytes, message: str = "", forced: str = "") -> Answer:
         """The answer to a frame; the engine has been advanced to the present.
@@ -50,82 +61,46 @@ class Server:
         `message` names the message where the frame does not; `forced` is a reason to refuse.
         """
         frames = self.codecs[link]
-        shape = frames.link.request
-        try:
-            parts = frames.original_parts(frame, "request")
-            if len(parts) < shape.header_size + shape.trailer_size:
-                return Answer(b"", "too short")
-            head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
-        except CodecError as error:
-            return Answer(b"", f"damaged: {error.detail}")
-        starts = ((part, part.at(len(parts))) for part in shape.digits)
-        garbled = next((part for part, start in starts if part.read(parts[start : start + part.size]) is None), None)
-        if garbled is not None:
-            return Answer(b"", f"damaged: {garbled.name} is no number")
-        if shape.checksums and not frames.has_right_checksum(frame, "request"):
-            return Answer(b"", "damaged: wrong checksum")
-        broadcast = False
-        addressed = shape.role("unit_address")
-        if addressed is not None and head[addressed.name] != self.unit_address:
-            addresses = frames.link.link.unit_addresses
-            broadcast = addresses is not None and head[addressed.name] == addresses.broadcast
-            if not broadcast:
-                return Answer(b"", f"for unit {head[addressed.name]}")
-        if frames.link.link.is_can and any(
-            head.get(part.name, part.constant) != part.constant for part in shape.constants
-        ):
-            return Answer(b"", "another identifier")
-        code = head[coded.name] if (coded := shape.role("code")) is not None else None
-        if coded is not None and coded.part.bits is not None and not frames.link.messages_with_code(int(code or 0)):
-            return Answer(b"", "another identifier")
-        if code is None and not message:
-            message = judging.recognised_message(frames, frame)
-        requested = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
-        silent = "broadcast" if broadcast else ""
-        if requested is not None and requested.name not in frames.link.carried("response"):
-            silent = silent or "not answered"
+        request = self._received(link, frame, message)
+        if isinstance(request, str):
+            return Answer(b"", request)
+        if request.damage and not forced:
+            return Answer(b"", f"damaged: {request.damage}")
         asked_values: dict[str, Any] = {}
         try:
             if forced:
                 raise Refusal(forced, "by a fault")
-            announced, values = self._decoded(frames, frame, message if code is None else "")
+            announced, values = request.message, dict(request.values or {})
+            if announced is None:
+                raise Refusal(*request.objection)
             asked_values |= {**self.transfers.fields(link, announced), **values}
-            if broadcast and not (announced.message.broadcast and self._accepts_broadcast()):
+            if request.is_broadcast and not (announced.message.broadcast and self._accepts_broadcast()):
                 return Answer(b"", "broadcast, not accepted")
-            body = self._carried_out(link, announced, values)
+            body = self._carried_out(link, announced, values, request.out_of_range)
             self.engine.refresh()
-            if not silent:
-                return self._encoded(frames, head, announced, values, body)
-        except judging.DamagedError as damaged:
-            return Answer(b"", f"damaged: {damaged}")
+            if not request.silence:
+                return self._encoded(frames, request.head, announced, values, body)
         except Refusal as refusal:
             if not forced:
-                refused = requested.message if requested is not None else None
+                refused = request.announced.message if request.announced is not None else None
                 names = {refused.place.path, *refused.roles} if refused is not None else set()
                 self.engine.follow_refusal(names, refusal.reason)
-            if silent:
-                return Answer(b"", f"{silent}: {refusal}")
-            return self._refused(frames, head, code, refusal, asked_values)
-        return Answer(b"", f"{silent}: {announced.name}")
+            if request.silence:
+                return Answer(b"", f"{request.silence}: {refusal}")
+            return self._refused(frames, request.head, request.code, refusal, asked_values)
+        return Answer(b"", f"{request.silence}: {announced.name}")
 
     def _accepts_broadcast(self) -> bool:
         parts = [part for part in self.engine.behaviour.of_kind("accept") if part.subject == "broadcast"]
         return all(self.engine.holds(part.get("if") or {}) for part in parts)
 
-    def _decoded(self, frames: FrameCodec, frame: bytes, message: str) -> tuple[MessageLayout, dict[str, Any]]:
-        try:
-            decoded = frames.decode(frame, "request", message)
-        except CodecError as error:
-            if error.reason in judging.DAMAGED:
-                raise judging.DamagedError(error.detail) from None
-            raise Refusal(*judging.refusal_words(frames, frame, message, error)) from None
-        announced = decoded.message
-        if announced is None:
-            raise Refusal("unknown_code")
-        return announced, decoded.values
+    def _carried_out(
+        self, link: str, announced: MessageLayout, values: dict[str, Any], out_of_range: str
+    ) -> dict[str, Any]:
+        """Carries out a request: the values of the response that are not computed. Raises Refusal.
 
-    def _carried_out(self, link: str, announced: MessageLayout, values: dict[str, Any]) -> dict[str, Any]:
-        """Carries out a request: the values of the response that are not computed. Raises Refusal."""
+        `out_of_range` is the value that is out of its range, if one is.
+        """
         engine, message = self.engine, announced.message
         if announced.name in self.transfers.pieces:
             return self._of_piece(link, announced, values)
@@ -134,11 +109,10 @@ class Server:
         read, write = (read_registers, write_registers) if bits is None else (read_bits, write_bits)
         access = access or bits
         if access is not None:
-            wrong = judging.first_out_of_range(engine.layout.device, announced.request, values)
             reasons: list[Refusal] = []
-            if wrong:
-                reason = "count_invalid" if wrong == access.count else "value_invalid"
-                reasons.append(Refusal(reason, f"{wrong} is out of range"))
+            if out_of_range:
+                reason = "count_invalid" if out_of_range == access.count else "value_invalid"
+                reasons.append(Refusal(reason, f"{out_of_range} is out of range"))
             try:
                 if access.operation == "read":
                     count = int(values[access.count]) if access.count else 1
@@ -153,9 +127,8 @@ class Server:
             raise min(reasons, key=self._exception_number)
         if message.access_steps:
             return carry_out_steps(engine, announced, values, self._exception_number)
-        wrong = judging.first_out_of_range(engine.layout.device, announced.request, values)
-        if wrong:
-            raise Refusal("value_invalid", f"{wrong} is out of range")
+        if out_of_range:
+            raise Refusal("value_invalid", f"{out_of_range} is out of range")
         self._store(announced.request, message.request.place.path, values)
         size = message.segments.size if message.segments is not None else ""
         target = parameters.target_of(engine, announced.request, values, size)
@@ -266,9 +239,20 @@ class Server:
             if field.field.measures is None:
                 response[field.name] = body[field.name] if field.name in body else self._field(field, values)
         try:
-            return Answer(frames.encode("response", announced.name, response), announced.name)
+            return Answer(self._frame(frames, announced.name, response), announced.name)
         except CodecError as error:
             return self._unsaid(frames, f"no response of {announced.name} can say this: {error}")
+
+    def _frame(self, frames: FrameCodec, message: str, values: Mapping[str, Any]) -> bytes:
+        """The frame of a response; that of the same numbers is remembered. Raises CodecError."""
+        key = frames.link.name, message, tuple(values), number_key(values.values())
+        if key[-1] is None:
+            return frames.encode("response", message, values)
+        if key not in self._frames:
+            if len(self._frames) == _MOST_KNOWN:
+                del self._frames[next(iter(self._frames))]
+            self._frames[key] = frames.encode("response", message, values)
+        return self._frames[key]
 
     def _field(self, field: FieldLayout, values: Mapping[str, Any]) -> Any:
         """The value of a field of a response: that of the request, records of a collection, or what is in memory."""

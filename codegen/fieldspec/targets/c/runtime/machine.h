@@ -2,8 +2,6 @@
 /** A call would take more code than the function itself, even with -Os. */
 #define DEVICE_INLINE static inline __attribute__((always_inline))
 #define DEVICE_LIKELY(test) __builtin_expect(!!(test), 1)
-/** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */
-#define DEVICE_ENUM_16 __attribute__((__mode__(__HI__)))
 /** Built-in functions need no string.h, and no call for a few bytes, also in freestanding code. */
 #define DEVICE_COPY(to, from, size) __builtin_memcpy((to), (from), (size))
 #define DEVICE_CLEAR(to, size) __builtin_memset((to), 0, (size))
@@ -19,7 +17,6 @@
 #include <string.h>
 #define DEVICE_INLINE static inline
 #define DEVICE_LIKELY(test) (test)
-#define DEVICE_ENUM_16
 #define DEVICE_COPY(to, from, size) memcpy((to), (from), (size))
 #define DEVICE_CLEAR(to, size) memset((to), 0, (size))
 #endif

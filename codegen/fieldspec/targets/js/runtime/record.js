@@ -6,6 +6,7 @@ import { CodecError, printed, wrongSize } from "./error.js";
  * the values that stand for a state.
  */
 export function record({ name, least, most, read, write, size, keys, units, absent = {} }) {
+  const count = Object.keys(keys).length;
   return Object.freeze({
     name,
     least,
@@ -21,16 +22,30 @@ export function record({ name, least, most, read, write, size, keys, units, abse
     },
     /** The bytes of a value. Throws CodecError. */
     encode(value) {
-      knownKeys(name, value, keys);
-      const bytes = new Uint8Array(size === null ? least : size(value));
-      write(value, bytes, 0);
-      return bytes;
+      // With as many keys as there are fields, an unknown one takes the place of a field, which the writer misses then.
+      if (keyCount(value) !== count) knownKeys(name, value, keys);
+      try {
+        const bytes = new Uint8Array(size === null ? least : size(value));
+        write(value, bytes, 0);
+        return bytes;
+      } catch (error) {
+        knownKeys(name, value, keys);
+        throw error;
+      }
     },
     /** Throws CodecError for what is no object, and for a field that the record does not have. */
     check(value) {
       knownKeys(name, value, keys);
     },
   });
+}
+
+/** How many keys a value has; -1 for what is no object. */
+function keyCount(value) {
+  if (typeof value !== "object" || value === null) return -1;
+  let count = 0;
+  for (const _ in value) count++;
+  return count;
 }
 
 /** Throws CodecError for what is no object, and for a field that a record does not have. */

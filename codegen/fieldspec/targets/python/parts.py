@@ -1,0 +1,56 @@
+"""Large modules in parts: what Python compiles at once takes sixty times the memory of its text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from functools import lru_cache
+
+MOST = 400_000
+"""The characters of classes and registers that a module has at most. Those of more are in parts of so many each."""
+
+_DEFINED = re.compile(r"^class (\w+)\(|^(\w+): _Final = ", re.MULTILINE)
+_WORDS = re.compile(r"\b[A-Za-z_]\w*")
+
+
+def divided(texts: Sequence[str]) -> list[str]:
+    """Texts of a module as parts of `MOST` characters or a little more; none where one module has room for them."""
+    if sum(map(len, texts)) <= MOST:
+        return []
+    return ["".join(part) for part in _parts(texts)]
+
+
+def _parts(texts: Iterable[str]) -> Iterator[list[str]]:
+    part: list[str] = []
+    size = 0
+    for text in texts:
+        part.append(text)
+        size += len(text)
+        if size >= MOST:
+            yield part
+            part, size = [], 0
+    if part:
+        yield part
+
+
+def defined_names(text: str) -> list[str]:
+    """The names of the classes, tables and registers of a part."""
+    return sorted({match[1] or match[2] for match in _DEFINED.finditer(text)})
+
+
+@lru_cache(maxsize=128)
+def words_of(text: str) -> frozenset[str]:
+    """The words of a text, among which are all names that it uses. Most parts are the same in the next build."""
+    return frozenset(_WORDS.findall(text))
+
+
+def part_imports(places: Mapping[str, str], words: AbstractSet[str]) -> list[str]:
+    """The imports of the names among some words; `places` has the part in which each name is defined."""
+    names_by_part: dict[str, list[str]] = {}
+    for name in sorted(places.keys() & words):
+        names_by_part.setdefault(places[name], []).append(name)
+    return [
+        "\n".join([f"from .{part} import (", *(f"    {name}," for name in names), ")"])
+        for part, names in names_by_part.items()
+    ]

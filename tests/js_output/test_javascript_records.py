@@ -1,0 +1,60 @@
+"""Records refuse what is no value of theirs, for the reason that the reference has."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from javascript import module_path
+
+from external_tools import require_tool
+from fieldspec.codec.reference.records import CodecError, encoded
+from fieldspec.foundation.names import Name
+from layouts import SPECS, layouts
+
+LAYOUT = layouts(SPECS)["hiwin-e"][-1]
+RECORD = LAYOUT.messages["telegram_111"].response
+RIGHT: dict[str, Any] = {field.name: 7 for field in RECORD.fields if not field.field.reserved}
+FIRST = next(iter(RIGHT))
+PROGRAM = """
+const { Telegram111Response } = await import(process.argv[1]);
+try {
+  console.log(Array.from(Telegram111Response.encode(JSON.parse(process.argv[2]))).join(" "));
+} catch (error) {
+  console.log(error.reason);
+}
+"""
+VALUES: dict[str, dict[str, Any]] = {
+    "all fields": RIGHT,
+    "a field too many": {**RIGHT, "other": 1},
+    "a field too few": {name: number for name, number in RIGHT.items() if name != FIRST},
+    "a name for another": {**{name: number for name, number in RIGHT.items() if name != FIRST}, "other": 1},
+    "a number that is too great": {**RIGHT, FIRST: 0x10000},
+    "a number that is too small": {**RIGHT, FIRST: -1},
+    "a number too great, and a field too many": {**RIGHT, FIRST: 0x10000, "other": 1},
+    "no whole number": {**RIGHT, FIRST: 1.5},
+    "a text": {**RIGHT, FIRST: "5"},
+}
+
+
+def expected(values: dict[str, Any]) -> str:
+    """The bytes of some values, or the reason of the refusal, by the reference."""
+    try:
+        return " ".join(map(str, encoded(RECORD, values, LAYOUT.device)))
+    except CodecError as error:
+        return error.reason
+
+
+@pytest.mark.parametrize("name", VALUES)
+def test_a_record_has_the_bytes_or_the_reason_of_the_reference(name: str) -> None:
+    values = {Name.of(key).camel(): value for key, value in VALUES[name].items()}
+    command = [require_tool("node"), "--input-type=module", "-e", PROGRAM, module_path(LAYOUT), json.dumps(values)]
+    run = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == expected(VALUES[name])
