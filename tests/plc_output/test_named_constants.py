@@ -92,6 +92,12 @@ def test_constants_of_blocks_have_the_numbers_of_the_spec(device: str) -> None:
     assert {pair for pair in judged if numbers.get(pair[0]) != pair[1]} == set()
 
 
+def test_the_name_of_a_block_begins_with_its_telegram() -> None:
+    names = re.findall(r"^FUNCTION_BLOCK FB_HiwinE_(\w+)", text_of("st", "hiwin-e"), re.MULTILINE)
+    assert names
+    assert {name for name in names if "Telegram" in name and not re.match(r"Telegram\d+[A-Z]", name)} == set()
+
+
 @pytest.mark.parametrize("device", layouts(SPECS))
 def test_a_name_of_a_block_is_declared_where_it_is_used(device: str) -> None:
     for block in blocks("iec", device):
