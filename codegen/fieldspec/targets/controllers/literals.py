@@ -6,7 +6,7 @@ from decimal import Decimal
 
 from fieldspec.targets.controllers.statements.expressions import Elementary, Fraction, Whole
 
-_PLAIN = range(-(1 << 31), 1 << 31)
+_UNTYPED = range(-(1 << 31), 1 << 31)
 """The numbers that every compiler takes without their type."""
 _GREATEST_DECIMAL = (1 << 63) - 1
 
@@ -20,7 +20,7 @@ def whole(literal: Whole) -> str:
     # Translators to C write decimal numbers without a suffix, and none beyond 63 bits has a type there.
     if kind.family == "bits" or hexadecimal or value > _GREATEST_DECIMAL:
         return f"{kind.name}#16#{value:0{2 * kind.size}X}"
-    if value in _PLAIN:
+    if value in _UNTYPED:
         return str(value)
     if value == kind.low:
         return f"(-{kind.name}#{-value - 1} - 1)"
