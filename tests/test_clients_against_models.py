@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from device_models.carrying import Carrier
-from device_models.ck10 import Ck10
+from device_models.ck10 import POINT_WORDS, POINTS, Ck10
 from device_models.draws import calm
 from device_models.esc11 import Esc11
 from device_models.hiwin import HiwinE
@@ -145,6 +145,14 @@ def test_what_is_stopped_from_outside_is_not_done(name: str, task: str) -> None:
     carrier.when(lambda: bool(carrier.model.state.velocity), carrier.model.stop_outside)
     method = getattr(client, task)
     assert outcome(method, **arguments(method)) != "done"
+
+
+def test_a_point_that_an_emergency_stop_ends_is_not_done() -> None:
+    client, carrier = connected("ck10", outside="emergency stop")
+    carrier.model.words.update({POINTS + POINT_WORDS + 1: 20000, POINTS + POINT_WORDS + 5: 2000})
+    carrier.when(lambda: bool(carrier.model.state.velocity), carrier.model.stop_outside)
+    assert [outcome(client.run_point, point_number=1), outcome(client.home)] == ["AlarmError", "AlarmError"]
+    assert [outcome(client.reset_alarm), outcome(client.home)] == ["done", "done"]
 
 
 @pytest.mark.parametrize("name", [*FRAMED, *TELEGRAMS])

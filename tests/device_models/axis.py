@@ -39,8 +39,8 @@ class Event:
     """What happens at a device.
 
     `kind` is asked (a frame or a bit that is to start or stop something is on the wire), accepted, refused, began,
-    reached, interrupted, stop, alarm or cause gone; `about` says of what, `number` of which motion, and `speed` how
-    fast it is to be.
+    reached, interrupted, stop, stop ended (it is not shown any more), alarm or cause gone; `about` says of what,
+    `number` of which motion, and `speed` how fast it is to be.
     """
 
     kind: str

@@ -88,7 +88,8 @@ class Ck10(ModbusDevice):
 
     def power_cycle(self) -> None:
         self.axis.cut()
-        self.axis.homed, self.running, self.emergency = False, False, False
+        self._end_emergency()
+        self.axis.homed, self.running = False, False
         self.alarm = self.cause
         self.servo = not self.alarm and self.draws.reading("servo", "on", "off") == "on"
         self.words = {place: word for place, word in self.words.items() if not self._is_point(place)}
@@ -159,7 +160,7 @@ class Ck10(ModbusDevice):
         elif address == 0x7F1:
             self._switch(bool(word))
         elif address == 0x7F3 and word == 1:
-            self.emergency = False
+            self._end_emergency()
             needs_off = self.draws.reading("reset", "any time", "servo off") == "servo off"
             if not self.cause and not (needs_off and self.servo):
                 self.alarm = 0
@@ -167,6 +168,11 @@ class Ck10(ModbusDevice):
             self.flash = {place - POINTS: value for place, value in self.words.items() if self._is_point(place)}
         elif address == 0x7F7:
             self._run(word)
+
+    def _end_emergency(self) -> None:
+        if self.emergency:
+            self.axis.record("stop ended", "outside")
+        self.emergency = False
 
     def _switch(self, on: bool) -> None:
         if not on:

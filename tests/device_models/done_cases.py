@@ -39,6 +39,24 @@ DONE_CASES = (
         done_is_at_the_target,
         37,
         ("", POINT, "accepted:point:1 n1", "stop:outside interrupted:point:1 n0", "-Point.Busy +Point.Done"),
+        ("", POINT, "accepted:point:1 n1", "stop:command interrupted:point:1 n0", "-Point.Busy +Point.Done"),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
+        (
+            *("", POINT, "accepted:point:1 n1", "stop:outside:1:1 interrupted:point:1 n0 good x3"),
+            *("stop-ended:outside", "-Point.Busy +Point.Done"),
+        ),
+        (
+            *("", POINT, "accepted:point:1 n1", "stop:outside:1:1 interrupted:point:1 n0 good x4"),
+            *("stop-ended:outside", "-Point.Busy +Point.Done"),
+        ),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
+        ("", POINT, "accepted:point:1 n1", "stop:outside interrupted:point:1 n0", "-Point.Busy +Point.Done"),
         ("", EDGE, "accepted:absolute:1:500 n1", "stop:outside interrupted:absolute:1 n0", DONE),
     ),
     Case(

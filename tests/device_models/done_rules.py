@@ -120,9 +120,17 @@ def _is_hidden(history: History, command: Event, accepted: int, last: int) -> bo
     """
     homed = all(entry.state.homed for entry in history.scans[accepted : last + 1])
     return (command.about == "point" or (command.about == "home" and homed)) and any(
-        event.kind == "stop" and event.about == "outside" and not event.value and accepted <= when <= last
+        event.kind == "stop" and event.about == "outside" and not (event.value and _is_seen(history, when, last))
         for when, event in history.events
+        if accepted <= when <= last
     )
+
+
+def _is_seen(history: History, first: int, last: int) -> bool:
+    """Whether a stop that is shown from a scan on is shown for so long that each block has looked meanwhile."""
+    ended = next((when for when, event in history.events if first <= when <= last and event.kind == "stop ended"), last)
+    fates = [fate for entry in history.scans[first:ended] for fate in entry.fates]
+    return ended == last or fates.count("good") >= LOOKS
 
 
 def _was_there(history: History, first: int, last: int, place: float) -> bool:

@@ -10,6 +10,7 @@ from device_models.history import History
 KINDS = {
     "Move": "absolute",
     "Other": "relative",
+    "Third": "absolute",
     "Point": "point",
     "Home": "home",
     "Jog": "jog",
@@ -27,6 +28,7 @@ JOGS = "ask:start_jog_forward accepted:jog_forward:1:1 began:jog_forward:1:1 n1 
 JOG_EDGE = "+Jog.JogForward +Jog.Busy"
 POINT = "+Point.Execute +Point.Busy"
 HOME = "+Home.Execute +Home.Busy"
+HOMES = "word:0C2F ask:start_home accepted:home:1 began:home:1 n1 v-100"
 STOP = "+Stop.Execute +Stop.Busy"
 MOVING = "began:absolute:1:500 w0 n1 v100"
 STANDS = "reached:absolute:1:500 n0 v0 p500"

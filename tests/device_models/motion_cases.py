@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from device_models.monitor_cases import DONE, EDGE, MOVES, MOVING, STANDS, Case
+from device_models.monitor_cases import DONE, EDGE, HOME, HOMES, JOG_EDGE, MOVES, MOVING, STANDS, STOP, Case
 from device_models.motion_rules import (
     a_valid_position_is_true,
     an_alarm_ends_a_motion,
@@ -56,6 +56,30 @@ MOTION_CASES = (
         ("", EDGE, MOVES, "-Move.Busy +Move.CommandAborted"),
     ),
     Case(
+        who_is_aborted_has_a_successor,
+        16,
+        ("", HOME, HOMES, f"word:042F {STOP} -Home.Busy +Home.CommandAborted lost", "ask:stop stop:command:1"),
+        ("", HOME, HOMES, f"{STOP} -Home.Busy +Home.CommandAborted lost", "word:042F ask:stop stop:command:1"),
+    ),
+    Case(
+        who_is_aborted_has_a_successor,
+        16,
+        (
+            *("", HOME, HOMES, f"word:042F {STOP} -Home.Busy +Home.CommandAborted lost", "lost x9"),
+            "-Stop.Busy +Stop.Error Stop.ErrorID=7 lost",
+        ),
+        (
+            *("", HOME, HOMES, f"word:042F {STOP} -Home.Busy +Home.CommandAborted lost", "lost x9"),
+            "-Stop.Busy +Stop.Done lost",
+        ),
+    ),
+    Case(
+        who_is_aborted_has_a_successor,
+        16,
+        ("", HOME, HOMES, f"word:042F {STOP} -Home.Busy +Home.CommandAborted lost", "ask:stop stop:command:1"),
+        ("", HOME, HOMES, f"word:042F {STOP} -Home.Busy +Home.CommandAborted lost", "word:043F ask:stop"),
+    ),
+    Case(
         who_is_refused_ends_with_an_error,
         17,
         ("", EDGE, "refused:absolute", "", "-Move.Busy +Move.Error"),
@@ -102,6 +126,36 @@ MOTION_CASES = (
             *("ms:50", f"{EDGE} +Other.Execute +Other.Busy", "ask:start_relative"),
             "-Move.Busy +Move.Error Move.ErrorID=11 x300",
         ),
+    ),
+    Case(
+        two_edges_start_once,
+        18,
+        (
+            *("", f"{HOME} {EDGE}", "-Home.Busy +Home.CommandAborted", "ask:start_absolute", DONE),
+            *("+Third.Execute +Third.Busy", "ask:start_absolute"),
+        ),
+        (
+            *("", f"{HOME} {EDGE}", "-Home.Busy +Home.CommandAborted", "ask:start_absolute", DONE),
+            *("+Third.Execute +Third.Busy", "ask:start_home"),
+        ),
+    ),
+    Case(
+        two_edges_start_once,
+        18,
+        (
+            *("", f"{HOME} {EDGE}", "ask:start_home", "-Move.Busy +Move.CommandAborted"),
+            *("+Third.Execute +Third.Busy", "ask:start_absolute"),
+        ),
+        (
+            *("", "+Third.Execute +Third.Busy", f"{HOME} {EDGE}", "ask:start_home", "-Move.Busy +Move.CommandAborted"),
+            "ask:start_absolute",
+        ),
+    ),
+    Case(
+        two_edges_start_once,
+        18,
+        ("", f"{JOG_EDGE} +Other.Execute +Other.Busy", "-Jog.JogForward -Jog.Busy +Jog.Done", "ask:start_relative"),
+        ("", f"{JOG_EDGE} +Other.Execute +Other.Busy", "", "-Jog.JogForward -Jog.Busy +Jog.Done ask:start_relative"),
     ),
     Case(
         who_fails_stops_or_says_so,

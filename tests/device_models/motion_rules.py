@@ -9,6 +9,10 @@ from device_models.history import JOGS, MOTIONS, MOVES, SLOW, STOPPING, STOPS, C
 
 ALARM = 8
 LOST = ("lost request", "lost answer", "late")
+LOST_ANSWER = "lost answer"
+START_BITS = 0x0B40
+TASK_BITS = 0x0030
+"""Bits of STW1 that start a motion, and those that let a task go on."""
 
 
 def somebody_is_responsible(history: History) -> Iterator[Violation]:
@@ -34,7 +38,7 @@ def who_is_aborted_has_a_successor(history: History) -> Iterator[Violation]:
     for calls, index, scan, number in _ends_in_motion(history, "CommandAborted"):
         if calls.abort[index] or not history.scans[scan].state.velocity:
             continue
-        if _has_successor(history, number, scan):
+        if _has_successor(history, number, scan) or _is_being_stopped(history, number, scan):
             continue
         others = [other for other in history.of_kind(*MOTIONS, *STOPS, "power_off") if other is not calls]
         begun = any(other.edge_before(scan) >= 0 and other.busy_at(scan) for other in others)
@@ -50,6 +54,29 @@ def _has_successor(history: History, number: int, scan: int) -> bool:
         for when, event in history.events
         if accepted <= when <= scan
     )
+
+
+def _is_being_stopped(history: History, number: int, first: int) -> bool:
+    """Whether each telegram from a scan on asks to stop until the device gets one, and a stop answers for it so long.
+
+    Nothing in a telegram shows that a stop is accepted: it has the axis from its edge on, heard or not.
+    """
+    stops = history.of_kind(*STOPS)
+    for scan in range(first, len(history.scans)):
+        entry = history.scans[scan]
+        stopped = any(event.kind == "stop" and event.about != "outside" for event in entry.events)
+        if stopped or not history.is_on(number, scan) or (scan > first and "restart" in entry.disturbed):
+            return True
+        if entry.word is None or not _asks_to_stop(entry.word) or LOST_ANSWER not in entry.fates:
+            return False
+        if not any(calls.busy_at(scan) for calls in stops):
+            return any(scan in calls.scans and calls.error[calls.index_at(scan)] in history.may_move for calls in stops)
+    return True
+
+
+def _asks_to_stop(word: int) -> bool:
+    """Whether a control word lets nothing move."""
+    return not word & START_BITS and (word & TASK_BITS != TASK_BITS or word & 0x0F != 0x0F)
 
 
 def who_is_refused_ends_with_an_error(history: History) -> Iterator[Violation]:
@@ -97,6 +124,7 @@ def two_edges_start_once(history: History) -> Iterator[Violation]:
             and text.startswith("start ")
             and any(starts(calls.kind, text[6:]) for calls, _ in edges)
             and not (when == scan and _was_asked_before(history, edges, text))
+            and not _is_of_a_third(history, edges, scan, when, text)
         ]
         if len(started) > 1:
             yield Violation(18, scan, names, f"{len(started)} starts for two edges")
@@ -118,11 +146,26 @@ def _was_asked_before(history: History, edges: list[tuple[Calls, int]], text: st
     return False
 
 
+def _is_of_a_third(history: History, edges: list[tuple[Calls, int]], scan: int, when: int, text: str) -> bool:
+    """Whether a start may be of a block of the same kind as one of two, whose edge came after theirs."""
+    pair = [calls for calls, _ in edges]
+    for calls in history.of_kind(*MOTIONS):
+        index = calls.edge_before(when)
+        if calls in pair or index < 0 or not starts(calls.kind, text[6:]):
+            continue
+        if calls.scans[index] > scan and calls.busy[index] and (calls.busy_at(when - 1) or calls.busy_at(when)):
+            return True
+    return False
+
+
 def _losers(history: History, losers: list[Calls], scan: int) -> Iterator[Violation]:
     """Rule 18: the blocks of an edge in a scan that do not start, and end otherwise than aborted by who does."""
     for calls in losers:
         ending = _end_after(calls, scan)
         if ending is None or ending[1] in ("edge", "CommandAborted"):
+            continue
+        if ending[1] == "Done" and calls.kind in JOGS and ending[0] == calls.scans[calls.index_at(scan) + 1]:
+            # Its input has fallen before the first call in which it could show that it has lost.
             continue
         if ending[1] == "Done" or _is_clear(history, scan):
             yield Violation(18, ending[0], calls.name, f"{ending[1]} {ending[2]}, and another was started")

@@ -56,6 +56,18 @@ OUTPUT_CASES = (
     ),
     Case(
         values_count_at_the_edge,
+        10,
+        ("Move.value=500", EDGE, "-Move.Execute", f"+Move.Execute Move.value=300 {MOVES}"),
+        ("Move.value=500", EDGE, MOVES, "-Move.Execute", "+Move.Execute Move.value=300 accepted:absolute:2:500"),
+    ),
+    Case(
+        values_count_at_the_edge,
+        10,
+        ("Move.value=500", EDGE, "-Move.Execute", f"+Move.Execute Move.value=300 {MOVES}"),
+        ("Move.value=500 word:0000", EDGE, "-Move.Execute", f"+Move.Execute Move.value=300 {MOVES}"),
+    ),
+    Case(
+        values_count_at_the_edge,
         9,
         ("Move.speed=50", EDGE, "Move.speed=90 accepted:absolute:1:500:50"),
         ("Move.speed=50", EDGE, "Move.speed=90 accepted:absolute:1:500:90"),
@@ -101,6 +113,12 @@ OUTPUT_CASES = (
         10,
         ("", EDGE, MOVES, "-Move.Execute", "+Move.Execute", "accepted:absolute:2:700 n2", DONE),
         ("", EDGE, MOVES, "-Move.Execute", "+Move.Execute", DONE),
+    ),
+    Case(
+        done_is_for_the_last_edge,
+        10,
+        ("", EDGE, "-Move.Execute", f"+Move.Execute {MOVES}", "accepted:absolute:2:700 n2", DONE),
+        ("", EDGE, "-Move.Execute", f"+Move.Execute {MOVES}", DONE),
     ),
     Case(
         done_is_for_the_last_edge,

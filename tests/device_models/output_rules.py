@@ -104,8 +104,9 @@ def values_count_at_the_edge(history: History) -> Iterator[Violation]:
             index = calls.edge_before(scan)
             if index < 0:
                 continue
-            wanted = history.value_of(calls.name, history.scans[calls.scans[index]].inputs)
             rule = 10 if index > 0 and calls.busy[index - 1] else 9
+            index = _edge_of(history, calls, index, scan)
+            wanted = history.value_of(calls.name, history.scans[calls.scans[index]].inputs)
             if wanted is not None and abs(wanted - event.value) > 0.5:
                 text = f"{event.value:g} is asked for, and the inputs were {wanted:g} at the edge"
                 yield Violation(rule, scan, calls.name, text)
@@ -115,6 +116,18 @@ def values_count_at_the_edge(history: History) -> Iterator[Violation]:
             if not any(speed is None or abs(speed - event.speed) <= SPEED_STEP for speed in speeds):
                 text = f"the speed {event.speed:g} is asked for, and the inputs were {speeds[0]:g} at the edge"
                 yield Violation(rule, scan, calls.name, text)
+
+
+def _edge_of(history: History, calls: Calls, index: int, scan: int) -> int:
+    """The call with the edge that a command accepted in a scan is for; `index` is that of the last edge.
+
+    What goes out over a line in the scan of an edge is what a block that was Busy has asked for before, and not sent.
+    """
+    if calls.scans[index] != scan or not index or not calls.busy[index - 1] or history.scans[scan].word is not None:
+        return index
+    earlier = calls.edge_before(calls.scans[index - 1])
+    sent = earlier < 0 or history.accepted(calls, calls.scans[earlier], scan - 1)
+    return index if sent else earlier
 
 
 def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
@@ -129,7 +142,8 @@ def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
             for following in range(index, calls.edge_after(index)):
                 if "Done" not in calls.ends[following]:
                     continue
-                if not history.accepted(calls, scan, calls.scans[following]):
+                accepted = history.accepted(calls, scan, calls.scans[following])
+                if not any(_edge_of(history, calls, index, when) == index for when, _ in accepted):
                     text = f"Done since scan {calls.scans[following]} is for what was asked before the edge"
                     yield Violation(rule, scan, calls.name, text)
                 break

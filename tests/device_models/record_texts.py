@@ -8,7 +8,7 @@ A line has what changes in a scan; all else stays as it was:
     accepted:absolute:1:500:90   an event of the device, with the number of the motion, a value and a speed
     n1 w2 v100 p500              the motion that is carried out, that waits, velocity, position
     on off home lost-home alarm well
-    restart   power-cycle   skip:Move   invalid:Move   word:043F   lost   ms:50   x200
+    restart   power-cycle   skip:Move   invalid:Move   word:043F   good   lost   ms:50   x200
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ FLAGS: dict[str, dict[str, Any]] = {
     "well": {"alarm": False},
 }
 NUMBERS = {"n": ("number", int), "w": ("waiting", int), "v": ("velocity", float), "p": ("position", float)}
-EVENTS = ("accepted", "refused", "began", "reached", "interrupted", "stop", "alarm", "cause-gone")
+EVENTS = ("accepted", "refused", "began", "reached", "interrupted", "stop", "stop-ended", "alarm", "cause-gone")
 
 
 class Record:
@@ -102,6 +102,8 @@ class Record:
             self.word = int(rest, 16)
         elif head == "ms":
             self.milliseconds = int(rest)
+        elif head == "good":
+            scan.fates = ("good",)
         else:
             assert head == "lost", head
             scan.clear, scan.fates = False, ("lost answer",)

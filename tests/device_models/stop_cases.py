@@ -74,6 +74,18 @@ STOP_CASES = (
     Case(
         a_jog_stops_itself,
         30,
+        (
+            *("", JOG_EDGE, f"word:053F {JOGS}", f"word:042F {STOP} -Jog.Busy +Jog.CommandAborted lost"),
+            *("lost", "ask:stop stop:command:1"),
+        ),
+        (
+            *("", JOG_EDGE, f"word:053F {JOGS}", f"word:042F {STOP} -Jog.Busy +Jog.CommandAborted lost"),
+            *("-Stop.Busy +Stop.Done lost", "lost"),
+        ),
+    ),
+    Case(
+        a_jog_stops_itself,
+        30,
         ("", JOG_EDGE, JOGS, "ask:stop stop:command", "-Jog.Busy", ""),
         ("", JOG_EDGE, JOGS, "", "-Jog.Busy", ""),
     ),

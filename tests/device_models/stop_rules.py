@@ -5,13 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from device_models.history import JOGS, LOCKS, MOTIONS, STOPPING, STOPS, Calls, History, Violation, starts
-from device_models.motion_rules import _ends_in_motion, _is_clear, _last_before_edge, _owner_number
+from device_models.motion_rules import (
+    LOST_ANSWER,
+    START_BITS,
+    _asks_to_stop,
+    _ends_in_motion,
+    _is_being_stopped,
+    _is_clear,
+    _last_before_edge,
+    _owner_number,
+)
 
-START_BITS = 0x0B40
-TASK_BITS = 0x0030
-"""Bits of STW1 that start a motion, and those that let a task go on."""
 JOG_BITS = 0x0300
-LOST_ANSWER = "lost answer"
 TRIES = 3
 LOCKED = 12
 
@@ -212,6 +217,8 @@ def a_jog_stops_itself(history: History) -> Iterator[Violation]:
         for calls, _, scan, number in _ends_in_motion(history, end):
             if calls.kind not in JOGS or _is_followed(history, number, scan + 1):
                 continue
+            if end == "CommandAborted" and _is_being_stopped(history, number, scan):
+                continue
             accepted = next(when for when, event in history.events if event.number == number)
             asked = sum(text in STOPPING for text in history.asked_between(accepted, scan + 1))
             stopped = any(
@@ -306,11 +313,6 @@ def _others_lock(history: History, calls: Calls, first: int, last: int) -> bool:
         for lock in others
         for when in range(max(first - 1, 0), min(last + 1, len(history.scans)))
     )
-
-
-def _asks_to_stop(word: int) -> bool:
-    """Whether a control word lets nothing move."""
-    return not word & START_BITS and (word & TASK_BITS != TASK_BITS or word & 0x0F != 0x0F)
 
 
 def _is_succeeded(history: History, first: int, last: int) -> bool:

@@ -13,7 +13,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from loaded import programs
-from model_scenes import FRAMED, POSITIONING, broken, jogging, ready, set_out
+from model_scenes import FRAMED, POSITIONING, broken, jogging, ready, set_out, until_moving
 
 
 @pytest.fixture
@@ -139,3 +139,47 @@ def test_a_drive_hears_a_reset_after_a_restart_of_the_controller(
     assert rig.finish(rig.block("reset"), limit=5.0) == "Done"
     assert not rig.model.state.servo
     assert rig.finish(rig.block("power_on"), limit=5.0) == "Done"
+
+
+@pytest.mark.parametrize("kind", ["home", "absolute", "jog"])
+def test_a_point_that_the_end_of_another_command_stops_is_aborted(kind: str, make: Callable[..., Any]) -> None:
+    rig = make("tc100")
+    point, other = rig.block("point"), rig.block(kind)
+    bits = {name: name.endswith("5") for owner, name in rig.bench.inputs if owner == point and "PointNumber" in name}
+    rig.start(point, **bits)
+    until_moving(rig)
+    rig.run(20)
+    send = rig.line.send
+
+    def lose(request: bytes) -> Any:
+        rig.line.fates = ["lost answer"] * rig.model.meaning(request).startswith("start")
+        return send(request)
+
+    rig.line.send = lose
+    rig.start(other)
+    rig.run(600)
+    assert (rig.ended(point), rig.ended(other)) == ("CommandAborted", "Error 2")
+    assert broken(rig, 15, 16, 17, 20, 37) == []
+
+
+@pytest.mark.parametrize("alarm", [0, 3])
+def test_a_home_that_is_to_begin_again_is_aborted_by_a_halt(alarm: int, make: Callable[..., Any]) -> None:
+    rig = make("ck10")
+    home, halt = rig.block("home"), rig.block("halt")
+    rig.start(home)
+    until_moving(rig)
+    rig.start(home, False)
+    rig.run(1)
+    rig.start(home)
+    for _ in range(30):
+        rig.run(1)
+        if "stop" in rig.asked:
+            break
+    rig.model.set_alarm(alarm)
+    rig.start(halt)
+    for _ in range(3000):
+        rig.run(1)
+        if rig.ended(home) != "Busy":
+            break
+    assert rig.ended(home) == "CommandAborted"
+    assert broken(rig, 17, 20, 33) == []

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import ScalarValue
@@ -43,24 +41,26 @@ class Watch:
 def watches(device: Device, operands: Operands, task: Task, message: str = "") -> list[Watch]:
     """What a task is watched by: no alarm, and where it moves, the servo.
 
-    What shows them is what the tasks that reset the alarm and switch the servo on wait for last.
+    What shows them is what the tasks that reset the alarm and switch the servo on wait for behind their commands. What
+    switches on looks at the first of it alone: an emergency stop, which a reset ends too, does not refuse it.
     """
     kinds = {"reset_alarm": "alarm"} if task.kind in (*MOVING, "servo_on") else {}
     if task.kind in MOVING:
         kinds = {**kinds, "servo_on": "servo"}
-    return list(_watches(device, operands, kinds, message))
+    lists = [_watches(device, operands, kind, reason, message) for kind, reason in kinds.items()]
+    return [watch for watched in lists for watch in (watched if task.kind in MOVING else watched[:1])]
 
 
-def _watches(device: Device, operands: Operands, kinds: dict[str, str], message: str) -> Iterator[Watch]:
-    for kind, reason in kinds.items():
-        for other in device.tasks:
-            if other.kind != kind or not other.steps or (message and message not in other.messages):
-                continue
-            last = other.steps[-1]
-            targets = operands.target(last.target, message)
-            if len(last.wanted) == 1 and len(targets) == 1:
-                yield Watch(targets[0], last.wanted[0], reason)
-                break
+def _watches(device: Device, operands: Operands, kind: str, reason: str, message: str) -> list[Watch]:
+    for other in device.tasks:
+        if other.kind != kind or not other.steps or (message and message not in other.messages):
+            continue
+        waits = [step for step in other.steps[last_command(other) + 1 :] if len(step.wanted) == 1]
+        pairs = [(operands.target(step.target, message), step.wanted[0]) for step in waits]
+        watched = [Watch(targets[0], value, reason) for targets, value in pairs if len(targets) == 1]
+        if watched:
+            return watched
+    return []
 
 
 def before_effect(task: Task) -> int:
@@ -85,8 +85,8 @@ def is_command(task: Task, index: int) -> bool:
 
 
 def last_command(task: Task) -> int:
-    """The step behind which a task only looks at the device."""
-    return max(index for index in range(len(task.steps)) if is_command(task, index))
+    """The step behind which a task only looks at the device; -1 where it only looks."""
+    return max((index for index in range(len(task.steps)) if is_command(task, index)), default=-1)
 
 
 def shows_acceptance(operands: Operands, step: Step, message: str = "") -> bool:

@@ -22,6 +22,8 @@ from fieldspec.targets.wireshark.values import enum_data, word_data
 RUNTIME = (
     "numbers",
     "checksums",
+    "fields",
+    "expert_items",
     "values",
     "registers",
     "parameters",

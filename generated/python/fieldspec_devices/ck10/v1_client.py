@@ -187,6 +187,7 @@ class _Tasks(_DeviceWork):
             "home",
             limit,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
         return task.run(
@@ -205,6 +206,7 @@ class _Tasks(_DeviceWork):
             "move_absolute",
             limit,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
         target = _Target(_codec.COMMAND_POSITION, position, name="command_position")
@@ -225,6 +227,7 @@ class _Tasks(_DeviceWork):
             "move_relative",
             limit,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
         target = _Target(_codec.COMMAND_POSITION, distance, name="command_position")
@@ -246,6 +249,7 @@ class _Tasks(_DeviceWork):
             "jog_clockwise",
             60.0,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
         return _Jog(
@@ -266,6 +270,7 @@ class _Tasks(_DeviceWork):
             "jog_counterclockwise",
             60.0,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
         return _Jog(
@@ -286,6 +291,7 @@ class _Tasks(_DeviceWork):
             "run_point",
             limit,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
         return task.run(
@@ -305,6 +311,7 @@ class _Tasks(_DeviceWork):
             "run_point_table",
             limit,
             _Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error", reason="alarm"),
+            _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop", reason="alarm"),
             _Condition(_codec.MOTION_STATUS, 0x100000, mask=0x100000, name="servo_on", reason="servo"),
         )
         return task.run(
@@ -345,7 +352,7 @@ class _Tasks(_DeviceWork):
             [
                 task.write(_codec.RESET_ALARM, 1),
                 task.settle(),
-                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error")),
+                task.wait(_Condition(_codec.MOTION_STATUS, 0x0, mask=0x1, name="error"), _Condition(_codec.MOTION_STATUS, 0x0, mask=0x10000, name="emergency_stop")),
             ],
         )
 
@@ -595,12 +602,13 @@ class Client(_RegisterClient):
     def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: write alarm_reset = 1; wait alarm_present = false.
+        Steps: write alarm_reset = 1; wait alarm_present = false; wait
+        registers/motion_status/emergency_stop = false.
 
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L335; 3.1 L637.
+        Source: 2.4 L335; 3.1 L637, 653.
         """
         self._run(self._work.reset_alarm(limit=limit))
 
@@ -862,12 +870,13 @@ class AsyncClient(_AsyncRegisterClient):
     async def reset_alarm(self, *, limit: float = 60.0) -> None:
         """Reset alarm.
 
-        Steps: write alarm_reset = 1; wait alarm_present = false.
+        Steps: write alarm_reset = 1; wait alarm_present = false; wait
+        registers/motion_status/emergency_stop = false.
 
         Inferred (steps): The manual explains the registers and the flags one by one; that the flag
         shows what the register has done follows from their texts.
 
-        Source: 2.4 L335; 3.1 L637.
+        Source: 2.4 L335; 3.1 L637, 653.
         """
         await self._run(self._work.reset_alarm(limit=limit))
 

@@ -1,6 +1,7 @@
 -- Registers everything with Wireshark: fields, preferences, ports, link types, and the entries of Decode As.
 
 declare_fields()
+declare_expert_items()
 index_spaces()
 
 for _, link in pairs(device.links) do

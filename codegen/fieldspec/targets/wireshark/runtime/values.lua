@@ -1,63 +1,10 @@
 -- Items of the tree: one value with its name, its quantity, its bits, and what is wrong with it.
 
--- Wireshark may have a protocol with the name of the device: then another name takes its place in all names.
-local listed_id, is_free, protocol = device.id, pcall(Proto, device.id, device.title)
-if not is_free then
-    device.id = device.id .. "_device"
-    protocol = Proto(device.id, device.title)
-end
-
-local fields, names_of = {}, {}
-
-local experts = {
-    exception = { "Exception response", expert.group.RESPONSE_CODE, expert.severity.NOTE },
-    forbidden = { "Access that the register does not allow", expert.group.PROTOCOL, expert.severity.WARN },
-    incomplete = { "Bytes are missing", expert.group.MALFORMED, expert.severity.ERROR },
-    misprint = { "The manual departs from what is right", expert.group.COMMENTS_GROUP, expert.severity.COMMENT },
-    mismatch = { "The response does not fit its request", expert.group.SEQUENCE, expert.severity.WARN },
-    not_hex = { "No hexadecimal digits", expert.group.MALFORMED, expert.severity.ERROR },
-    out_of_range = { "Value out of its range", expert.group.PROTOCOL, expert.severity.WARN },
-    unknown_code = { "Unknown code", expert.group.UNDECODED, expert.severity.WARN },
-    unknown_value = { "Unknown value", expert.group.PROTOCOL, expert.severity.WARN },
-    unlisted = { "The manual lists nothing here", expert.group.UNDECODED, expert.severity.NOTE },
-    wrong_check = { "Wrong checksum", expert.group.CHECKSUM, expert.severity.ERROR },
-    wrong_const = { "Wrong constant", expert.group.PROTOCOL, expert.severity.WARN },
-    wrong_length = { "Wrong length", expert.group.MALFORMED, expert.severity.ERROR },
-    wrong_mark = { "Wrong delimiter", expert.group.MALFORMED, expert.severity.ERROR },
-    wrong_measure = { "Wrong size of a list", expert.group.PROTOCOL, expert.severity.WARN },
-}
-
--- Declares everything that a filter can name. Wireshark takes the list once.
-local function declare_fields()
-    local list, infos = {}, {}
-    for name, enum in pairs(device.enums) do
-        names_of[name] = enum.names
-    end
-    for _, row in ipairs(device.fields) do
-        local names = row.names and (type(row.names) == "string" and names_of[row.names] or row.names)
-        local display = row.base and base[row.base] or base.NONE
-        if row.type == "FRAMENUM" then
-            names = frametype[row.names]
-        end
-        local name = device.id .. row.filter:sub(#listed_id + 1)
-        local field = ProtoField.new(row.title, name, ftypes[row.type], names, display, nil, row.text)
-        fields[row.filter] = field
-        list[#list + 1] = field
-    end
-    protocol.fields = list
-    for reason, row in pairs(experts) do
-        local info = ProtoExpert.new(device.id .. ".expert." .. reason, row[1], row[2], row[3])
-        experts[reason] = info
-        infos[#infos + 1] = info
-    end
-    protocol.experts = infos
-end
-
 local values = {}
 
 -- Adds a finding to an item.
 function values.report(item, reason, text)
-    item:add_proto_expert_info(experts[reason], text)
+    item:add_proto_expert_info(expert_items[reason], text)
 end
 
 -- Adds the errata of a fact to its item, without those that concern only other links than `values.link`.

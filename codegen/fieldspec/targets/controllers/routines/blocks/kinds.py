@@ -64,8 +64,8 @@ class Kind:
 
     sources: tuple[str, ...]
     comment = (
-        "Nothing starts without a rising edge of Execute; one while Busy starts again, with its inputs. Call the block "
-        "in each scan."
+        "Only a rising edge of Execute starts it, the first scan included; one while Busy starts it anew, with its "
+        "inputs. Done, CommandAborted, Error stay until Execute is FALSE, at least one scan. Call it in each scan."
     )
 
     def __init__(self, draft: BlockDraft, **slots: Any) -> None:
@@ -119,7 +119,7 @@ class Reading(Kind):
     """A block that reads while Enable is TRUE. It goes on after an error, and recovers by itself."""
 
     sources = ("reading",)
-    comment = "Reads again and again while Enable is TRUE, after an error too. Call the block in each scan."
+    comment = "Reads again and again while Enable is TRUE, after an error too. Call it in each scan."
 
 
 class Stopping(Kind):
@@ -204,7 +204,7 @@ class Jogging(Moving):
     comment = (
         "It moves while one of its inputs is TRUE; with both TRUE, or none, it stops, and is Busy until the device "
         "stands. Nothing starts in the first scan, and after an error or CommandAborted not before both inputs were "
-        "FALSE. These outputs stay while an input is TRUE, and at least one scan. Call the block in each scan."
+        "FALSE. These outputs stay while an input is TRUE, and at least one scan. Call it in each scan."
     )
     remembers = False
 

@@ -139,7 +139,9 @@ class LineTask(ABC):
             kind.ending = self.draft.next
             following = last_command(halting) + 1
             shows = following < len(halting.steps)
-            self._walk(halting, 0, following, ending=True, last=not shows and ends is None)
+            # The stop is accepted: it ends whatever moves, the motion of another block too.
+            accepted, accepted_at = self.draft.action("TakeOver"), acceptance(self.operands, halting)
+            self._walk(halting, 0, following, accepted, accepted_at, ending=True, last=not shows and ends is None)
             kind.stop = self.draft.next - 1
             if ends is not None:
                 self._walk(task, ends[1], ends[1] + 1, ending=True, last=not shows)
@@ -182,7 +184,7 @@ class LineTask(ABC):
         kind.ending = draft.next
         assert ends[0] is not None
         last = ends[0][1]
-        self._walk(task, last, last + 1, ending=True)
+        self._walk(task, last, last + 1, self.draft.action("TakeOver"), last, ending=True)
         kind.stop = draft.next - 1
         self._walk(task, last + 1, len(task.steps), ending=True)
 

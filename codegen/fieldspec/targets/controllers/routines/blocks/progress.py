@@ -141,13 +141,12 @@ class Conditions:
 
     def watched(self, watches: Sequence[Watch], value_of: Seen) -> list[Branch]:
         """The branches that fail the block where a watched fact no longer has its value."""
-        branches: list[Branch] = []
+        branches: dict[str, list[Expression]] = {}
         for watch in watches:
             raw = value_of(watch.operand)
             if raw is not None:
-                test = opposite(self.has(watch.operand, (watch.value,), raw))
-                branches.append((test, [self.draft.fail(watch.reason)]))
-        return branches
+                branches.setdefault(watch.reason, []).append(opposite(self.has(watch.operand, (watch.value,), raw)))
+        return [(either(tests), [self.draft.fail(reason)]) for reason, tests in branches.items()]
 
     def judged(
         self,
