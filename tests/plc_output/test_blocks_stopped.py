@@ -96,3 +96,28 @@ def test_a_stop_that_no_telegram_carries_answers_for_the_axis(
     rig.run(100)
     assert rig.model.state.velocity == 0
     assert broken(rig, 15, 16, 20, 23, 30) == []
+
+
+@pytest.mark.parametrize(
+    ("refusal", "end"), [("command error", "Error 13"), ("alarm", "Error 8"), ("number alone", "Error 13")]
+)
+def test_a_jog_that_the_device_refuses_ends_though_its_input_is_held(
+    refusal: str, end: str, make: Callable[..., Any]
+) -> None:
+    rig = make("esc11", home=False, refusal=refusal)
+    block = next(block for block, kind in rig.kinds.items() if kind == "jog")
+    rig.start(block)
+    rig.run(600)
+    assert rig.ended(block) == end
+    assert broken(rig, 17, 30) == []
+
+
+def test_a_jog_that_has_reached_the_end_of_the_stroke_is_busy_until_its_input_falls(make: Callable[..., Any]) -> None:
+    rig = make("esc11")
+    block = jogging(rig)
+    rig.run(3000)
+    assert (rig.model.state.velocity, rig.ended(block)) == (0, "Busy")
+    rig.start(block, False)
+    rig.run(400)
+    assert rig.ended(block) == ""
+    assert broken(rig, 30) == []

@@ -38,7 +38,7 @@ def test_all_codecs_agree_on_random_devices(number: int) -> None:
 
 
 def judges_of(text: str) -> tuple[Judge, ...]:
-    """Who is asked about a case: who disagreed, always, and who costs little; all of them where the compiler was wrong."""
+    """Who is asked about a case: who disagreed, and who costs little; all of them where the compiler was wrong."""
     name = text.removeprefix("# ").partition(":")[0]
     if name not in {judge.name for judge in JUDGES}:
         return JUDGES

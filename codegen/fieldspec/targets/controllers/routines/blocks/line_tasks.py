@@ -177,7 +177,8 @@ class LineTask(ABC):
             moves: list[Statement] = []
             if is_standing is not None:
                 operands += [self.target(step) for step in self.conditions.standstill]
-                moves = [when(opposite(is_standing), draft.action("SeeMotion"))]
+                moves, idle = self.conditions.begun(kind, is_standing)
+                branches.append(idle)
             self.perform(
                 *watching, operands, lambda following: [*moves, chain(branches, [draft.go(this_step)])], "it moves"
             )

@@ -32,7 +32,7 @@ from fieldspec.targets.controllers.statements.routine import Assignment, Stateme
 
 Seen = Callable[[Operand], "Expression | None"]
 """What shows a fact where a block looks: its raw number, the word of a bit, or None where it is not to be seen."""
-_START = "how long the device may stand before it moves, or off its target; the manual does not print it"
+_START = "how long the device may stand before it moves, or off its target; not printed"
 
 
 class Conditions:
@@ -147,6 +147,17 @@ class Conditions:
             if raw is not None:
                 branches.setdefault(watch.reason, []).append(opposite(self.has(watch.operand, (watch.value,), raw)))
         return [(either(tests), [self.draft.fail(reason)]) for reason, tests in branches.items()]
+
+    def begun(self, kind: Moving, is_standing: Expression) -> tuple[list[Statement], Branch]:
+        """Sees whether a motion that lasts has begun; the branch is for one that has not: it may be refused."""
+        draft = self.draft
+        standing = draft.flag("xStanding", "the device stands")
+        moved = draft.flag("xMoved", "the device was seen to move")
+        idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        for flag in (standing, moved):
+            kind.forget_first(flag)
+        seen = when(Negation(standing), [assigned(moved, True), *draft.action("SeeMotion")])
+        return [Assignment(standing, is_standing), seen], (every([idle, Negation(moved)]), [draft.fail("idle")])
 
     def judged(
         self,
