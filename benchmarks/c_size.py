@@ -1,6 +1,7 @@
 """How much room the C headers take: all of their functions at once, and the texts of codes.
 
-`python benchmarks/c_size.py` prints rows; `--write` puts the table into docs/c.md. Needs gcc and gcc-arm-none-eabi.
+`python benchmarks/c_size.py` prints rows; `--write` puts the table into docs/checked.md. It needs gcc and
+gcc-arm-none-eabi.
 A program has only the functions that it calls, so the numbers are the most that there can be.
 """
 
@@ -23,7 +24,7 @@ MACHINES = {
     "x86-64, -O2": ("gcc", ["-O2"]),
 }
 PACKAGES = {"arm-none-eabi-gcc": "gcc-arm-none-eabi", "gcc": "gcc"}
-DOCUMENT = Path(__file__).resolve().parent.parent / "docs" / "c.md"
+DOCUMENT = Path(__file__).resolve().parent.parent / "docs" / "checked.md"
 BEGIN, END = "<!-- sizes -->\n", "<!-- end of sizes -->\n"
 
 

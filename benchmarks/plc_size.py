@@ -1,7 +1,7 @@
 """Writes docs/plc-sizes.md: code and data of the generated function blocks on a Cortex-M3.
 
-`make plc-sizes`. Needs matiec (see docs/plc.md), gcc-arm-none-eabi and libnewlib-arm-none-eabi. matiec translates the
-output `iec` to C, and gcc compiles it for size; no vendor's compiler takes part.
+`make plc-sizes`. Needs matiec (see CONTRIBUTING.md), gcc-arm-none-eabi and libnewlib-arm-none-eabi. matiec translates
+the output `iec` to C, and gcc compiles it for size; no vendor's compiler takes part.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ FLAGS = ("-std=gnu11", "-Os", "-mcpu=cortex-m3", "-mthumb", "-ffunction-sections
 PAGE = ROOT / "docs" / "plc-sizes.md"
 HEAD = """# Sizes of the function blocks
 
-What the blocks of [plc.md](plc.md) take on a small controller, in bytes: the output `iec`, translated by matiec and
-compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes this page. A vendor's compiler gives other
-figures; these compare the blocks with each other and show the order of magnitude.
+Sizes of the [function blocks](plc-blocks.md) on a small controller, in bytes: the output `iec`, translated by matiec
+and compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes this page. A vendor's compiler gives
+other figures; these compare the blocks with each other and show the order of magnitude.
 
 *code* is the body of the block. The functions that blocks call exist once for each device; the line above each table
 has their sum, for a program that uses all of them. *data* is one instance. matiec copies each struct that a block is

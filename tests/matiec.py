@@ -28,7 +28,7 @@ def matiec() -> Path:
     place = Path(text)
     if not text or not place.exists():
         missing = f"{VARIABLE} is {text}, which is not there" if text else f"{VARIABLE} is not set"
-        without("matiec", f"no matiec: {missing}; docs/plc.md says how to get it and what to set")
+        without("matiec", f"no matiec: {missing}; CONTRIBUTING.md says how to get it and what to set")
     return place if place.is_dir() else _built(place)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,9 @@ from spec_files import project
 
 ROOT = Path(__file__).parent.parent
 PAGE = ROOT / "docs" / "add-a-device.md"
+AUDIT = ROOT / "docs" / "audit.md"
+RECIPES = ROOT / "docs" / "spec-recipes.md"
+PROJECT = ROOT / "docs" / "project-file.md"
 RUN = "$ fieldspec "
 
 WRONG, RIGHT = "default: 120, source", "default: 20, source"
@@ -28,29 +32,41 @@ def code_blocks(kind: str, text: str) -> list[str]:
 
 
 def files() -> dict[str, str]:
-    """The files on the page, by the paths above them."""
-    blocks = re.findall(r"^`(specs/[\w./-]+)`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    """The files on the page and in the first audit, by the paths above them."""
+    text = PAGE.read_text("utf-8") + AUDIT.read_text("utf-8")
+    blocks = re.findall(r"^`(specs/lifter/[\w./-]+)`\n\n```yaml\n(.*?)```", text, re.DOTALL | re.MULTILINE)
     assert len(blocks) == 5
     return dict(blocks)
 
 
 def project_file() -> str:
-    """The project file on the page, which begins with it."""
-    (text,) = re.findall(r"^`fieldspec.yaml`\n\n```yaml\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    """The project file on its page."""
+    page = PROJECT.read_text("utf-8")
+    (text,) = re.findall(r"^`fieldspec.yaml`\n\n```yaml\n(.*?)```", page, re.DOTALL | re.MULTILINE)
     return str(text)
 
 
 def run(command: str, folder: Path) -> str:
     """The output of a command in a folder."""
-    words = command.removeprefix(RUN).split()
+    words = shlex.split(command.removeprefix(RUN))
     ran = subprocess.run([sys.executable, "-m", "fieldspec", *words], cwd=folder, capture_output=True, encoding="utf-8")
     assert ran.stderr == ""
     return ran.stdout
 
 
+def test_the_project_is_started_as_the_page_says(tmp_path: Path) -> None:
+    (command,) = code_blocks("sh", PAGE.read_text("utf-8"))
+    words = [sys.executable, "-m", "fieldspec", *shlex.split(command)[1:]]
+    subprocess.run(words, cwd=tmp_path, capture_output=True, check=True)
+    assert {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.yaml")} >= {
+        "fieldspec.yaml",
+        "specs/lifter/device.yaml",
+    }
+
+
 def test_the_frames_of_the_page_are_right() -> None:
     (frames,) = (
-        text for text in code_blocks("yaml", PAGE.read_text("utf-8")) if text.startswith("links:\n  - name: bus")
+        text for text in code_blocks("yaml", RECIPES.read_text("utf-8")) if text.startswith("links:\n  - name: bus")
     )
     assert [finding.message for finding in checked(project(frames))] == []
 
@@ -108,6 +124,16 @@ def test_the_erratum_is_needed(mended: Path) -> None:
     assert "error[default_within_range]" in run("$ fieldspec check lifter", mended)
 
 
+def test_the_mended_device_decodes_the_frame_of_its_manual(mended: Path, accept: bool) -> None:
+    page = PAGE.read_text("utf-8")
+    (block,) = [block for block in code_blocks("console", page) if "decode" in block]
+    command = block.partition("\n")[0]
+    page = page.replace(block, f"{command}\n{run(command, mended)}")
+    if accept:
+        PAGE.write_text(page, "utf-8", newline="\n")
+    assert PAGE.read_text("utf-8") == page
+
+
 def test_the_mended_device_is_built(mended: Path) -> None:
     (command,) = [block for block in code_blocks("console", PAGE.read_text("utf-8")) if "build" in block]
     run(command.strip(), mended)
@@ -119,23 +145,23 @@ def test_the_mended_device_is_built(mended: Path) -> None:
 
 
 def test_the_audit_of_the_mended_device_leaves_nothing(mended: Path, accept: bool) -> None:
-    page = PAGE.read_text("utf-8")
-    (mended / "lifter.txt").write_text(code_blocks("text", page)[0], "utf-8", newline="\n")
-    blocks = [block for block in code_blocks("console", page) if "audit" in block]
+    (mended / "lifter.txt").write_text(code_blocks("text", PAGE.read_text("utf-8"))[0], "utf-8", newline="\n")
+    page = AUDIT.read_text("utf-8")
+    blocks = [block for block in code_blocks("console", page) if "audit lifter" in block]
     for block in blocks:
         command = block.splitlines()[0]
         printed = f"{command}\n{run(command, mended)}"
         page = page.replace(f"```console\n{block}```", f"```console\n{printed}```", 1)
     if accept:
-        PAGE.write_text(page, "utf-8", newline="\n")
-    assert PAGE.read_text("utf-8") == page
+        AUDIT.write_text(page, "utf-8", newline="\n")
+    assert AUDIT.read_text("utf-8") == page
     assert len(blocks) == 2
     result = json.loads(run("$ fieldspec audit lifter --format json", mended))
     assert result["sections"]["coverage"]["findings"] == []
 
 
 def test_the_spec_with_coils_has_no_findings(folder: Path) -> None:
-    (sections,) = (text for text in code_blocks("yaml", PAGE.read_text("utf-8")) if "unit: bit" in text)
+    (sections,) = (text for text in code_blocks("yaml", RECIPES.read_text("utf-8")) if "unit: bit" in text)
     head = files()["specs/lifter/device.yaml"].partition("uses:")[0]
     for path in (folder / "specs" / "lifter").glob("*.yaml"):
         path.unlink()

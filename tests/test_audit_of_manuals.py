@@ -37,7 +37,7 @@ from fieldspec.tools.facts import FactRow, rows
 
 ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"
-PAGE = ROOT / "docs" / "audit.md"
+PAGE = ROOT / "docs" / "readings.md"
 MANUALS = ROOT.parent / "shared" / "manuals"
 DEVICES = sorted(path.parent.name for path in SPECS.glob(f"*/{NAME}"))
 

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import io
+import re
+import shlex
 from collections.abc import Callable
+from contextlib import redirect_stdout
 
 import pytest
 
+from fieldspec.cli import _parser, main
 from fieldspec.command.console.option_types import natural, positive, seconds, whole
 from fieldspec.command.console.usage import unknown
 
@@ -60,3 +65,23 @@ def test_an_option_takes_the_least_number_that_has_a_meaning(
 def test_an_option_refuses_numbers_without_a_meaning(number: Callable[[str], float], text: str, reason: str) -> None:
     with pytest.raises(argparse.ArgumentTypeError, match=f"^{reason}$"):
         number(text)
+
+
+def help_of(*arguments: str) -> str:
+    """The help of a command."""
+    output = io.StringIO()
+    with redirect_stdout(output), pytest.raises(SystemExit):
+        main([*arguments, "--help"])
+    return output.getvalue()
+
+
+def test_the_help_of_live_has_its_options_in_groups() -> None:
+    titles = re.findall(r"^(\S.*):$", help_of("live"), re.MULTILINE)
+    groups = ["connection", "times", "watch", "write, points upload, restore", "lists", "output"]
+    assert titles == ["positional arguments", "options", *groups, "examples"]
+
+
+def test_the_help_of_live_ends_with_three_examples_that_exist() -> None:
+    examples = help_of("live").partition("\nexamples:\n")[2].splitlines()
+    commands = [_parser().parse_args(shlex.split(line)[1:]).verb_of_device for line in examples]
+    assert commands == ["find", "read", "write"]

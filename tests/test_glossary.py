@@ -1,4 +1,4 @@
-"""Names follow docs/glossary.md: a word that it forbids is in no name of the compiler, its tests or its outputs."""
+"""Names follow docs/naming.md: a word that it forbids is in no name of the compiler, its tests or its outputs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "codegen" / "fieldspec"
-GLOSSARY = (ROOT / "docs" / "glossary.md").read_text("utf-8")
+GLOSSARY = "".join((ROOT / "docs" / name).read_text("utf-8") for name in ("glossary.md", "naming.md"))
 SCHEMA = PACKAGE / "language" / "schema" / "spec.schema.json"
 OUTSIDE = {"node_modules", ".venv", "__pycache__"}
 

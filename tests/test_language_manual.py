@@ -7,12 +7,15 @@ from pathlib import Path
 
 import pytest
 
+from fieldspec.command.pipeline import checked
+from fieldspec.language.reading.project import read
 from fieldspec.language.reading.scalars import typed
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 from fieldspec.language.schema import schema
 from fieldspec.language.schema.manual import anchor, manual, parts
 
 MANUAL = Path(__file__).parent.parent / "docs" / "language.md"
+SPECS = MANUAL.parent.parent / "specs"
 BLOCKS = re.findall(r"```yaml\n(.*?)```", manual(), re.DOTALL)
 
 
@@ -67,3 +70,12 @@ def test_examples_of_the_manual_are_legal(block: str) -> None:
         assert all(line.startswith("#") for line in block.splitlines())
     else:
         assert typed(node)[1] == []
+
+
+def test_the_device_of_the_core_is_complete() -> None:
+    text = manual().partition("\n## The core\n")[2]
+    device = re.findall(r"```yaml\n(.*?)```", text, re.DOTALL)[0]
+    files = {path.relative_to(SPECS).as_posix(): path.read_bytes() for path in (SPECS / "protocols").glob("*.yaml")}
+    project = read({**files, "valve/device.yaml": device.encode()})
+    assert [finding.message for finding in checked(project)] == []
+    assert list(project.devices) == ["valve"]

@@ -1,4 +1,4 @@
-"""What docs/plc.md says of word-based controllers and of operator panels is true of what is built."""
+"""What the pages about word-based controllers and operator panels say is true of what is built."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from fieldspec.targets.kv.word_map import COLUMNS
 from layouts import SPECS, newest
 
 ROOT = Path(__file__).resolve().parent.parent
-TEXT = (ROOT / "docs" / "plc.md").read_text("utf-8")
+TEXT = "".join((ROOT / "docs" / name).read_text("utf-8") for name in ("plc-kv.md", "plc-panels.md"))
 
 
 def section(title: str) -> str:

@@ -1,4 +1,4 @@
-"""The page on versions is true: its example is carried out on a copy of the specs."""
+"""The pages on versions are true: their example is carried out on a copy of the specs."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from external_tools import require_tool
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "versions.md"
-TEXT = PAGE.read_text("utf-8")
-EXAMPLE = TEXT.partition("\n## An example: ")[2].partition("\n## Identities\n")[0]
+EXAMPLE = PAGE.read_text("utf-8")
+TEXT = EXAMPLE + PAGE.with_name("version-reference.md").read_text("utf-8")
 
 CHANGING = re.compile(r":\d+:\d+|(?<=`)[0-9a-f]{16}(?=`)|^ *\d+(?= files,)|(?<=files, )\d+")
 Block = tuple[str, str, str]
@@ -68,7 +68,7 @@ class Project:
         path = re.match(r"`((?:specs|generated)/[\w./-]+)`", before)
         if kind == "yaml" and path:
             file = self.folder / path[1]
-            previous = file.read_text("utf-8") + "\n" if before.endswith("goes on") else ""
+            previous = file.read_text("utf-8") + "\n" if before.endswith("continues") else ""
             file.write_text(previous + block, "utf-8")
         elif kind == "markdown" and path:
             self.compare(before, block, (self.folder / path[1]).read_text("utf-8"))

@@ -158,6 +158,85 @@ def test_a_wrong_use_is_one_line(
     assert not list(tmp_path.iterdir())
 
 
+MISSING = ("--port", "/dev/none")
+"""A port that cannot be opened: whatever is judged without the device is judged before it."""
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (("read", "alrm"), "did you mean alarm?"),
+        (("watch", "alrm"), "did you mean alarm?"),
+        (("watch",), "name what to watch"),
+        (("write", "alarm=1"), "can only be read"),
+        (("write", "motion_sped=5%"), "did you mean motion_speed?"),
+        (("write", "motion_speed=500%"), "out_of_range"),
+        (("scan", "0x10..1"), "is no range of addresses"),
+        (("dump",), "name one file to write"),
+        (("dump", "file/dump.csv"), "cannot write file"),
+        (("backup", "file/backup.csv"), "cannot write file"),
+        (("points", "download", "file/points.csv"), "cannot write file"),
+        (("points", "download", "points.pdf"), "points.pdf"),
+        (("restore", "missing.csv"), "missing.csv"),
+        (("points", "upload", "missing.csv"), "missing.csv"),
+        (("compare", "missing.csv"), "missing.csv"),
+        (("points", "download", "points.csv", "--table", "pionts"), "did you mean points?"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, tuple) else "",
+)
+def test_live_judges_its_arguments_before_it_opens_the_port(
+    arguments: tuple[str, ...],
+    expected: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("file").touch()
+    assert main(["live", "tc100", *arguments, *MISSING, "--specs", SPECS]) == 2
+    output = capsys.readouterr().err
+    assert (expected in output, output.count("\n")) == (True, 1), output
+
+
+def test_a_scan_judges_its_ranges_before_it_opens_the_port(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["scan", "tc100", "0x10..1", *MISSING, "--specs", SPECS]) == 2
+    assert "is no range of addresses" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "option"),
+    [
+        (["build"], "--out"),
+        (["docs"], "--out"),
+        (["export", "tc100"], "--out"),
+        (["audit", "tc100"], "--out"),
+        (["audit", "tc100"], "--manual"),
+        (["audit", "tc100"], "--dump"),
+        (["audit", "tc100"], "--captures"),
+        (["audit", "tc100"], "--evidence"),
+        (["decode", "tc100", "log.txt", "--to", "csv"], "--out"),
+        (["redact", "tc100", "log.txt"], "--out"),
+        (["simulate", "tc100"], "--dump"),
+        (["simulate", "tc100"], "--record"),
+        (["simulate", "tc100"], "--faults"),
+        (["lsp"], "--manuals"),
+        (["check"], "--specs"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else value,
+)
+def test_an_empty_path_is_refused_by_the_name_of_its_option(
+    arguments: list[str],
+    option: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main([*arguments, option, ""]) == 2
+    assert capsys.readouterr().err.startswith(f"fieldspec: {option} is empty; name a ")
+    assert not list(tmp_path.iterdir())
+
+
 @pytest.mark.parametrize("values", ["1,2,3", "1, 2,3", "1 2 3", " 1 ,2 , 3 "])
 def test_the_items_of_a_list_are_separated_by_commas_or_blanks(values: str, capsys: pytest.CaptureFixture[str]) -> None:
     command = ["encode", "tc100", "read_registers", "--direction", "response", "station=1", f"values={values}"]

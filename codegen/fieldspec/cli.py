@@ -208,7 +208,7 @@ def _parser() -> argparse.ArgumentParser:
 
     blame = verb("blame", "show which file and line set each attribute of a fact")
     blame.add_argument("device", metavar="DEVICE[@VERSION]")
-    blame.add_argument("path", metavar="PATH", help="the path of the fact, such as registers/NAME")
+    blame.add_argument("path", metavar="FACT", help="the path of the fact, such as registers/NAME")
 
     new = verb("new", "create the first file of a device, the file of a version, or the schema for editors")
     new.add_argument("kind", choices=("device", "version", "schema"), metavar="{device,version,schema}")

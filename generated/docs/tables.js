@@ -174,6 +174,15 @@
     block.setAttribute("aria-labelledby", caption.id);
   }
 
+  // The tables of an example are folded: its strips of bytes say most, and all tables together make most of a long page.
+  for (const section of document.querySelectorAll("section[id^='examples/']")) {
+    const folded = element("details", {});
+    folded.append(element("summary", { textContent: "Byte by byte" }), ...section.querySelectorAll(":scope > .scroll"));
+    folded.addEventListener("toggle", () => reachAll());
+    section.append(folded);
+  }
+  window.addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((node) => { node.open = true; }));
+
   // A table gets its tools when it comes near the screen: most of a long page is never seen.
   const blocks = [...document.querySelectorAll(".scroll")];
   const near = new IntersectionObserver((seen) => {
@@ -186,7 +195,7 @@
     }
   }, { rootMargin: "400px" });
   blocks.forEach((block) => near.observe(block));
-  const reachAll = () => blocks.filter((block) => block.scrollWidth > block.clientWidth).forEach(reach);
+  const reachAll = () => blocks.filter((block) => block.scrollWidth > block.clientWidth || block.scrollHeight > block.clientHeight).forEach(reach);
   window.addEventListener("resize", reachAll);
   reachAll();
 

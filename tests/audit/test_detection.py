@@ -156,7 +156,7 @@ def test_the_verb_lists_what_is_found_and_says_nothing_against_the_spec(run: Com
 
 
 def test_the_page_about_audits_has_the_numbers() -> None:
-    page = (SPECS.parent / "docs" / "audit.md").read_text("utf-8")
+    page = (SPECS.parent / "docs" / "readings.md").read_text("utf-8")
     for name in DEVICES:
         every = device(name).detections
         wire = [detection for detection in every if detection.erratum.effect in WIRE]

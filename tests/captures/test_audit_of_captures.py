@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -84,7 +85,9 @@ def test_the_tables_of_decode_give_the_same_report(tmp_path: Path) -> None:
 def test_the_report_is_text_a_page_or_parquet(tmp_path: Path) -> None:
     report(tmp_path, EXCHANGES)
     folder = str(tmp_path / "captures")
-    assert "illegal_data_address" in run("audit", "wattmeter@1", "--captures", folder)[1]
+    text = run("audit", "wattmeter@1", "--captures", folder)[1]
+    assert "illegal_data_address" in text
+    assert re.search(r"\b0x[0-9A-F]{4} +[\w.]+ +read ", text), "addresses are written as in `live`"
     page = tmp_path / "report.html"
     run("audit", "wattmeter@1", "--captures", folder, "--format", "html", "--out", str(page))
     assert "illegal_data_address" in page.read_text("utf-8")

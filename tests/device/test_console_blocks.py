@@ -151,6 +151,14 @@ def test_the_commands_of_the_guide_on_real_devices_run(session: Session, monkeyp
         assert_prints(session.run(line, len(expected)), expected, line)
 
 
+@pytest.mark.parametrize("page", ["unit.md", "plc.md"])
+def test_the_commands_of_a_door_run(page: str, session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("fieldspec.command.live.connection.has_line_settings", lambda place: True)
+    for line, expected in commands(page):
+        if "find" not in line:  # which takes minutes here; its own tests have it
+            assert_prints(session.run(line, len(expected)), expected, line)
+
+
 def test_the_commands_of_the_guide_on_simulated_devices_run(session: Session) -> None:
     script = _JSON.findall((DOCS / "simulate.md").read_text("utf-8"))[0]
     Path("script.jsonl").write_text(script, "utf-8")

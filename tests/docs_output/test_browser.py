@@ -53,3 +53,55 @@ def test_a_page_can_be_printed(browser: webdriver.Chrome, folder: Path) -> None:
         assert browser.find_element(By.TAG_NAME, "main").is_displayed()
     finally:
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+
+PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
+GENERATED = Path(__file__).resolve().parents[2] / "generated" / "docs"
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["index.html", "tc100/2.0.html", "tc100/index.html", "tc100/lab.html", "tc100/audit.html", "hiwin-e/audit.html"],
+)
+def test_nothing_is_wider_than_a_phone(browser: webdriver.Chrome, path: str) -> None:
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
+    try:
+        browser.get((GENERATED / path).as_uri())
+        assert browser.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_a_link_to_a_row_shows_the_row_below_the_names_of_its_columns(browser: webdriver.Chrome, folder: Path) -> None:
+    browser.get("about:blank")
+    browser.get((folder / "tc100/2.0.html").as_uri() + "#registers/motion_command")
+    script = """
+        const row = document.getElementById("registers/motion_command"), head = row.closest("table").tHead;
+        const place = (node) => node.getBoundingClientRect();
+        return [place(head.rows[0].cells[0]).top, place(head.rows[0].cells[0]).bottom, place(row).top, innerHeight];"""
+    top, bottom, row, height = browser.execute_script(script)
+    assert -2 <= top < bottom <= row + 2 < height
+
+
+def test_a_page_has_an_icon(browser: webdriver.Chrome, folder: Path) -> None:
+    browser.get((folder / "index.html").as_uri())
+    script = """
+        const icon = new Image(); icon.src = document.querySelector("link[rel=icon]").href;
+        return icon.decode().then(() => icon.naturalWidth);"""
+    assert browser.execute_script(script) > 0
+
+
+@pytest.mark.parametrize("path", ["tc100/2.0.html", "ck10/1.html", "esc11/1.17.html", "hiwin-e/2.14.4.html"])
+def test_no_group_of_a_page_is_out_of_sight(browser: webdriver.Chrome, path: str) -> None:
+    browser.get((GENERATED / path).as_uri())
+    script = "return [...document.querySelectorAll('main > section')].map(section => section.offsetHeight)"
+    assert max(browser.execute_script(script)) < 45_000  # pixels; the examples of a TC100 had 57,000
+
+
+def test_the_tables_of_an_example_open_at_a_click(browser: webdriver.Chrome, folder: Path) -> None:
+    browser.get((folder / "esc11/1.17.html").as_uri())
+    example = browser.find_element(By.CSS_SELECTOR, "section[id^='examples/']")
+    summary, table = (example.find_element(By.TAG_NAME, name) for name in ("summary", "table"))
+    before = table.is_displayed()
+    browser.execute_script("arguments[0].click()", summary)
+    assert (before, table.is_displayed()) == (False, True)

@@ -46,6 +46,14 @@ FACTS = [
     # a bit by its number and by its mask
     ("ck10/1.html", "motion status bit 11", "#flags/motion_status/overload"),
     ("ck10/1.html", "0x00000800", "#flags/motion_status/overload"),
+    # an alarm by its number goes before other codes with it, and a typing error is read as the nearest name
+    ("tc100/2.0.html", "alarm 3", "#enums/alarm_code/overspeed"),
+    ("tc100/2.0.html", "motoin_comand", "#registers/motion_command"),
+    ("esc11/1.17.html", "overlaod", "#enums/alarm_code/overload"),
+    # a frame is for the lab
+    ("tc100/2.0.html", "01 06 20 1E 00 03 A2 0D", "lab.html#version=2.0&frames=01+06+20+1E+00+03+A2+0D"),
+    ("tc100/2.0.html", "0106201E0003A20D", "lab.html#version=2.0&frames=0106201E0003A20D"),
+    ("index.html", "01 06 20 1E 00 03 A2 0D", "axis/lab.html#frames=01+06+20+1E+00+03+A2+0D"),
     # anything on any device
     ("index.html", "0x7E6", "ck10/1.html#registers/push_mode"),
     ("index.html", "tc100 alarm 12", "tc100/2.0.html#enums/alarm_code/motor_disconnected"),

@@ -1,4 +1,4 @@
-"""Every piece of code in the page about JavaScript works as described."""
+"""Every piece of code in the pages about JavaScript and programs works as described."""
 
 from __future__ import annotations
 
@@ -12,7 +12,12 @@ import pytest
 from external_tools import require_tool
 
 ROOT = Path(__file__).resolve().parents[2]
-BLOCKS = re.findall(r"```js\n(.*?)```", (ROOT / "docs" / "javascript.md").read_text("utf-8"), re.DOTALL)
+PAGES = ("javascript.md", "program.md")
+BLOCKS = [
+    block
+    for page in PAGES
+    for block in re.findall(r"```js\n(.*?)```", (ROOT / "docs" / page).read_text("utf-8"), re.DOTALL)
+]
 
 
 @pytest.mark.parametrize("code", BLOCKS, ids=[f"block{number}" for number in range(len(BLOCKS))])

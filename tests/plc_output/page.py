@@ -7,7 +7,9 @@ from pathlib import Path
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGES = {
-    name: (DOCS / name).read_text("utf-8") for name in ("plc.md", "plc-codesys.md", "plc-twincat.md", "plc-tia.md")
+    path.name: path.read_text("utf-8")
+    for path in sorted(DOCS.glob("plc*.md"), key=lambda path: path.stem)
+    if path.stem != "plc-sizes"
 }
 PAGE = "".join(PAGES.values())
 

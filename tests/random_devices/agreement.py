@@ -59,7 +59,7 @@ class Judge:
 
 
 def has_matiec() -> bool:
-    """Whether there is a compiler of Structured Text; `docs/plc.md` says how to get it."""
+    """Whether there is a compiler of Structured Text; `CONTRIBUTING.md` says how to get it."""
     return Path(os.environ.get(VARIABLE) or "/nowhere").exists()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -34,6 +35,12 @@ def fill(template: str, **view: Any) -> str:
 def text(path: str) -> str:
     """The text of a file that stands in an output unchanged, by its path in the package."""
     return _PACKAGE.joinpath(path).read_text("utf-8")
+
+
+@cache
+def style_sheet(*paths: str) -> str:
+    """Style sheets of the package as one, without the blanks that only their authors need."""
+    return re.sub(r"\s*([{};])\s*|([:,])\s+", r"\1\2", "".join(map(text, paths)))
 
 
 def use_cache(load: Load, store: Store) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from fieldspec.command.console.option_types import natural, positive, seconds, whole
+from fieldspec.command.console.verb_parsers import VerbParser
 
 
 def add_simulate(simulate: argparse.ArgumentParser) -> None:
@@ -26,7 +27,7 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     chance = "a fault by chance, such as no_answer=0.01; may be repeated"
     simulate.add_argument("--fault", metavar="KIND=PROBABILITY", action="append", help=chance)
     simulate.add_argument("--faults", metavar="FILE", help="a script of faults: a JSON object in each line")
-    simulate.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="the seed of what happens by chance")
+    simulate.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="the random seed for faults")
     simulate.add_argument(
         "--control", action="store_true", help="take commands from standard input, a JSON object in each line"
     )
@@ -36,7 +37,7 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     )
 
 
-def add_live(live: argparse.ArgumentParser) -> None:
+def add_live(live: VerbParser) -> None:
     """Adds the arguments of `live`."""
     live.add_argument("device", metavar="DEVICE[@VERSION]")
     live.add_argument(
@@ -47,26 +48,30 @@ def add_live(live: argparse.ArgumentParser) -> None:
     )
     names = (
         "names or roles to read or watch, NAME=VALUE to write, ranges to scan, "
-        "`download FILE` or `upload FILE` for points, the FILE of the other verbs"
+        "`download FILE` or `upload FILE` for points, the FILE of the other commands"
     )
     live.add_argument("arguments", nargs="*", default=[], metavar="ARGUMENT", help=names)
-    _add_connection(live)
-    live.add_argument("--every", type=seconds, metavar="SECONDS", help="watch: the time between reads (default: 0.5)")
-    live.add_argument("--count", type=natural, metavar="NUMBER", help="watch: end after so many reads")
-    preview = "write, points upload, restore: show what would be written, and write nothing"
-    live.add_argument("--dry-run", action="store_true", help=preview)
-    live.add_argument("--yes", action="store_true", help="write, points upload, restore: write without a question")
-    choice = "points, compare: the table (default: the only one, or as the file says)"
-    live.add_argument("--table", metavar="NAME", help=choice)
-    live.add_argument(
-        "--any-version",
-        action="store_true",
-        help="write, points upload, restore, compare: take a file that is for another version, and write to another "
-        "firmware",
+    live.examples = (
+        "fieldspec live DEVICE find --port /dev/ttyUSB0",
+        "fieldspec live DEVICE read actual_position --port /dev/ttyUSB0",
+        "fieldspec live DEVICE write NAME=VALUE --port /dev/ttyUSB0 --dry-run",
     )
-    live.add_argument("--trace", action="store_true", help="print all frames to standard error")
-    forms = "json: what find, read, watch, scan and compare print"
-    live.add_argument("--format", choices=("text", "json"), default="text", help=forms)
+    _add_connection(live)
+    watch = live.add_argument_group("watch")
+    watch.add_argument("--every", type=seconds, metavar="SECONDS", help="the time between reads (default: 0.5)")
+    watch.add_argument("--count", type=natural, metavar="NUMBER", help="stop after this number of reads")
+    writes = live.add_argument_group("write, points upload, restore")
+    writes.add_argument("--dry-run", action="store_true", help="print the frames and write nothing")
+    writes.add_argument("--yes", action="store_true", help="do not ask for confirmation")
+    lists = live.add_argument_group("lists")
+    choice = "points, compare: the table (default: the only one, or the table that the file names)"
+    lists.add_argument("--table", metavar="NAME", help=choice)
+    other = "accept a file for a different version, and write to a device with a different firmware"
+    lists.add_argument("--any-version", action="store_true", help=f"compare, and all that write: {other}")
+    output = live.add_argument_group("output")
+    output.add_argument("--trace", action="store_true", help="print all frames to standard error")
+    forms = "json: the output of find, read, watch, scan and compare as JSON"
+    output.add_argument("--format", choices=("text", "json"), default="text", help=forms)
 
 
 def add_scan(scan: argparse.ArgumentParser) -> None:
@@ -84,32 +89,33 @@ def add_redact(redact: argparse.ArgumentParser) -> None:
     redact.add_argument("device", metavar="DEVICE[@VERSION]")
     paths = "captures, logs, dumps and scans; the folder of a unit; or a folder with folders of units"
     redact.add_argument("paths", nargs="+", metavar="PATH", help=paths)
-    redact.add_argument("--out", metavar="FOLDER", required=True, help="an empty folder for what is written")
-    secret = "a number or a text that must not be in the output, in any encoding; may be repeated"
+    redact.add_argument("--out", metavar="FOLDER", required=True, help="an empty folder for the output")
+    secret = "a number or a text that must not occur in the output, in any encoding; repeatable"
     redact.add_argument("--secret", metavar="TEXT", action="append", help=secret)
-    spare = "a text that says nothing of the unit, and is taken over; may be repeated"
+    spare = "a text that does not identify the unit and is copied unchanged; repeatable"
     redact.add_argument("--spare", metavar="NAME", action="append", help=spare)
 
 
 def _add_connection(verb: argparse.ArgumentParser) -> None:
     """Adds the options that say where a device is, and how it is asked."""
+    connection = verb.add_argument_group("connection")
     port_help = "a serial port, socket://HOST:PORT, tcp://HOST:PORT, udp://HOST:PORT or can://INTERFACE/CHANNEL"
-    verb.add_argument("--port", metavar="WHERE", help=port_help)
-    verb.add_argument("--link", metavar="NAME", help="the link (default: the factory setting)")
-    verb.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
-    fixed = "what requests need that no spec states, such as axis=0; may be repeated"
-    verb.add_argument("--with", metavar="NAME=VALUE", dest="fixed", action="append", default=[], help=fixed)
-    _add_line_settings(verb)
-    limit = "how long a response can take (default: 1; find: 0.3)"
-    verb.add_argument("--timeout", type=positive, metavar="SECONDS", help=limit)
-    verb.add_argument(
-        "--retries", type=whole, default=2, metavar="NUMBER", help="how often a read is sent again (default: 2)"
-    )
-    pause = "how long the line is silent before a request (default: as printed for the link)"
-    verb.add_argument("--pause", type=seconds, metavar="SECONDS", help=pause)
+    connection.add_argument("--port", metavar="WHERE", help=port_help)
+    connection.add_argument("--link", metavar="NAME", help="the link (default: the factory setting)")
+    connection.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
+    fixed = "a request value that the spec does not state, such as axis=0; repeatable"
+    connection.add_argument("--with", metavar="NAME=VALUE", dest="fixed", action="append", default=[], help=fixed)
+    _add_line_settings(connection)
+    times = verb.add_argument_group("times")
+    limit = "the longest time until a response (default: 1; find: 0.3)"
+    times.add_argument("--timeout", type=positive, metavar="SECONDS", help=limit)
+    retries = "how often a read without a response is repeated (default: 2)"
+    times.add_argument("--retries", type=whole, default=2, metavar="NUMBER", help=retries)
+    pause = "idle seconds before each request (default: the link's silence)"
+    times.add_argument("--pause", type=seconds, metavar="SECONDS", help=pause)
 
 
-def _add_line_settings(verb: argparse.ArgumentParser) -> None:
+def _add_line_settings(verb: argparse._ActionsContainer) -> None:
     """Adds the options with the settings of a serial port."""
     verb.add_argument("--baud", type=natural, metavar="NUMBER", help="the baud rate (default: the factory setting)")
     verb.add_argument(

@@ -25,6 +25,10 @@ def _help(prog: str) -> argparse.HelpFormatter:
     return argparse.HelpFormatter(prog, width=max(width - 2, 40))
 
 
+_PLACES = {"DIR": "folder", "FOLDER": "folder", "FILE": "file", "PATH": "file or a folder"}
+"""What arguments name, by what stands for them in the help."""
+
+
 class LineParser(argparse.ArgumentParser):
     """Reports wrong use in one line that says where to read more."""
 
@@ -32,7 +36,10 @@ class LineParser(argparse.ArgumentParser):
         super().__init__(formatter_class=_help, **options)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
-        """Reports a value that is not among the choices of an argument, with the nearest ones. Raises UsageError."""
+        """Reports an empty path, or a value that is not among the choices, with the nearest. Raises UsageError."""
+        if value == "" and action.metavar in _PLACES:
+            name, place = action.option_strings[0] if action.option_strings else action.dest, _PLACES[action.metavar]
+            raise UsageError(f"{name} is empty; name a {place}; see: {self.prog} --help")
         if action.choices is not None and value not in action.choices:
             name = "/".join(action.option_strings) or str(action.metavar or action.dest)
             subject = "command" if name == "VERB" else f"value of {name}"
@@ -85,6 +92,9 @@ class VerbParser(LineParser):
     late_arguments: tuple[str, str] | None = None
     """The module and function that add the arguments; imported when the verb is called."""
 
+    examples: Sequence[str] = ()
+    """Commands at the end of the help."""
+
     _mixing = False
     _tail: Sequence[str] | None = None
     """What stands from `--` on. argparse would look for options in it where positional arguments come in between."""
@@ -108,6 +118,11 @@ class VerbParser(LineParser):
             getattr(import_module(module), function)(self)
         for names, options in waiting:
             self.add_argument(*names, **options)
+
+    def format_help(self) -> str:
+        """The help, with the examples as they are."""
+        examples = "".join(f"  {line}\n" for line in self.examples)
+        return f"{super().format_help()}\nexamples:\n{examples}" if examples else super().format_help()
 
     def _learn(self, arguments: Sequence[str]) -> None:
         for argument in arguments:

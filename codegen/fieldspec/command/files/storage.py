@@ -105,6 +105,12 @@ def write(path: Path, content: bytes, new: bool = False) -> None:
         replace(path, content)
 
 
+def require_writable(path: Path) -> None:
+    """Raises UsageError for a file that cannot be written, because of its folder."""
+    with exclusive_folder(path.parent):
+        pass
+
+
 try:
     import fcntl
 except ImportError:  # Windows

@@ -68,26 +68,28 @@ def access_of(client: Client) -> Access:
 
 
 @contextmanager
-def connected(layout: DeviceLayout, arguments: argparse.Namespace, dry: bool = False) -> Iterator[Client]:
-    """A client of the device at `--port`; nothing is opened for a `dry` run. Raises UsageError."""
+def connected(layout: DeviceLayout, arguments: argparse.Namespace) -> Iterator[Client]:
+    """A client of the device. `begin` opens its port, after everything that needs no device. Raises UsageError."""
     link = layout.links[link_of_values(layout, arguments)]
-    fixed = fixed_values(layout, link, arguments)
-    client_at(layout, link, arguments, _Nothing(), fixed)  # a wrong unit address is told before anything is opened
+    client = client_at(layout, link, arguments, _Unopened(), fixed_values(layout, link, arguments))
     try:
-        carrier: Carrier = _Nothing() if dry else opened(link, arguments)
-        try:
-            client = client_at(layout, link, arguments, carrier, fixed)
-            if arguments.format == "text" and not dry:
-                print_note(settings_text(layout, link, arguments, client.unit_address))
-            yield client
-        finally:
-            carrier.close()
+        yield client
     except CarrierError as error:
         raise UsageError(str(error)) from None
+    finally:
+        client.carrier.close()
 
 
-class _Nothing:
-    """The carrier of a dry run: nothing is sent."""
+def begin(client: Client, arguments: argparse.Namespace) -> None:
+    """Opens `--port` for a client, and prints the settings. Raises UsageError and CarrierError."""
+    link = client.frames.link
+    client.connect(opened(link, arguments))
+    if arguments.format == "text":
+        print_note(settings_text(client.layout, link, arguments, client.unit_address))
+
+
+class _Unopened:
+    """The carrier before the port is opened: nothing is sent."""
 
     name, datagrams, keeps_pauses = "nothing", False, True
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from fieldspec.command.console.streams import print_error, print_json, print_note
@@ -38,8 +38,13 @@ _USES = {
 }
 
 
-def transfer_values(client: Client, access: Access, arguments: argparse.Namespace) -> int:
-    """Carries out one of the verbs. Exit code 1 for findings, differences and failures. Raises UsageError."""
+def transfer_values(
+    client: Client, access: Access, arguments: argparse.Namespace, open_device: Callable[[], bool]
+) -> int:
+    """Carries out one of the verbs, after `open_device`. Exit code 1 for findings, differences and failures.
+
+    Raises UsageError.
+    """
     verb, words = arguments.verb_of_device, list(arguments.arguments)
     if verb == "points":
         verb = words.pop(0) if words and words[0] in ("download", "upload") else ""
@@ -53,7 +58,7 @@ def transfer_values(client: Client, access: Access, arguments: argparse.Namespac
     try:
         suffix(path.name)
         if verb in ("download", "backup"):
-            return _save(client, access, path, verb, arguments)
+            return _save(client, access, path, verb, arguments, open_device)
         content = list_files.content(words[0])
         sheet = file_sheet(path.name, content)
     except ListError as error:
@@ -64,6 +69,8 @@ def transfer_values(client: Client, access: Access, arguments: argparse.Namespac
     assignments, findings = entries(access, sheet, arguments.table or "", arguments.any_version)
     if findings:
         _print_findings(words[0], sheet, findings)
+        return 1
+    if not open_device():
         return 1
     if verb == "compare":
         return _compare(client, access, assignments, arguments)
@@ -83,7 +90,14 @@ def _print_findings(name: str, sheet: Sheet, findings: Sequence[ListFinding]) ->
     print_note(f"{len(findings)} finding{'s' * (len(findings) > 1)}; nothing was written")
 
 
-def _save(client: Client, access: Access, path: Path, verb: str, arguments: argparse.Namespace) -> int:
+def _save(
+    client: Client,
+    access: Access,
+    path: Path,
+    verb: str,
+    arguments: argparse.Namespace,
+    open_device: Callable[[], bool],
+) -> int:
     """Reads values into a file, which is replaced all or nothing."""
     table = _table(client, arguments) if verb == "download" else ""
     chosen = elements(access, table) if table else settings(access)
@@ -91,6 +105,8 @@ def _save(client: Client, access: Access, path: Path, verb: str, arguments: argp
         print_note(f"left out: {text}")
     if not chosen:
         raise UsageError(f"{client.layout.device.id} has no values that can be both read and written")
+    storage.require_writable(path)
+    open_device()
     with progress(access.size(chosen), "reading") as done:
         values = [value for value in access.read(client, chosen, done) if not value.is_absent]
     content = file_content(path.name, table_list(access, table, values) if table else settings_list(access, values))

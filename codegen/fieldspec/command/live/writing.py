@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from fieldspec.codec.explain.parameters import rounded
 from fieldspec.command.console.streams import print_error, print_line, print_note
@@ -23,8 +23,11 @@ if TYPE_CHECKING:
     from fieldspec.tools.live.access import Access, Assignment
 
 
-def write_values(client: Client, access: Access, arguments: argparse.Namespace) -> int:
-    """Writes what `NAME=VALUE` asks for. Exit code 1 where the device does not hold it then. Raises UsageError."""
+def write_values(client: Client, access: Access, arguments: argparse.Namespace, open_device: Callable[[], bool]) -> int:
+    """Writes what `NAME=VALUE` asks for, after `open_device`. Exit code 1 where it does not hold it then.
+
+    Raises UsageError.
+    """
     chosen = assignments(client.layout, access, arguments.arguments)
     frames = frames_of(client, access, chosen)
     for item in chosen:
@@ -34,6 +37,8 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace) 
         for names, frame in frames:
             print_line(f"{names}: {frame.hex(' ').upper()}")
         return 0
+    if not open_device():
+        return 1
     if any(item.hazards for item in chosen):
         if can_ask(arguments):
             for state in active_states(access, client):

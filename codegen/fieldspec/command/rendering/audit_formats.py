@@ -22,10 +22,12 @@ SIGNS = {"good": ("✓", "right"), "bad": ("✗", "wrong"), "warning": ("!", "to
 """The marks of rows and figures, as a sign and in words."""
 
 
-def cell_text(cell: Cell) -> str:
-    """The text of a cell: a place in a file as `path:line`, one in the manual as specs cite it."""
+def cell_text(cell: Cell, column: str = "") -> str:
+    """The text of a cell: a place in a file as `path:line`, one in the manual as specs cite it, an address `0x1005`."""
     if cell is None:
         return ""
+    if column == "address" and isinstance(cell, int):
+        return f"0x{cell:04X}"
     if isinstance(cell, Span):
         return f"{cell.file.path}:{cell.position()[0]}"
     return cell.text() if isinstance(cell, Citation) else str(cell)
@@ -134,7 +136,7 @@ def _style(figure: Figure) -> str:
 
 def table_blocks(table: SectionTable) -> Iterator[Block]:
     """A table without its empty columns; one that is too wide, as a paragraph for each row."""
-    rows = tuple(tuple(cell_text(cell) for cell in row) for row in table.rows)
+    rows = tuple(tuple(map(cell_text, row, table.columns)) for row in table.rows)
     block = narrowed(Table(table.columns, rows, tuple(_STYLES[kind] for kind in table.kinds)))
     lines = (block.headings, *block.rows)
     if sum(max(map(width, column)) + 2 for column in zip(*lines, strict=True)) <= _WIDEST:

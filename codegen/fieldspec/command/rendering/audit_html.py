@@ -14,7 +14,7 @@ from fieldspec.language.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation
 from fieldspec.targets.docs.site import SCRIPTS, PagePlace, policy
-from fieldspec.targets.templates import fill, text
+from fieldspec.targets.templates import fill, style_sheet
 from fieldspec.tools.audit.section import Cell, Figure, Report, Section, SectionTable
 
 BROAD = 8
@@ -98,7 +98,7 @@ def rendered(report: Report, device: Device, links: Mapping[str, str], place: Pa
     """
     sections = [_section(section, links) for section in report.sections]
     findings = [finding for section in report.sections for finding in _findings(section)]
-    style = text("targets/page.css") + text("command/rendering/audit.css") + _width_rules(sections)
+    style = style_sheet("targets/page.css", "command/rendering/audit.css") + _width_rules(sections)
     return fill(
         "audit.html.j2",
         title=clean(f"Audit of {report.title}"),
@@ -168,7 +168,7 @@ def _column(table: SectionTable, number: int) -> _Column:
     return _Column(
         clean(table.columns[number].replace("_", " ")),
         all(cell is None or isinstance(cell, int) for cell in cells),
-        tuple(clean(cell_text(cell)) for cell in cells),
+        tuple(clean(cell_text(cell, table.columns[number])) for cell in cells),
     )
 
 

@@ -86,7 +86,7 @@ def _write_by_name(layout: DeviceLayout, arguments: argparse.Namespace) -> int:
     pairs, unit = unit_address_option(layout, name, arguments.assignments[1:])
     line = dict.fromkeys(("baud", "parity", "data_bits", "timeout", "pause", "port"))
     settings = argparse.Namespace(link=name, unit=unit, fixed=[], format="json", trace=False, retries=0, **line)
-    with connected(layout, settings, dry=True) as client:
+    with connected(layout, settings) as client:
         access = access_of(client)
         for names, frame in frames_of(client, access, assignments(layout, access, pairs)):
             request = client.frames.decode(frame, "request")

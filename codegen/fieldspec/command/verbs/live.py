@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.command.console.streams import print_document, print_error, print_note
 from fieldspec.command.console.usage import UsageError, unknown
-from fieldspec.command.live.connection import access_of, connected, unsent
+from fieldspec.command.files.storage import require_writable, write
+from fieldspec.command.live.connection import access_of, begin, connected, unsent
 from fieldspec.command.live.finding import find_device, ways_on
 from fieldspec.command.live.output import print_values, progress
 from fieldspec.command.live.transfer import TRANSFERS, transfer_values
@@ -34,10 +36,9 @@ def run(arguments: argparse.Namespace) -> int:
     layout = specs.layout_of(spec, version)
     if arguments.verb_of_device == "find":
         return find_device(layout, arguments)
-    dry = arguments.dry_run and arguments.verb_of_device == "write"
     try:
-        with connected(layout, arguments, dry) as client:
-            return _carried_out(client, spec, arguments, dry)
+        with connected(layout, arguments) as client:
+            return _carried_out(client, spec, arguments)
     except CodecError as error:
         raise unsent(error) from None
 
@@ -61,10 +62,8 @@ def _refuse_options(arguments: argparse.Namespace) -> None:
             raise UsageError(f"--{option.replace('_', '-')} has no effect on {verb}, only on {own}; leave it out")
 
 
-def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace, dry: bool) -> int:
+def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
     try:
-        if not dry and _writes(arguments) and not _fits(client, spec, arguments.any_version):
-            return 1
         return VERBS[arguments.verb_of_device](client, access_of(client), spec, arguments)
     except RefusedError as error:
         text = str(error)
@@ -79,9 +78,10 @@ def _carried_out(client: Client, spec: DeviceSpec, arguments: argparse.Namespace
     return 1
 
 
-def _writes(arguments: argparse.Namespace) -> bool:
-    """Whether a verb changes something in the device."""
-    return _verb(arguments) in _WRITING
+def _begins(client: Client, spec: DeviceSpec, arguments: argparse.Namespace) -> bool:
+    """Opens the port. False for a verb that writes to a device with a different firmware, which is then told."""
+    begin(client, arguments)
+    return _verb(arguments) not in _WRITING or _fits(client, spec, arguments.any_version)
 
 
 def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
@@ -121,6 +121,7 @@ def _read(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
     remarks = access.remarks(arguments.arguments)
     if not items:
         raise UsageError("; ".join(["name what to read", *remarks]))
+    begin(client, arguments)
     with progress(access.size(items), "reading") as done:
         values = list(access.read(client, items, done))
     for text in remarks:
@@ -135,6 +136,7 @@ def _watch(client: Client, access: Access, spec: DeviceSpec, arguments: argparse
     items, clock = chosen_items(access, arguments.arguments), SystemClock()
     before: dict[str, tuple[object, ...]] = {}
     rounds = 0
+    begin(client, arguments)
     while not arguments.count or rounds < arguments.count:
         values = [value for value in access.read(client, items) if before.get(value.path) != _seen(value)]
         before |= {value.path: _seen(value) for value in values}
@@ -154,18 +156,18 @@ def _dump(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
     """Writes everything that can be read to a file that `audit --dump` and `simulate --dump` read."""
     if len(arguments.arguments) != 1:
         raise UsageError("name one file to write, or - for standard output")
-    items = access.harmless()
+    items, path = access.harmless(), arguments.arguments[0]
+    if path != "-":
+        require_writable(Path(path))
+    begin(client, arguments)
     with progress(access.size(items), "reading") as done:
         values = list(access.read(client, items, done))
     rows = access.dump_rows(items, values)
     text = dump_text(rows)
-    if arguments.arguments[0] == "-":
+    if path == "-":
         print_document(text)
     else:
-        try:
-            Path(arguments.arguments[0]).write_text(text, "utf-8", newline="\n")
-        except OSError as error:
-            raise UsageError(f"cannot write {arguments.arguments[0]}: {error.strerror}") from None
+        write(Path(path), text.encode("utf-8"))
     refused = [value.path for value in values if value.refusal and not value.is_absent]
     note = f", {len(refused)} values refused: {', '.join(refused[:5])}" if refused else ""
     print_note(f"{len(rows)} {'words' if access.heading == 'address' else 'parameters'}{note}")
@@ -181,7 +183,7 @@ def dump_text(rows: Sequence[DumpRow]) -> str:
 
 
 def _write(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
-    return write_values(client, access, arguments)
+    return write_values(client, access, arguments, partial(_begins, client, spec, arguments))
 
 
 def _scan(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
@@ -189,7 +191,7 @@ def _scan(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
 
 
 def _transfer(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.Namespace) -> int:
-    return transfer_values(client, access, arguments)
+    return transfer_values(client, access, arguments, partial(_begins, client, spec, arguments))
 
 
 _WRITING = ("write", "points upload", "restore")

@@ -10,7 +10,7 @@ from fieldspec.codec.reference.records import CodecError
 from fieldspec.command.console.streams import print_error, print_json
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError, unknown
-from fieldspec.command.live.connection import connected, unsent
+from fieldspec.command.live.connection import begin, connected, unsent
 from fieldspec.command.live.output import progress
 from fieldspec.command.rendering.blocks import Line, Table
 from fieldspec.command.sources import specs
@@ -44,6 +44,7 @@ def scan_device(client: Client, spec: DeviceSpec, arguments: argparse.Namespace)
     layout = client.layout
     spaces = scan_spaces(layout, client.frames.link)
     plan = _plan(client, spaces, arguments.arguments)
+    begin(client, arguments)
     with progress(sum(len(part) for _, ranges in plan for part in ranges), "scanning") as done:
         results = [scan(client, space, ranges, done) for space, ranges in plan]
     differences = {

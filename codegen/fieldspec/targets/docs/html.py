@@ -26,7 +26,7 @@ from fieldspec.targets.docs.document import (
 )
 from fieldspec.targets.docs.drawing import state_drawing
 from fieldspec.targets.docs.site import SCRIPTS, PagePlace, policy
-from fieldspec.targets.templates import fill, text
+from fieldspec.targets.templates import fill, style_sheet
 
 _TAGS = {
     "": ("", ""),
@@ -41,7 +41,7 @@ def page(document: Document, place: PagePlace) -> str:
     """The text of a whole page in HTML."""
     writer = _Page(document)
     subtitle = f'<p class="subtitle">{escaped(document.subtitle)}</p>\n' if document.subtitle else ""
-    style = text("targets/page.css")
+    style = style_sheet("targets/page.css")
     summary = "".join([f"<li>{_writer(document.language).line(line)}</li>" for line in document.summary])
     return fill(
         "docs/page.html.j2",

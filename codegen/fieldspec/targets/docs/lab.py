@@ -13,7 +13,7 @@ from fieldspec.targets.docs.changes import page_name
 from fieldspec.targets.docs.site import PagePlace, policy
 from fieldspec.targets.explainer.device import explainer_data
 from fieldspec.targets.explainer.literals import Data, lines
-from fieldspec.targets.templates import fill, text
+from fieldspec.targets.templates import fill, style_sheet, text
 
 NAME = "lab"
 """The page's name, without its ending."""
@@ -41,7 +41,7 @@ def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
     """The page of a device, and the data of its versions that have frames, by path."""
     newest = layouts[-1]
     device = newest.device
-    style = text("targets/page.css") + text("targets/docs/lab.css")
+    style = style_sheet("targets/page.css", "targets/docs/lab.css")
     versions = [layout for layout in reversed(layouts) if layout.links]
     page = fill(
         "docs/lab.html.j2",

@@ -47,7 +47,10 @@ def overview(paths: Iterable[str], content: Callable[[str], str]) -> dict[str, s
 
 def _document(devices: Iterable[dict[str, Any]], labs: set[str], ending: str, index: str) -> Document:
     rows = [_device_row(device, labs, ending, index) for device in devices]
-    text = "Each page of a device has its registers, messages, parameters and codes, with the places in its manual."
+    text = (
+        "fieldspec has written these pages from the manuals of the devices; every fact has its section and line there. "
+        "Open a device for its registers, messages, parameters and codes, or its lab to explain a frame."
+    )
     blocks = (Paragraph((text_piece(text),)), table("Devices", COLUMNS, rows))
     return Document("Devices", "", "", "", (), (Section("devices", (text_piece("All devices"),), blocks),))
 

@@ -84,15 +84,14 @@
     return level < NONE ? level : beginsWord(entry.context, term.text) ? CONTEXT : NONE;
   }
 
-  // The rank of an entry for a whole query, the smallest first; null where some word is nowhere.
+  // The rank of an entry for a whole query, the smallest first; null where some word is nowhere. The name of a list
+  // beside an exact number, as in `alarm 3`, means just that fact.
   function rankOf(entry, terms, whole) {
-    let best = NONE, sum = 0;
-    for (const term of terms) {
-      const level = levelOf(entry, term);
-      if (level === NONE) { return null; }
-      best = Math.min(best, level);
-      sum += level;
-    }
+    const levels = terms.map((term) => levelOf(entry, term));
+    const best = Math.min(...levels);
+    if (levels.includes(NONE)) { return null; }
+    const isList = (level, term) => best === EXACT && level === CONTEXT && beginsWord(entry.list, term.text);
+    const sum = levels.reduce((total, level, at) => total + (isList(level, terms[at]) ? EXACT : level), 0);
     if (terms.length > 1 && entry.names.includes(whole)) { return [EXACT, 0]; }
     return best < CONTEXT ? [best, sum] : null;
   }
@@ -108,6 +107,63 @@
     }
     return result.sort((a, b) => a.rank[0] - b.rank[0] || a.rank[1] - b.rank[1]
       || (a.entry.device === b.entry.device ? a.entry.order - b.entry.order : a.entry.device < b.entry.device ? -1 : 1));
+  }
+
+  // ---- typing errors: a word that nothing has is read as the nearest word of a name ----
+
+  // The edits between two words, a swap of neighbours counting as one; more than `most` are not counted.
+  function edits(a, b, most) {
+    if (Math.abs(a.length - b.length) > most) { return most + 1; }
+    let before = [], last = Array.from({ length: b.length + 1 }, (_, column) => column);
+    for (let row = 1; row <= a.length; row += 1) {
+      const next = [row];
+      for (let column = 1; column <= b.length; column += 1) {
+        const cost = Number(a[row - 1] !== b[column - 1]);
+        next[column] = Math.min(last[column] + 1, next[column - 1] + 1, last[column - 1] + cost);
+        if (row > 1 && column > 1 && a[row - 1] === b[column - 2] && a[row - 2] === b[column - 1]) {
+          next[column] = Math.min(next[column], before[column - 2] + 1);
+        }
+      }
+      if (Math.min(...next) > most) { return most + 1; }
+      before = last;
+      last = next;
+    }
+    return last[b.length];
+  }
+
+  function corrected(query) {
+    const known = new Set(entries.flatMap((entry) => entry.names).flatMap((name) => name.split(" ")));
+    const nearest = (word) => {
+      let best = word, least = word.length < 4 ? 0 : word.length < 8 ? 1 : 2;
+      if (!Number.isNaN(number(word)) || entries.some((entry) => levelOf(entry, termOf(word)) < NONE)) { return word; }
+      for (const other of known) {
+        const count = edits(word, other, least);
+        if (count <= least && other.length > 2) { best = other; least = count - 1; }
+      }
+      return best;
+    };
+    return folded(query).split(" ").map(nearest).join(" ");
+  }
+
+  // ---- a pasted frame leads to the frame labs ----
+
+  const FRAME = /^(?:(?:0x)?[0-9a-f]{2}(?:[\s,:-]+(?:0x)?[0-9a-f]{2}){3,}|(?:[0-9a-f]{2}){6,}|:(?:[0-9a-f]{2}){4,}(?:\\r\\n)?)$/i;
+
+  function labs(query) {
+    if (!FRAME.test(query.trim())) { return []; }
+    const hrefs = [...document.querySelectorAll("a[href*='lab.html']")].map((link) => link.getAttribute("href"));
+    return [...new Set(hrefs)].map((href) => {
+      const link = element("a", "");
+      const [file, state] = href.split("#");
+      const values = new URLSearchParams(state);
+      values.set("frames", query.trim());
+      link.href = `${file}#${values}`;
+      const device = href.includes("/") ? `, ${decodeURIComponent(href.split("/")[0])}` : "";
+      link.append(element("span", "Explain this frame", "hit"), element("span", `frame lab${device}`, "quiet"));
+      const node = document.createElement("li");
+      node.append(link);
+      return node;
+    });
   }
 
   // ---- data ----
@@ -134,6 +190,7 @@
           names: labels.map(folded),
           keys: keys ? keys.toLowerCase().split(" ").map(parsedKey) : [],
           text: text ? folded(text) : "",
+          list: folded(section),
           context: folded(`${data.name} ${data.id} ${kind} ${KINDS[kind] || ""} ${section} ${start.replace(/\//g, " ")}`),
           device: data.id,
           order: entries.length
@@ -190,11 +247,17 @@
 
   function apply() {
     const query = box.value;
-    const hits = matches(query);
-    list.replaceChildren(...hits.slice(0, MOST).map(item));
-    list.hidden = !hits.length;
-    const count = hits.length === 1 ? "1 result" : `${hits.length} results`;
-    const whole = waiting ? `${count} so far` : count;
+    const frames = labs(query);
+    let hits = frames.length ? [] : matches(query);
+    let read = "";
+    if (!hits.length && !frames.length && waiting === 0 && query.trim()) {
+      read = corrected(query);
+      hits = read === folded(query) ? [] : matches(read);
+    }
+    list.replaceChildren(...frames, ...hits.slice(0, MOST).map(item));
+    list.hidden = !list.children.length;
+    const count = list.children.length === 1 ? "1 result" : `${frames.length + hits.length} results`;
+    const whole = `${count}${waiting ? " so far" : ""}${hits.length && read ? ` for ${read}` : ""}`;
     status.textContent = !query.trim() ? "" : hits.length > MOST ? `${whole}, the first ${MOST} here` : whole;
   }
 

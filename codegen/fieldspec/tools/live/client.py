@@ -88,7 +88,7 @@ class Client:
         fixed: Mapping[str, Any] | None = None,
     ) -> None:
         self.fixed = fixed or {}
-        self.layout, self.carrier, self.unit_address = layout, carrier, unit_address
+        self.layout, self.unit_address = layout, unit_address
         self.timing, self.clock = timing or Timing(), clock or SystemClock()
         self.trace = trace
         self.frames = codec(layout).links[link]
@@ -102,10 +102,15 @@ class Client:
         answering = self.frames.link.response.role("unit_address")
         if addressed is not None and answering is not None:
             self.echoes[addressed.name] = answering.name
-        self._silent_until = self.clock.now() + self.timing.pause
         self._owed = 0
         self._owed_until = 0.0
         self._owed_request: _Request | None = None
+        self.connect(carrier)
+
+    def connect(self, carrier: Carrier) -> None:
+        """Talks over a carrier from now on, after the pause."""
+        self.carrier = carrier
+        self._silent_until = self.clock.now() + self.timing.pause
 
     def request(self, message: str, values: Mapping[str, Any]) -> bytes:
         """The frame of a request. Parts that only mark it have another number in each. Raises CodecError."""

@@ -156,8 +156,8 @@ class Conditions:
         idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
         for flag in (standing, moved):
             kind.forget_first(flag)
-        seen = when(Negation(standing), [assigned(moved, True), *draft.action("SeeMotion")])
-        return [Assignment(standing, is_standing), seen], (every([idle, Negation(moved)]), [draft.fail("idle")])
+        moves = when(Negation(standing), [assigned(moved, True), *draft.action("SeeMotion")])
+        return [Assignment(standing, is_standing), moves], (every([idle, Negation(moved)]), [draft.fail("idle")])
 
     def judged(
         self,
