@@ -1,7 +1,7 @@
 /*
  * CK10 (unknown), version 1
  * From: CK10 series, Modbus communication, user manual
- * Identity: 15bdadc67ed9a75b
+ * Identity: fdc1e9665defc19d
  *
  * Generated; do not edit. The constants of ck10_v1.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define CK10_VERSION "1"
-#define CK10_IDENTITY "15bdadc67ed9a75b"
+#define CK10_IDENTITY "fdc1e9665defc19d"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

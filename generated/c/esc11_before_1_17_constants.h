@@ -1,7 +1,7 @@
 /*
  * ESC11-B (TAIYO), version before-1.17
  * From: ESG1 series, RS485 communication, ESC11-B, instruction manual
- * Identity: 3d76276a9d24516b
+ * Identity: f08caf3c2960958b
  *
  * Generated; do not edit. The constants of esc11_before_1_17.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define ESC11_VERSION "before-1.17"
-#define ESC11_IDENTITY "3d76276a9d24516b"
+#define ESC11_IDENTITY "f08caf3c2960958b"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

@@ -1,7 +1,7 @@
 /*
  * ESC11-B (TAIYO), version 1.17
  * From: ESG1 series, RS485 communication, ESC11-B, instruction manual
- * Identity: a24878bc34e9aaec
+ * Identity: 499facc7f5252c73
  *
  * Generated; do not edit. The constants of esc11_v1_17.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define ESC11_VERSION "1.17"
-#define ESC11_IDENTITY "a24878bc34e9aaec"
+#define ESC11_IDENTITY "499facc7f5252c73"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version before-2.8.16
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: 4dbe16b352e3dda8
+ * Identity: e42b002a6b3263ab
  *
  * Generated; do not edit. The constants of hiwin_e_before_2_8_16.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "before-2.8.16"
-#define HIWIN_E_IDENTITY "4dbe16b352e3dda8"
+#define HIWIN_E_IDENTITY "e42b002a6b3263ab"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

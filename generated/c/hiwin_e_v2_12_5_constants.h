@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version 2.12.5
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: b35f43c8ff45f060
+ * Identity: 7ecec5e2d7d7950c
  *
  * Generated; do not edit. The constants of hiwin_e_v2_12_5.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "2.12.5"
-#define HIWIN_E_IDENTITY "b35f43c8ff45f060"
+#define HIWIN_E_IDENTITY "7ecec5e2d7d7950c"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

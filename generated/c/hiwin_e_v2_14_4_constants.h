@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version 2.14.4
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: be1caeb3d1067d6f
+ * Identity: 9bc9d8915a5c154a
  *
  * Generated; do not edit. The constants of hiwin_e_v2_14_4.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "2.14.4"
-#define HIWIN_E_IDENTITY "be1caeb3d1067d6f"
+#define HIWIN_E_IDENTITY "9bc9d8915a5c154a"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

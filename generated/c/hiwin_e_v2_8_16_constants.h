@@ -1,7 +1,7 @@
 /*
  * E1/E2 PROFINET (HIWIN), version 2.8.16
  * From: E series drives, PROFINET communication, command manual MD02UC01-2507_V1.7
- * Identity: ac11a21ebaed8850
+ * Identity: 33a2db0dc06a9ca3
  *
  * Generated; do not edit. The constants of hiwin_e_v2_8_16.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define HIWIN_E_VERSION "2.8.16"
-#define HIWIN_E_IDENTITY "ac11a21ebaed8850"
+#define HIWIN_E_IDENTITY "33a2db0dc06a9ca3"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

@@ -1,7 +1,7 @@
 /*
  * TC100 (TOYO), version before-2.0
  * From: TC100 series operation manual V.2001
- * Identity: 0f0fb1faee81de29
+ * Identity: b1a30ddf3d283d0f
  *
  * Generated; do not edit. The constants of tc100_before_2_0.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define TC100_VERSION "before-2.0"
-#define TC100_IDENTITY "0f0fb1faee81de29"
+#define TC100_IDENTITY "b1a30ddf3d283d0f"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

@@ -1,7 +1,7 @@
 /*
  * TC100 (TOYO), version 2.0
  * From: TC100 series operation manual V.2001
- * Identity: 32841a77bd14b16e
+ * Identity: 8f5fd7b11e77b14b
  *
  * Generated; do not edit. The constants of tc100_v2_0.h, which includes this file: a file that needs no functions compiles faster.
  */
@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #define TC100_VERSION "2.0"
-#define TC100_IDENTITY "32841a77bd14b16e"
+#define TC100_IDENTITY "8f5fd7b11e77b14b"
 
 #ifdef __GNUC__
 /** An enum has 16 bits, even where the compiler makes enums as short as they can be: a cast of 256 does not become 0. */

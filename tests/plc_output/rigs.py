@@ -148,8 +148,8 @@ class HiwinRig(Rig):
     """A HIWIN E on telegram 111. While `lost`, no response comes."""
 
     starting: ClassVar[dict[str, Sequence[str]]] = {
-        "MoveAbsoluteTelegram111": ["move"],
-        "MoveRelativeTelegram111": ["move"],
+        "Telegram111MoveAbsolute": ["move"],
+        "Telegram111MoveRelative": ["move"],
         "Telegram111Home": ["home"],
         "Telegram111Jog": ["jog_positive", "jog_negative"],
     }
@@ -190,7 +190,7 @@ class HiwinRig(Rig):
 
 RIGS: dict[str, Callable[..., Rig]] = {"tc100": Tc100Rig, "esc11": Esc11Rig, "hiwin-e": HiwinRig}
 WORDS = {
-    "hiwin-e": ("Telegram111{}", "MoveAbsoluteTelegram111", "MoveRelativeTelegram111", "Telegram111Jog"),
+    "hiwin-e": ("Telegram111{}", "Telegram111MoveAbsolute", "Telegram111MoveRelative", "Telegram111Jog"),
     "tc100": ("{}", "MoveAbsolute", "MoveRelative", "Jog"),
     "esc11": ("{}", "MoveAbsolute", "MoveRelative", "Jog"),
 }

@@ -48,16 +48,17 @@ def check_constants(unit: Unit) -> None:
     for name, kind, initial in unit.globals:
         if initial is None:
             raise StError(f"{name} has no value")
-        _check(unit, name, kind, initial)
+        check_constant(unit, name, kind, initial)
 
 
-def _check(unit: Unit, name: str, kind: Any, initial: Any) -> None:
+def check_constant(unit: Unit, name: str, kind: Any, initial: Any) -> None:
+    """Refuses a value that does not fit its type."""
     if isinstance(kind, tuple) and kind[0] == "array":
         low, high = kind[1][1], kind[2][1]
         if initial[0] != "list" or len(initial[1]) != high - low + 1:
             raise StError(f"{name} has not {high - low + 1} elements")
         for item in initial[1]:
-            _check(unit, name, kind[3], item)
+            check_constant(unit, name, kind[3], item)
     elif isinstance(kind, tuple):
         text = "".join(initial[1][1:-1])
         number = len(_CHARACTER.findall(text))
@@ -71,7 +72,7 @@ def _check(unit: Unit, name: str, kind: Any, initial: Any) -> None:
         if initial[0] != "fields" or set(initial[1]) != set(members):
             raise StError(f"{name}: {initial} is no {kind}")
         for member, value in initial[1].items():
-            _check(unit, f"{name}.{member}", members[member], value)
+            check_constant(unit, f"{name}.{member}", members[member], value)
     elif kind in REALS:
         if initial[0] != "number" or not isinstance(initial[1], float):
             raise StError(f"{name}: {initial[1]} is no literal of {kind}")

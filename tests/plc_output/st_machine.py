@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from st_declared import check_constants, size_of
+from st_declared import check_constant, check_constants, size_of
 from st_syntax import Function, StError, Unit
 from st_values import (
     BITS,
@@ -117,7 +117,9 @@ class Compiled:
         self.machine, self.unit, self.function = machine, machine.unit, function
         self.kinds = {name: machine.kind(kind) for _, name, kind, _ in function.variables}
         self.kinds[function.name] = machine.kind(function.returns)
-        self.readable = {name for role, name, _, _ in function.variables if role == "VAR_INPUT"}
+        self.readable = {
+            name for role, name, _, value in function.variables if role == "VAR_INPUT" or value is not None
+        }
 
     def source(self) -> str:
         """The text of a Python function that returns its result and its outputs."""
@@ -126,11 +128,15 @@ class Compiled:
         outputs = [name for role, name, _, _ in variables if role == "VAR_OUTPUT"]
         for role, name, _, initial in variables:
             composite = isinstance(self.kinds[name], tuple) or self.kinds[name] in self.unit.structs
-            if initial is not None or (role == "VAR_IN_OUT") != (composite and role != "VAR"):
+            if initial is not None:
+                check_constant(self.unit, name, self.kinds[name], initial)
+            elif (role == "VAR_IN_OUT") != (composite and role != "VAR"):
                 raise StError(f"{self.function.name}.{name}: {role} {self.kinds[name]}")
         lines = [f"def f_{self.function.name}({', '.join(f'v_{name}' for name in value)}):"]
-        own = (self.function.name, *outputs, *(name for role, name, _, _ in variables if role == "VAR"))
-        lines += [f" v_{name} = {self.machine.fresh(self.kinds[name])!r}" for name in own]
+        own = {name: initial for role, name, _, initial in variables if role == "VAR"}
+        for name, initial in {**dict.fromkeys((self.function.name, *outputs)), **own}.items():
+            value = self.machine.fresh(self.kinds[name]) if initial is None else initial[1]
+            lines.append(f" v_{name} = {value!r}")
         self.given_back = ", ".join(f"v_{name}" for name in (self.function.name, *outputs))
         lines += self._body(self.function.body, 1)
         lines.append(f" return ({self.given_back},)")

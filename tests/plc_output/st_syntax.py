@@ -227,8 +227,11 @@ class Parser:
         returns = self.type()
         variables: list[tuple[str, str, Any, Any]] = []
         while self.word in ("VAR_INPUT", "VAR_IN_OUT", "VAR_OUTPUT", "VAR"):
-            role = self.take().text.upper()
-            variables += [(role, *variable) for variable in self._variables("END_VAR")]
+            role, constant = self.take().text.upper(), self.taken("CONSTANT")
+            section = self._variables("END_VAR")
+            if any((initial is not None) != constant for _, _, initial in section):
+                raise StError(f"{name}: what has a value at first is a constant, and nothing else")
+            variables += [(role, *variable) for variable in section]
         names = [text for _, text, _, _ in variables]
         if len(set(names)) < len(names) or name in names:
             raise StError(f"{name} declares a variable twice")

@@ -58,7 +58,7 @@ FAULTS = {
     ),
     "a time for a number": ("client", "iTry := 0;", "iTry := «T#5s»;", "T#5s is no number"),
     "a missing THEN": (
-        *("client", "IF iStep = IDLE THEN\n    IF stAxis.state", "IF iStep = IDLE\n    «IF» stAxis.state"),
+        *("client", "IF iStep = STEP_IDLE THEN\n    IF stAxis.state", "IF iStep = STEP_IDLE\n    «IF» stAxis.state"),
         "expected THEN, not IF",
     ),
     "a missing END_IF": (
@@ -86,9 +86,9 @@ FAULTS = {
         *("client", "uiReason <> Reason.exception", "uiReason <> Reason.«refused»"),
         "Reason has no refused; there is alarm, damaged, exception,",
     ),
-    "a truth for a number": ("client", "iStep := WAIT", "«iStep» := TRUE", "INT := BOOL: convert it"),
+    "a truth for a number": ("client", "iStep := STEP_WAIT", "«iStep» := TRUE", "INT := BOOL: convert it"),
     "a number for a truth": ("client", "IF Waited THEN", "IF «iTry» THEN", "this is INT, where a BOOL is wanted"),
-    "a constant that is assigned": ("client", "iTry := 0;", "«IDLE» := 0;", "IDLE cannot be assigned"),
+    "a constant that is assigned": ("client", "iTry := 0;", "«STEP_IDLE» := 0;", "STEP_IDLE cannot be assigned"),
     "a variable that nothing uses": (
         *("client", "iTry : INT;", "iTry : INT;\n    «iUnused» : INT;"),
         "nothing uses iUnused",
@@ -103,7 +103,7 @@ FAULTS = {
         "asked is no function",
     ),
     "a timer without its time": (
-        *("exchange", "fbTimeout(IN := iState = WAIT, PT := tTimeout)", "«fbTimeout»(IN := iState = WAIT)"),
+        *("exchange", "fbTimeout(IN := iState = STEP_WAIT, PT := tTimeout)", "«fbTimeout»(IN := iState = STEP_WAIT)"),
         "only a timer is called as a statement, with IN and PT",
     ),
     "a list that is no declarations": (

@@ -398,3 +398,20 @@ def test_a_second_stop_leaves_the_first_alone(name: str, make: Callable[..., Any
     rig.start(move)
     rig.run(300)
     assert (rig.ended(move)[:5], rig.ended(first)[:4]) == ("Error", "Done")
+
+
+@pytest.mark.parametrize("name", [name for name in POSITIONING if name not in FRAMED])
+@pytest.mark.parametrize("kind", ["absolute", "relative"])
+def test_a_telegram_starts_a_motion_once_the_drive_has_seen_all_that_it_is_started_with(
+    name: str, kind: str, make: Callable[..., Any]
+) -> None:
+    rig = make(name)
+    block = rig.block(kind)
+    rig.start(block, False)
+    rig.run(2, 5)
+    rig.start(block)
+    scans = 0
+    while not (rig.word or 0) & 0x0040 and scans < 40:
+        rig.run(1, 5)
+        scans += 1
+    assert 5 <= scans <= 12

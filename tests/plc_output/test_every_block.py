@@ -46,7 +46,7 @@ JOGS = dict.fromkeys(("ck10", "tc100", "esc11"), "Jog") | {"hiwin-e": "Telegram1
 STOPS = {"ck10": "ImmediateStop", "tc100": "EmergencyStop", "esc11": "Stop", "hiwin-e": "Telegram111QuickStop"}
 SAVES = {"ck10": ["SaveParameters"], "tc100": ["Save"]}
 VERSIONS = {"ck10": ["ReadFirmwareVersion"], "tc100": ["ReadFirmwareVersion"]}
-ALARMS = dict.fromkeys(("ck10", "tc100", "esc11"), "ReadAlarm") | {"hiwin-e": "ReadAlarmTelegram111"}
+ALARMS = dict.fromkeys(("ck10", "tc100", "esc11"), "ReadAlarm") | {"hiwin-e": "Telegram111ReadAlarm"}
 
 
 def tasks(device: str) -> list[str]:

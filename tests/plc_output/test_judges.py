@@ -29,7 +29,7 @@ from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.reading.project import read
 from fieldspec.targets.controllers.adapters.programs import ALTERNATIVE
-from fieldspec.targets.controllers.structured.objects import length, string
+from fieldspec.targets.controllers.literals import length, string
 from fieldspec.targets.plcopen.backend import files as plcopen_files
 from fieldspec.targets.st.backend import files as st_files
 from fieldspec.targets.twincat.backend import files as twincat_files

@@ -101,8 +101,8 @@ class TelegramRig(HiwinRig):
 
     message = "telegram_111"
     starting: ClassVar[dict[str, Sequence[str]]] = {
-        "MoveAbsoluteTelegram111": ["absolute"],
-        "MoveRelativeTelegram111": ["relative"],
+        "Telegram111MoveAbsolute": ["absolute"],
+        "Telegram111MoveRelative": ["relative"],
         "Telegram111Home": ["home"],
         "Telegram111Jog": ["endless"],
     }
@@ -115,7 +115,7 @@ class TelegramRig(HiwinRig):
             if name.startswith("lr"):
                 self.bench.set(block, **{name: 50.0})
         for block in self.blocks:
-            if block.startswith(("MoveAbsolute", "MoveRelative")):
+            if block.endswith(("MoveAbsolute", "MoveRelative")):
                 self.bench.set(block, lrSpeed=6000000.0)
 
     def serve(self) -> None:
@@ -130,8 +130,8 @@ class Telegram9Rig(TelegramRig):
 
     message = "telegram_9"
     starting: ClassVar[dict[str, Sequence[str]]] = {
-        "MoveAbsoluteTelegram9": ["absolute"],
-        "MoveRelativeTelegram9": ["relative"],
+        "Telegram9MoveAbsolute": ["absolute"],
+        "Telegram9MoveRelative": ["relative"],
         "Telegram9Home": ["home"],
         "Telegram9Jog": ["endless"],
     }

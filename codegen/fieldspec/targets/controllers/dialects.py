@@ -188,16 +188,21 @@ SIEMENS = Dialect(
     line_end="\r\n",
 )
 
+
+def _in_other_files(name: str, title: str, foreign: str = "") -> Dialect:
+    """STRUCTURED under another title: its text is written once, for all outputs that differ in their files alone."""
+    return replace(STRUCTURED, name=name, title=title, foreign=foreign)
+
+
 DIALECTS = {
     dialect.name: dialect
     for dialect in (
         STRUCTURED,
-        replace(STRUCTURED, name="twincat", title="Structured Text in source files of TwinCAT 3"),
-        replace(
-            STRUCTURED,
-            name="plcopen",
-            title="PLCopen XML",
-            foreign="attributes and lists of constants are data of CODESYS, which tools of others leave out",
+        _in_other_files("twincat", "Structured Text in source files of TwinCAT 3"),
+        _in_other_files(
+            "plcopen",
+            "PLCopen XML",
+            "attributes and lists of constants are data of CODESYS, which tools of others leave out",
         ),
         IEC,
         SIEMENS,

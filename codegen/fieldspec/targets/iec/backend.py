@@ -15,13 +15,13 @@ from fieldspec.targets.controllers.chosen import chosen_routines, trimmed
 from fieldspec.targets.controllers.constants import ConstantList
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import IEC, Spelling
+from fieldspec.targets.controllers.literals import initial
 from fieldspec.targets.controllers.routines.all_routines import routines
 from fieldspec.targets.controllers.routines.printer import comment, comment_text, routine_text
 from fieldspec.targets.controllers.routines.remarks import without_block
 from fieldspec.targets.controllers.statements.expressions import ArrayType
 from fieldspec.targets.controllers.statements.routine import Routine
 from fieldspec.targets.controllers.structured.examples import examples
-from fieldspec.targets.controllers.structured.objects import number
 from fieldspec.targets.controllers.structured.program import about, newest
 from fieldspec.targets.iec.types import struct_lines, type_lines
 
@@ -131,7 +131,8 @@ def _constants(constant_list: ConstantList) -> Iterator[str]:
     yield "VAR_GLOBAL CONSTANT"
     for constant in constant_list.constants:
         remark = comment_text(constant.remark)
-        yield f"    {constant.name} : {constant.type.name} := {number(constant)};" + (
+        value = initial(constant.value, constant.type, constant.hexadecimal)
+        yield f"    {constant.name} : {constant.type.name} := {value};" + (
             f" {IEC.comment.format(remark)}" if remark else ""
         )
     yield "END_VAR"

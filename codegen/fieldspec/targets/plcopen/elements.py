@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from decimal import Decimal
 from html import escape
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.targets.controllers.constants import ConstantList
 from fieldspec.targets.controllers.dialects import Spelling
 from fieldspec.targets.controllers.enums import EnumDeclaration, TextTable
+from fieldspec.targets.controllers.literals import initial, string
 from fieldspec.targets.controllers.routines.printer import array_name, comment_text
 from fieldspec.targets.controllers.statements.expressions import BOOL, ArrayType, Elementary, EnumType, StructType, Type
 from fieldspec.targets.controllers.statements.routine import Declared, Routine
@@ -19,8 +21,6 @@ from fieldspec.targets.controllers.structured.objects import (
     PACK_MODE,
     Item,
     TextForm,
-    number,
-    string,
 )
 from fieldspec.targets.controllers.structured.program import Program
 
@@ -48,17 +48,23 @@ def document_text(root: Element) -> str:
 
 
 def _write(node: Element, indent: str, lines: list[str]) -> None:
-    attributes_text = "".join([f" {name}={_quoted(value)}" for name, value in node.attributes])
-    if node.text:
-        lines.append(f"{indent}<{node.name}{attributes_text}>{escape(_legal(node.text), quote=False)}</{node.name}>")
-    elif node.children:
-        lines.append(f"{indent}<{node.name}{attributes_text}>")
-        inner = indent + " "
-        for child in node.children:
-            _write(child, inner, lines)
-        lines.append(f"{indent}</{node.name}>")
-    else:
-        lines.append(f"{indent}<{node.name}{attributes_text}/>")
+    """Adds the lines of an element; a variable stands in one, as in a declaration."""
+    if node.name == "variable" or not node.children:
+        lines.append(indent + _in_line(node))
+        return
+    lines.append(f"{indent}<{_head(node)}>")
+    for child in node.children:
+        _write(child, indent + " ", lines)
+    lines.append(f"{indent}</{node.name}>")
+
+
+def _in_line(node: Element) -> str:
+    content = escape(_legal(node.text), quote=False) or "".join(map(_in_line, node.children))
+    return f"<{_head(node)}>{content}</{node.name}>" if content else f"<{_head(node)}/>"
+
+
+def _head(node: Element) -> str:
+    return node.name + "".join([f" {name}={_quoted(value)}" for name, value in node.attributes])
 
 
 def _quoted(value: str) -> str:
@@ -195,6 +201,9 @@ def function(routine: Routine, text: Item, spelling: Spelling) -> Element:
         ]
         if variables:
             sections.append(element(name, *variables))
+    constants = [_constant(item.name, item.type, item.value, item.hexadecimal) for item in routine.constants]
+    if constants:
+        sections.append(element("localVars", *constants, constant="true"))
     interface = element(
         "interface",
         *([element("returnType", type_element(routine.returns, spelling))] if routine.returns is not None else []),
@@ -233,16 +242,14 @@ def sizes_function(program: Program) -> Element:
 
 def constants_list(constant_list: ConstantList) -> Element:
     """The list of constants that are numbers."""
-    variables = [
-        variable(
-            constant.name,
-            _type_name_element(constant.type),
-            element("simpleValue", value=number(constant)),
-            constant.remark,
-        )
-        for constant in constant_list.constants
-    ]
+    constants = constant_list.constants
+    variables = [_constant(item.name, item.type, item.value, item.hexadecimal, item.remark) for item in constants]
     return _list(constant_list.name, variables, constant_list.title)
+
+
+def _constant(name: str, kind: Elementary, value: int | Decimal, hexadecimal: bool, remark: str = "") -> Element:
+    text = initial(value, kind, hexadecimal)
+    return variable(name, _type_name_element(kind), element("simpleValue", value=text), remark)
 
 
 def texts_list(name: str, tables: tuple[TextTable, ...], form: TextForm) -> Element:

@@ -5,12 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from fieldspec.foundation.classes import replace
 from fieldspec.targets.controllers.adapters.objects import DeclaredText, declared
 from fieldspec.targets.controllers.statements.expressions import ELEMENTARY, TIME
 from fieldspec.targets.controllers.structured.objects import Item
 from fieldspec.targets.plcopen.elements import Element, body, documentation, element
 
-_SECTIONS = {"VAR_INPUT": "inputVars", "VAR_OUTPUT": "outputVars", "VAR_IN_OUT": "inOutVars", "VAR": "localVars"}
+_SECTIONS = {
+    "VAR_INPUT": element("inputVars"),
+    "VAR_OUTPUT": element("outputVars"),
+    "VAR_IN_OUT": element("inOutVars"),
+    "VAR": element("localVars"),
+    "VAR CONSTANT": element("localVars", constant="true"),
+}
 _POU_TYPES = {"block": "functionBlock", "program": "program"}
 _ARRAY = re.compile(r"ARRAY\[(\d+)\.\.(\d+)\] OF (.+)")
 
@@ -19,7 +26,9 @@ def text_pou(item: Item, remarks: Sequence[str]) -> Element:
     """A block or a program; `remarks` is what its comment says."""
     sections = declared(item)
     variables = [
-        element(name, *map(_variable, sections[word])) for word, name in _SECTIONS.items() if sections.get(word)
+        replace(section, children=tuple(map(_variable, sections[word])))
+        for word, section in _SECTIONS.items()
+        if sections.get(word)
     ]
     interface = element("interface", *variables, documentation(remarks))
     return element("pou", interface, body(item.implementation), name=item.name, pouType=_POU_TYPES[item.kind])

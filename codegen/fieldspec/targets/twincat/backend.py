@@ -15,7 +15,7 @@ from fieldspec.targets.controllers.dialects import DIALECTS
 from fieldspec.targets.controllers.statements.routine import Routine
 from fieldspec.targets.controllers.structured.layout_table import layout_table
 from fieldspec.targets.controllers.structured.objects import Item
-from fieldspec.targets.controllers.structured.program import Program, newest, program
+from fieldspec.targets.controllers.structured.program import Program, newest, origin, program
 from fieldspec.targets.controllers.structured.program import refusals as program_refusals
 from fieldspec.targets.twincat.project import Task, identifier, project_file, task_file
 
@@ -47,12 +47,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     layout = newest(versions)
     st_program = program(layout)
     folder = stem(layout.device.id, layout.device.version)
-    heading = st_program.about()
+    heading = [origin(layout)]
     texts = {f"{folder}/{path(item)}": source(item, heading) for item in st_program.items}
     own = list(adapters(st_program))
     texts |= {f"{folder}/{path(item)}": source(item, [*heading, *remarks]) for item, remarks in own}
     items = [*st_program.items, *(item for item, _ in own)]
-    texts[f"{folder}/project_items.xml"] = inclusion(items)
     texts |= {f"{folder}/{name}": text for name, text in project_files(st_program, items).items()}
     texts[f"{folder}/layout.csv"] = layout_table(st_program)
     return texts
@@ -78,7 +77,7 @@ def project_files(st_program: Program, items: Sequence[Item]) -> dict[str, str]:
     """The project with its tasks by their paths; none where there is no program to be called."""
     programs = [item.name for item in items if item.kind == "program"]
     if not programs:
-        return {}
+        return {"project_items.xml": inclusion(items)}
     lines = [name for name in programs if name.endswith("SerialLine")]
     # Of several telegrams a drive has one: that with the most blocks, unless the project is changed.
     called = max(
@@ -91,7 +90,8 @@ def project_files(st_program: Program, items: Sequence[Item]) -> dict[str, str]:
     files = {f"{task.name}.TcTTO": task_file(name, task) for task in used}
     text = " ".join(line for item in items for line in item.declaration)
     libraries = ["Tc2_Standard", *(library for library, mark in LIBRARIES if mark in text)]
-    return files | {f"{name}.plcproj": project_file(name, inclusion(items), [task.name for task in used], libraries)}
+    project = project_file(name, st_program.about(), inclusion(items), [task.name for task in used], libraries)
+    return files | {f"{name}.plcproj": project}
 
 
 def _panel(st_program: Program, name: str) -> Routine:

@@ -52,12 +52,13 @@ def task_file(project: str, task: Task) -> str:
     )
 
 
-def project_file(name: str, items: str, tasks: Sequence[str], libraries: Sequence[str]) -> str:
-    """The project: its objects, the tasks that call programs, and the libraries that adapters need."""
+def project_file(name: str, remarks: Sequence[str], items: str, tasks: Sequence[str], libraries: Sequence[str]) -> str:
+    """The project: what it is of, its objects, the tasks that call programs, and the libraries that adapters need."""
     group = items.partition("<ItemGroup>\n")[2].rpartition("</ItemGroup>")[0].replace("\n", "\n  ")
     lines = [
         f'{BYTE_ORDER_MARK}<?xml version="1.0" encoding="utf-8"?>',
         '<Project DefaultTargets="Build" xmlns="http://schemas.microsoft.com/developer/msbuild/2003">',
+        *(f"  <!-- {line.replace('--', '- -').strip('-')} -->" for line in remarks),
         "  <PropertyGroup>",
         "    <FileVersion>1.0.0.0</FileVersion>",
         "    <SchemaVersion>2.0</SchemaVersion>",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.layout.frame import LinkLayout
@@ -10,11 +11,12 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name
 from fieldspec.targets.controllers.adapters.settings import Settings, lines, settings
 from fieldspec.targets.controllers.dialects import Spelling
+from fieldspec.targets.controllers.routines.blocks.kinds import port_constants
 from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, axis_key, cyclic, own_links
-from fieldspec.targets.controllers.routines.printer import type_text
+from fieldspec.targets.controllers.routines.printer import constants_section, type_text
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import BYTE, StructType, sequence
-from fieldspec.targets.controllers.statements.routine import Routine
+from fieldspec.targets.controllers.statements.routine import Routine, sorted_constants
 from fieldspec.targets.templates import fill
 
 SIEMENS_RATES = {9600: 6, 19200: 7, 38400: 8, 57600: 9, 115200: 11}
@@ -24,6 +26,8 @@ TERMINAL_FRAMES = {"8N1": 3, "8E1": 4, "8O1": 5}
 """The values of 80n0:11 and 80n0:15 of the terminals EL60xx."""
 ALTERNATIVE = "modbus_request"
 """The name of a source that takes the place of another one, so that a project has one of the two."""
+_BODY = re.compile(r"^END_VAR\n(?=\n|BEGIN)", re.MULTILINE)
+"""The end of the variables of a block."""
 _WORD_CODES = {"read": {3}, "write": {6, 16}}
 _WORD_CHECK = "crc16_modbus"
 
@@ -212,7 +216,15 @@ def _filled(
     }
     if station.telegram is not None:
         view |= _telegram(world, spelling, station.telegram)
-    return Source(name, remarks, "\n".join(fill(f"controllers/adapters/{template}", **view) for template in templates))
+    texts = (_declared(fill(f"controllers/adapters/{template}", **view)) for template in templates)
+    return Source(name, remarks, "\n".join(texts))
+
+
+def _declared(text: str) -> str:
+    """A block with the constants that it names, behind its variables."""
+    names = {item.name: item for item in port_constants() if re.search(rf"\b{item.name}\b", text)}
+    section = "".join(f"{line}\n" for line in constants_section(sorted_constants(names.values())))
+    return _BODY.sub(lambda match: match[0] + section, text, count=1)
 
 
 def _bare(name: str) -> str:

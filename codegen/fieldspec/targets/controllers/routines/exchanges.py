@@ -12,6 +12,7 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.targets.controllers.routines.answers import Received, judged, received
+from fieldspec.targets.controllers.routines.named_numbers import named
 from fieldspec.targets.controllers.routines.parameters import FRAME
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import framed, link_words
@@ -20,20 +21,25 @@ from fieldspec.targets.controllers.statements.expressions import UINT, Expressio
 from fieldspec.targets.controllers.statements.routine import STATUSES, Declared, Routine, Variables
 
 ERRORS = {
-    "request": (1, "the request cannot be built: eStatus says why"),
-    "timeout": (2, "there was no answer in time"),
-    "damaged": (3, "the answer is damaged or none to this message: eStatus says why"),
-    "station": (4, "another station has answered"),
-    "other": (5, "the answer is to another request"),
-    "exception": (6, "the device refuses: further outputs say why"),
-    "transport": (7, "the frame could not be sent"),
+    "request": (1, "a value is refused"),
+    "timeout": (2, "no answer"),
+    "damaged": (3, "a damaged answer"),
+    "station": (4, "another station"),
+    "other": (5, "another request"),
+    "exception": (6, "the device refuses"),
+    "transport": (7, "nothing sent or received"),
 }
 """The numbers of ErrorID, and what they mean."""
 
 
-def meanings(reasons: Mapping[str, tuple[int, str]]) -> str:
+def reasons(errors: Mapping[str, tuple[int, str]]) -> dict[str, Whole]:
+    """The numbers of ErrorID as constants: `ERROR_TIMEOUT`"""
+    return {key: named(code, UINT, "error", key) for key, (code, _) in errors.items()}
+
+
+def meanings(errors: Mapping[str, tuple[int, str]]) -> str:
     """A line of a comment that says what the numbers of ErrorID mean."""
-    return "ErrorID: " + "; ".join(f"{code} {text}" for code, text in reasons.values()) + "."
+    return "ErrorID: " + ", ".join(f"{code} {text}" for code, text in errors.values()) + "."
 
 
 def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine]) -> Iterator[Routine]:
@@ -53,7 +59,7 @@ def judging_slots(world: World) -> dict[str, Any]:
     return {
         "StatusType": world.status.type,
         "Status": {name: world.status.of(name) for name, _ in STATUSES},
-        "Reason": {key: Whole(code, UINT) for key, (code, _) in ERRORS.items()},
+        "Reason": reasons(ERRORS),
     }
 
 

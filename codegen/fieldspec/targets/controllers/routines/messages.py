@@ -10,6 +10,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.controllers.routines.bit_counts import refuse_other_bit_counts
 from fieldspec.targets.controllers.routines.frames import code_type, wire_of
 from fieldspec.targets.controllers.routines.holders import Bytes
+from fieldspec.targets.controllers.routines.named_numbers import named, size_of
 from fieldspec.targets.controllers.routines.parameters import Fields, measure, request_parameters, response_parameters
 from fieldspec.targets.controllers.routines.records import read_choice, read_field, selecting, write_choice, write_field
 from fieldspec.targets.controllers.routines.subcodes import refuse_other_subcode
@@ -77,7 +78,9 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
         draft.refuse(compared(converted(station, wire.whole), "=", Whole(barred, wire.whole)), "out_of_range")
     coded = code_type(shape)
     if coded is not None:
-        head[f"{PREFIXES[coded.name]}Code"] = Whole(message.message.code or 0, coded)
+        head[f"{PREFIXES[coded.name]}Code"] = named(
+            message.message.code or 0, coded, message.name, "code", hexadecimal=True
+        )
     closed = Call(
         world.routine("close", *link_words(world, link), "request"),
         (*head.items(), ("iBodyLength", size), ("aFrame", target)),
@@ -110,7 +113,7 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
         low, high = number(repeat.low), number(repeat.high)
         wrong = Operation("OR", (compared(fields.count, "<", low), compared(fields.count, ">", high)), BOOL)
         draft.refuse(wrong, "wrong_length")
-    size: Expression = number(record.size or 0)
+    size: Expression = size_of(record.name, "size", record.size or 0)
     element: Expression = number(last.size if last is not None else 0)
     for field in record.fields:
         if field.field.measures is not None:
@@ -191,7 +194,9 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     )
     draft.add([Assignment(status, opened), draft.status.passed_on(draft.result, status)])
     if code is not None and coded is not None:
-        other: Expression = compared(code, "<>", Whole(message.message.code_of("response") or 0, coded))
+        own = message.message.code_of("response") or 0
+        word = "code" if own == message.message.code else "response_code"
+        other: Expression = compared(code, "<>", named(own, coded, message.name, word, hexadecimal=True))
         error = link.link.exception_response
         if refused is not None and error is not None and error.code is not None:
             other = every([Negation(refused), other])
@@ -212,9 +217,9 @@ def _read_body(
 ) -> None:
     """Adds the statements that check the length of a body and read its fields into the outputs."""
     if record.least:
-        draft.refuse(compared(size, "<", number(record.least)), "incomplete")
+        draft.refuse(compared(size, "<", size_of(record.name, "least_size", record.least)), "incomplete")
     if record.most is not None:
-        draft.refuse(compared(size, ">", number(record.most)), "wrong_length")
+        draft.refuse(compared(size, ">", size_of(record.name, "most_size", record.most)), "wrong_length")
     last = record.fields[-1] if record.fields else None
     element: Expression = number(last.size if last is not None else 0)
     if last is not None and last.cases:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from fieldspec.targets.controllers.dialects import Spelling
+from fieldspec.targets.controllers.literals import fraction, initial, whole
 from fieldspec.targets.controllers.statements.expressions import (
     TIMER,
     ArrayType,
@@ -43,7 +44,6 @@ from fieldspec.targets.controllers.statements.routine import (
 _WIDTH = 112
 _STEP = "    "
 _ASSOCIATIVE = ("+", "AND", "OR", "XOR")
-_COMMENT_MARKS = range(-(1 << 31), 1 << 31)
 
 
 def comment(text: str, indent: str = "", form: str = "// {}") -> list[str]:
@@ -112,12 +112,17 @@ def declaration(routine: Routine, spelling: Spelling) -> list[str]:
         lines.append("VAR" if role == "local" and routine.returns is None else word)
         for variable in declared:
             remark = f" {form.format(comment_text(variable.remark))}" if variable.remark else ""
-            initial = f" := {variable.initial}" if variable.initial else ""
-            lines.append(
-                f"{_STEP}{variable.variable.name} : {type_text(variable.variable.type, spelling)}{initial};{remark}"
-            )
+            kind = type_text(variable.variable.type, spelling) + (f" := {variable.initial}" if variable.initial else "")
+            lines.append(f"{_STEP}{variable.variable.name} : {kind};{remark}")
         lines.append("END_VAR")
-    return lines
+    return [*lines, *constants_section(routine.constants)]
+
+
+def constants_section(constants: Sequence[Whole]) -> list[str]:
+    """The lines that declare the constants of a routine; none where it has none."""
+    values = ((item, initial(item.value, item.type, item.hexadecimal)) for item in constants)
+    texts = [f"{_STEP}{item.name} : {item.type.name} := {value};" for item, value in values]
+    return ["VAR CONSTANT", *texts, "END_VAR"] if texts else []
 
 
 def implementation(routine: Routine, spelling: Spelling) -> list[str]:
@@ -324,33 +329,9 @@ def _call(call: Call, spelling: Spelling) -> str:
     return f"{spelling.routine.format(call.routine)}({', '.join(_arguments(call, spelling))})"
 
 
-_GREATEST_DECIMAL = (1 << 63) - 1
-
-
-def _whole(literal: Whole, spelling: Spelling) -> str:
-    """A number; with its type where a compiler may take it for another one.
-
-    Not every compiler knows a sign behind the mark of the type, so it stands before it.
-    """
-    value, kind, hexadecimal = literal.value, literal.type, literal.hexadecimal
-    # Translators to C write decimal numbers without a suffix, and none beyond 63 bits has a type there.
-    if kind.family == "bits" or hexadecimal or value > _GREATEST_DECIMAL:
-        return f"{kind.name}#16#{value:0{2 * kind.size}X}"
-    if value in _COMMENT_MARKS:
-        return str(value)
-    if value == kind.low:
-        return f"(-{kind.name}#{-value - 1} - 1)"
-    return f"{'-' if value < 0 else ''}{kind.name}#{abs(value)}"
-
-
-def _fraction(literal: Fraction, spelling: Spelling) -> str:
-    sign = "-" if literal.digits.startswith("-") else ""
-    return f"{sign}{literal.type.name}#{literal.digits.removeprefix('-')}"
-
-
 _TEXTS: Mapping[type[Expression], Callable[[Any, Spelling], str]] = {
-    Whole: _whole,
-    Fraction: _fraction,
+    Whole: lambda literal, spelling: spelling.variable.format(literal.name) if literal.name else whole(literal),
+    Fraction: lambda literal, spelling: fraction(literal),
     Truth: lambda expression, spelling: "TRUE" if expression.value else "FALSE",
     Variable: lambda expression, spelling: spelling.variable.format(expression.name),
     EnumMemberExpression: _member_text,

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any
 
+from fieldspec.foundation.classes import replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.targets.controllers.sources.lookups import Lookup, Members, near_text, type_name
 from fieldspec.targets.controllers.sources.nodes import (
@@ -148,7 +149,7 @@ class Expansion(Lookup):
         kind = self._type(entry.kind)
         if role == "constant":
             assert entry.initial is not None
-            self.scope[name] = self._number(entry.initial, kind)
+            self.scope[name] = replace(self._number(entry.initial, kind), name=name)
             return
         # What is lent is shared with the steps of the block.
         declare = self.variables.declared_once if role == "in_out" else self.variables.declare

@@ -90,11 +90,15 @@ def innermost(kind: Type) -> Type:
 
 @dataclass(frozen=True, slots=True)
 class Whole:
-    """A whole number. Where `hexadecimal`, the manual or the algorithm knows it in that form."""
+    """A whole number. Where `hexadecimal`, the manual or the algorithm knows it in that form.
+
+    One with a `name` is a constant of the routine that has it.
+    """
 
     value: int
     type: Elementary
     hexadecimal: bool = False
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -142,6 +142,11 @@ class Routine:
         """The declared variables that have a role."""
         return [declared for declared in self.declared if declared.role == role]
 
+    @property
+    def constants(self) -> list[Whole]:
+        """The numbers that the statements call by a name, those of one type together."""
+        return sorted_constants(_names(self.body)[2])
+
     def called(self, **arguments: Expression) -> Call:
         """A call with an expression for every parameter."""
         assert self.returns is not None
@@ -154,6 +159,11 @@ class Routine:
             tuple((name, arguments[name]) for name in expected if name in outputs),
             self.returns,
         )
+
+
+def sorted_constants(constants: Iterable[Whole]) -> list[Whole]:
+    """Constants in the order of their declaration: those of one type together, by their numbers."""
+    return sorted(set(constants), key=lambda item: (item.type.name, item.value, item.name))
 
 
 STATUSES = (
@@ -205,7 +215,7 @@ BASE = UINT
 
 
 # Most of what there is, beside variables.
-_LEAVES = frozenset({Whole, EnumMemberExpression, Fraction, Truth, Return, Remark})
+_LEAVES = frozenset({EnumMemberExpression, Fraction, Truth, Return, Remark})
 
 
 def called(routine: Routine) -> set[str]:
@@ -218,9 +228,10 @@ def used(body: Body) -> set[str]:
     return _names(body)[1]
 
 
-def _names(body: Body) -> tuple[set[str], set[str]]:
-    """The names of the routines that some statements call, and those of their variables."""
+def _names(body: Body) -> tuple[set[str], set[str], list[Whole]]:
+    """The names of the routines that some statements call, those of their variables, and numbers with a name."""
     routines: set[str] = set()
+    numbers: list[Whole] = []
     variables: set[str] = set()
     left: list[Statement | Expression] = [*body]
     while left:
@@ -229,6 +240,8 @@ def _names(body: Body) -> tuple[set[str], set[str]]:
             continue
         if isinstance(node, Variable):
             variables.add(node.name)
+        elif isinstance(node, Whole):
+            numbers += [node] if node.name else []
         elif isinstance(node, Assignment):
             left += (node.target, node.value)
         elif isinstance(node, Operation):
@@ -256,7 +269,7 @@ def _names(body: Body) -> tuple[set[str], set[str]]:
             for _, body in node.branches:
                 left += body
             left += node.otherwise
-    return routines, variables
+    return routines, variables, numbers
 
 
 class Variables:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from decimal import Decimal
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.targets.controllers.constants import Constant, ConstantList
+from fieldspec.targets.controllers.constants import ConstantList
 from fieldspec.targets.controllers.dialects import Spelling
 from fieldspec.targets.controllers.enums import EnumDeclaration, TextTable
+from fieldspec.targets.controllers.literals import initial, length, narrow, string
 from fieldspec.targets.controllers.routines.printer import comment, comment_text, type_text
 from fieldspec.targets.controllers.statements.expressions import DINT, LINT, Elementary
 from fieldspec.targets.controllers.structs import Struct
@@ -34,53 +34,6 @@ class Item:
         ends = {"function": ["END_FUNCTION"], "block": ["END_FUNCTION_BLOCK"], "program": ["END_PROGRAM"]}
         end = ends.get(self.kind, [])
         return [*self.declaration, *self.implementation, *end]
-
-
-def number(constant: Constant) -> str:
-    """The literal of a constant, hexadecimal where the manual writes it so."""
-    value = constant.value
-    if isinstance(value, Decimal) or constant.type.family == "real":
-        return real(Decimal(value))
-    if constant.hexadecimal and value >= 0:
-        return f"16#{value:0{2 * constant.type.size}X}"
-    return str(value)
-
-
-def real(value: Decimal) -> str:
-    """The literal of a decimal number, with a point."""
-    text = f"{value:f}"
-    return text if "." in text else f"{text}.0"
-
-
-def narrow(text: str) -> bool:
-    """Whether a text fits STRING, which has no other characters than those of ASCII on every controller."""
-    return text.isascii()
-
-
-def string(text: str, wide: bool) -> str:
-    """A literal of STRING, or of WSTRING where `wide`; its characters are escaped where they end or control it."""
-    mark = '"' if wide else "'"
-    return mark + "".join(_escaped(char, mark, wide) for char in text) + mark
-
-
-def _escaped(char: str, mark: str, wide: bool) -> str:
-    if char in ("$", mark):
-        return f"${char}"
-    if char.isprintable():
-        return char
-    return "".join(f"${unit:04X}" if wide else f"${unit:02X}" for unit in _units(char, wide))
-
-
-def _units(char: str, wide: bool) -> list[int]:
-    if not wide:
-        return [ord(char)]
-    data = char.encode("utf-16-be", "replace")
-    return [int.from_bytes(data[offset : offset + 2], "big") for offset in range(0, len(data), 2)]
-
-
-def length(text: str, wide: bool) -> int:
-    """The number of elements that a text takes in a STRING or WSTRING."""
-    return len(text.encode("utf-16-be", "replace")) // 2 if wide else len(text)
 
 
 LIST_ATTRIBUTES = ("qualified_only",)
@@ -130,7 +83,8 @@ def constants_item(constant_list: ConstantList) -> Item:
     lines = [*_head(constant_list.title), _HEAD]
     for constant in constant_list.constants:
         remark = f" // {comment_text(constant.remark)}" if comment_text(constant.remark) else ""
-        lines.append(f"    {constant.name} : {constant.type.name} := {number(constant)};{remark}")
+        value = initial(constant.value, constant.type, constant.hexadecimal)
+        lines.append(f"    {constant.name} : {constant.type.name} := {value};{remark}")
     return Item(constant_list.name, "list", "constants", (*lines, "END_VAR"))
 
 

@@ -75,6 +75,13 @@ class Program:
         ]
 
 
+def origin(layout: DeviceLayout) -> str:
+    """The line at the head of an object that is a file of its own; its project has the others."""
+    device = layout.device
+    text = f"{device.name} {device.version}, layout {layout.identity}. Written by fieldspec: change the spec instead."
+    return comment_text(text)
+
+
 def about(declared: Declarations) -> list[str]:
     """The lines at the head of every file of a device."""
     layout = declared.layout

@@ -163,8 +163,9 @@ class _Maker:
 
     def _cyclic(self, job: Job, message: MessageLayout) -> Routine:
         """A block that works with a telegram, made twice as those of a line."""
-        has_message_name = message.name in job.name
-        name = self.world.block(job.name) if has_message_name else self.world.block(message.name, job.name)
+        # The telegram comes first, also where a task has it in its name since others have one of the same kind.
+        rest = job.name.removesuffix(f"_{message.name}").removeprefix(f"{message.name}_")
+        name = self.world.block(message.name, rest)
 
         def build(known: CyclicTask | None) -> CyclicTask:
             draft = BlockDraft(self.world, name, f"telegram {message.name}")

@@ -13,12 +13,14 @@ from fieldspec.targets.controllers.routines.blocks.kinds import handshake_slots
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS, FRAMES, member, port_members
 from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
 from fieldspec.targets.controllers.routines.exchanges import meanings
+from fieldspec.targets.controllers.routines.named_numbers import named
 from fieldspec.targets.controllers.routines.parameters import FRAME, parameters_of
 from fieldspec.targets.controllers.routines.records import is_user_field
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import link_words
 from fieldspec.targets.controllers.sources.expansion import Expansion, source
 from fieldspec.targets.controllers.statements.expressions import (
+    INT,
     WORD,
     Element,
     Elementary,
@@ -67,7 +69,7 @@ def _block(world: World, link: LinkLayout, exchanges: Mapping[str, Exchange | No
         **handshake_slots(world),
         **{name: StructType(world.names.structs[key]) for name, key in (("Axis", AXIS), ("Frames", FRAMES))},
         "Words": world.words,
-        "room": number(world.words.high + 1),
+        "room": named(world.words.high + 1, INT, "most", "words"),
         "has": {name: exchanges[name] is not None for name in ("single", "several")},
         "link": link.name,
         "errors": meanings(ERRORS),

@@ -72,6 +72,7 @@ class CyclicTask:
         self.takes_at_edge = False
         self.insisting = False
         self.unsettled = False
+        self.prepared = -1
         self.remarks: list[str] = []
 
     def all(self) -> None:
@@ -212,7 +213,7 @@ class CyclicTask:
         """Adds steps of a task; a motion has the axis behind the step at `accepted_at`."""
         draft = self.draft
         starts_at = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
-        index = first
+        index, self.prepared = first, -1
         while index < stop:
             step = task.steps[index]
             last = index + 1
@@ -223,7 +224,7 @@ class CyclicTask:
                 takeover = self._taken(index <= accepted_at < last)
                 self._waits(task, waits, index > accepted_at >= 0, must_begin, takeover, last == len(task.steps))
             else:
-                self._command(task, index, self._taken(index == accepted_at), index == starts_at)
+                self._command(task, index, self._taken(index == accepted_at), starts_at)
             if index <= accepted_at < last:
                 self.labels["look"] = draft.next
             index = last
@@ -262,12 +263,12 @@ class CyclicTask:
         self.draft.settle(_SETTLE)
         self.unsettled = False
 
-    def _command(self, task: Task, index: int, takeover: list[Statement], starts: bool = False) -> None:
+    def _command(self, task: Task, index: int, takeover: list[Statement], starts_at: int) -> None:
         """Adds a step that changes the request."""
         draft, step = self.draft, task.steps[index]
         operand = self._operand(step)
         dispatch: list[Statement] = []
-        if isinstance(self.kind, Moving) and not self.kind.halts and (starts or takeover):
+        if isinstance(self.kind, Moving) and not self.kind.halts and (index == starts_at or takeover):
             dispatch = self.draft.action("GoOut")
         is_last = index + 1 == len(task.steps)
         on = 0 if is_last else draft.next + 1
@@ -277,7 +278,7 @@ class CyclicTask:
         elif step.action == "pulse":
             bit = self.places.bit(operand)
             self.pulsed.append(bit)
-            draft.add([bit.put(False), draft.go(draft.next + 1)])
+            self._change([bit.put(False)], draft.next + 1, index == starts_at)
             self._settle()
             draft.add([*dispatch, bit.put(True), *takeover, draft.go(0 if is_last else draft.next + 1)])
         elif step.action in ("set", "clear"):
@@ -288,7 +289,7 @@ class CyclicTask:
                 self.unsettled = True
             if task.kind == "stop":
                 self.insists.append(bit.put(step.action == "set"))
-            draft.add([*dispatch, bit.put(step.action == "set"), *takeover, draft.go(on)])
+            self._change([*dispatch, bit.put(step.action == "set"), *takeover], on, index < starts_at)
         elif step.action == "write" and operand.bit is None:
             place, field = self.places.place(operand)
             if step.argument:
@@ -302,9 +303,21 @@ class CyclicTask:
                 value: Expression = raw
             else:
                 value = self._value(step, field)
-            draft.add([*dispatch, Assignment(place, value), *takeover, draft.go(on)])
+            self._change([*dispatch, Assignment(place, value), *takeover], on, index < starts_at)
         else:
             raise NoBlock(f"`{step.action} {step.target}` is nothing that a telegram can do")
+
+    def _change(self, changes: Sequence[Statement], on: int, prepares: bool) -> None:
+        """Adds a step that changes the request; all that `prepares` a start goes into one telegram.
+
+        The drive looks at it when the start comes, in a telegram of its own, and that is some time later.
+        """
+        draft = self.draft
+        if prepares and self.prepared == draft.next - 1:
+            before = draft.steps.pop()
+            changes, on = [*before.ask[:-1], *changes], on - 1
+        draft.add([*changes, draft.go(on)])
+        self.prepared = draft.next - 1 if prepares else -1
 
     def _value(self, step: Step, field: FieldLayout) -> Expression:
         if step.value is None:

@@ -15,11 +15,13 @@ from fieldspec.targets.controllers.routines.blocks.ports import (
     URGENT,
     port_members,
 )
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, BlockDraft, assigned
+from fieldspec.targets.controllers.routines.blocks.standard import REASONS, BlockDraft, assigned
 from fieldspec.targets.controllers.routines.exchanges import judging_slots
+from fieldspec.targets.controllers.routines.named_numbers import named
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.sources.expansion import Expansion, source
 from fieldspec.targets.controllers.statements.expressions import (
+    INT,
     UINT,
     Expression,
     Whole,
@@ -30,20 +32,28 @@ from fieldspec.targets.controllers.statements.expressions import (
 from fieldspec.targets.controllers.statements.routine import Routine, Statement
 
 Branch: TypeAlias = tuple[Expression, Sequence[Statement]]
+_HANDSHAKE: dict[str, dict[str, Whole]] = {
+    "Reason": {**REASONS, "postponed": named(POSTPONED, UINT, "error", "postponed")},
+    "Port": {
+        name: named(state, INT, "port", name)
+        for name, state in {"free": FREE, "asked": ASKED, "answered": ANSWERED, "abandoned": ABANDONED}.items()
+    },
+    "Urgency": {
+        name: named(urgency, INT, "urgency", name) for name, urgency in {"pressing": PRESSING, "urgent": URGENT}.items()
+    },
+}
 TRIES = 3
 """How often the end of a motion is asked for, where it fails."""
 
 
 def handshake_slots(world: World) -> dict[str, Any]:
     """What the sources of blocks may name that ask through ports, and of those that serve them."""
-    reasons = {key: Whole(code, UINT) for key, (code, _) in ERRORS.items()}
-    states = {"free": FREE, "asked": ASKED, "answered": ANSWERED, "abandoned": ABANDONED}
-    return {
-        **judging_slots(world),
-        "Reason": {**reasons, "postponed": Whole(POSTPONED, UINT)},
-        "Port": {name: number(state) for name, state in states.items()},
-        "Urgency": {"pressing": number(PRESSING), "urgent": number(URGENT)},
-    }
+    return {**judging_slots(world), **_HANDSHAKE}
+
+
+def port_constants() -> list[Whole]:
+    """All constants of ports: the states, the errors, and what goes before others."""
+    return [constant for constants in _HANDSHAKE.values() for constant in constants.values()]
 
 
 class Kind:

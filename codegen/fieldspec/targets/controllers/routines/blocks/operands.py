@@ -12,6 +12,7 @@ from fieldspec.language.model.fact import Fact, ScalarValue
 from fieldspec.language.model.operand import Operand
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
+from fieldspec.targets.controllers.routines.named_numbers import mask_of
 from fieldspec.targets.controllers.routines.remarks import count_of, of_value
 from fieldspec.targets.controllers.routines.scaling import Quantity, quantities
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
@@ -187,8 +188,7 @@ def field_of(bit: Bit, word: Expression) -> Expression:
     """A bit of a word as a truth, several as a number."""
     assert isinstance(word.type, Elementary)
     bits = BITS[word.type.size]
-    mask = Whole(((1 << bit.width) - 1) << bit.first, bits, True)
-    masked = Operation("AND", (converted(word, bits), mask), bits)
+    masked = Operation("AND", (converted(word, bits), mask_of(bit, bits)), bits)
     if bit.width == 1:
         return compared(masked, "<>", Whole(0, bits, True))
     moved = Shift("SHR", masked, bit.first, bits) if bit.first else masked

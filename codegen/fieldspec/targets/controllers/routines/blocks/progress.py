@@ -11,13 +11,12 @@ from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.watches import Watch, halting_task, last_command, proves_target, shows_acceptance
 from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Moving, Stopping
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, holds, unit_of
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, BlockDraft, assigned, chain
+from fieldspec.targets.controllers.routines.blocks.standard import REASONS, BlockDraft, assigned, chain
 from fieldspec.targets.controllers.routines.blocks.tasks import target
 from fieldspec.targets.controllers.routines.scaling import times
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     LREAL,
-    UINT,
     Conversion,
     Elementary,
     Expression,
@@ -25,7 +24,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Negation,
     Operation,
     Variable,
-    Whole,
     compared,
     either,
     every,
@@ -231,8 +229,8 @@ class Conditions:
         may_begin: list[Expression] = [unseen, Negation(idle)]
         if isinstance(kind, Moving):
             # With an alarm, or without its servo, the device has given up what it had accepted.
-            numbers = (Whole(ERRORS[reason][0], UINT) for reason in ("alarm", "servo"))
-            may_begin += [compared(draft.variable("uiFirstReason"), "<>", reason) for reason in numbers]
+            known = (REASONS[reason] for reason in ("alarm", "servo"))
+            may_begin += [compared(draft.variable("uiFirstReason"), "<>", reason) for reason in known]
         waits = when(every(may_begin), [repeat, assigned(moving, False)], [assigned(unseen, False), *success])
         onward = when(long, [resend, assigned(moving, False)], [repeat, assigned(moving, True)])
         return [*computed, Assignment(standing, is_standing), when(standing, [waits], [onward])]

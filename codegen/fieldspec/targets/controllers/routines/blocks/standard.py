@@ -8,6 +8,7 @@ from typing import Any, TypeAlias
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.targets.controllers.routines.blocks.ports import port_members
 from fieldspec.targets.controllers.routines.exchanges import ERRORS as EXCHANGE_ERRORS
+from fieldspec.targets.controllers.routines.exchanges import reasons
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.sources.expansion import Expansion
 from fieldspec.targets.controllers.statements.expressions import (
@@ -39,22 +40,17 @@ from fieldspec.targets.controllers.statements.routine import (
 )
 
 ERRORS = {
-    "request": (EXCHANGE_ERRORS["request"][0], "a value is refused, see eStatus"),
-    "timeout": (EXCHANGE_ERRORS["timeout"][0], "no answer in time"),
-    "damaged": (EXCHANGE_ERRORS["damaged"][0], "a damaged answer, or a value that is not listed, see eStatus"),
-    "station": (EXCHANGE_ERRORS["station"][0], "an answer of another station"),
-    "other": (EXCHANGE_ERRORS["other"][0], "an answer to another request"),
-    "exception": (EXCHANGE_ERRORS["exception"][0], "the device refuses"),
-    "transport": (EXCHANGE_ERRORS["transport"][0], "nothing could be sent or received"),
-    "alarm": (8, "the device has an alarm"),
-    "late": (9, "its time is over"),
-    "servo": (10, "the servo is off"),
-    "unready": (11, "the device is not ready for the task"),
-    "locked": (12, "the axis is being stopped"),
-    "idle": (13, "the motion did not begin"),
-    "short": (14, "the motion ended before its target"),
+    **EXCHANGE_ERRORS,
+    "alarm": (8, "alarm"),
+    "late": (9, "too late"),
+    "servo": (10, "servo off"),
+    "unready": (11, "not ready"),
+    "locked": (12, "being stopped"),
+    "idle": (13, "not begun"),
+    "short": (14, "ended before its target"),
 }
 """The numbers of ErrorID, and what they mean."""
+REASONS = reasons(ERRORS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,11 +123,11 @@ class BlockDraft(Variables):
 
     def fail(self, reason: str) -> Statement:
         """The statement that gives the block a reason to end with an error."""
-        return Assignment(self.reason, Whole(ERRORS[reason][0], UINT))
+        return Assignment(self.reason, REASONS[reason])
 
     def refuse(self) -> Statement:
         """The statement that refuses a value of an input."""
-        return Assignment(self.refusal, Whole(ERRORS["request"][0], UINT))
+        return Assignment(self.refusal, REASONS["request"])
 
     def unrefused(self) -> Expression:
         """Whether no value of an input is refused."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.operand import Operand, Operands
 from fieldspec.language.model.watches import STARTING
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock
@@ -22,15 +23,15 @@ _REQUEST, _RESPONSE = "request", "response"
 
 @dataclass(frozen=True, slots=True)
 class RequestBit:
-    """A bit of the request: the word it is in, its mask, and the roles of its fact."""
+    """A bit of the request: the word it is in, and the roles of its fact."""
 
     word: Expression
-    mask: int
+    bit: Bit
     roles: frozenset[str]
 
     def put(self, on: bool) -> Statement:
         """The statement that sets or clears the bit."""
-        return masked(self.word, self.mask, on)
+        return masked(self.word, [self.bit], on)
 
 
 class TelegramPlaces:
@@ -76,12 +77,12 @@ class TelegramPlaces:
         if operand.bit is None:
             raise NoBlock(f"{operand.path} is not a bit")
         word, _ = self.place(operand)
-        return RequestBit(word, operand.bit.mask, frozenset(operand.roles))
+        return RequestBit(word, operand.bit, frozenset(operand.roles))
 
 
 def cleared(bits: Sequence[RequestBit]) -> list[Statement]:
     """The statements that clear bits, one for each word."""
-    words: dict[Expression, int] = {}
+    words: dict[Expression, list[Bit]] = {}
     for bit in bits:
-        words[bit.word] = words.get(bit.word, 0) | bit.mask
-    return [masked(word, mask, False) for word, mask in words.items()]
+        words.setdefault(bit.word, []).append(bit.bit)
+    return [masked(word, of_word, False) for word, of_word in words.items()]

@@ -8,6 +8,7 @@ from fieldspec.codec.layout.read_plan import read_plan
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.operand import REGISTERS, Operand, Operands
 from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.value import Value
@@ -17,6 +18,7 @@ from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, constant, kind_of
 from fieldspec.targets.controllers.routines.blocks.progress import Seen
 from fieldspec.targets.controllers.routines.holders import Words
+from fieldspec.targets.controllers.routines.named_numbers import mask_of, named
 from fieldspec.targets.controllers.routines.values import Wire, read, write
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
@@ -25,10 +27,10 @@ from fieldspec.targets.controllers.statements.expressions import (
     UINT,
     Elementary,
     Expression,
+    Negation,
     Operation,
     Truth,
     Variable,
-    Whole,
     converted,
     number,
 )
@@ -196,11 +198,12 @@ class WordTask(LineTask):
         kind = kind_of(self.world, operand, register.register.value)
         return constant(self.world, operand, register.register.value, step.value, kind)
 
-    def _address(self, first: int, words: int, writing: bool) -> list[Statement]:
+    def _address(self, register: RegisterLayout, words: int, writing: bool) -> list[Statement]:
         port = self.draft.of_port
+        first = named(register.address, UINT, register.name, "address", hexadecimal=True)
         return [
             Assignment(port("write"), Truth(writing)),
-            Assignment(port("address"), Whole(first, UINT)),
+            Assignment(port("address"), first),
             Assignment(port("count"), number(words)),
         ]
 
@@ -243,7 +246,7 @@ class WordTask(LineTask):
             )
             success = self.draft.attempt(call, tuple(success), "damaged")
         words = max(register.address + register.words for register in run) - first
-        self.draft.request(self.draft.ask(*self._address(first, words, False)), success, remark)
+        self.draft.request(self.draft.ask(*self._address(run[0], words, False)), success, remark)
 
     def _writes(self, operand: Operand, value: Expression, decide: Decide, remark: str = "") -> None:
         """Adds a step that writes a register."""
@@ -253,7 +256,7 @@ class WordTask(LineTask):
             **{declared.variable.name: value for declared in helper.of_role("input")},
             aWords=draft.of_port("words"),
         )
-        address = self._address(register.address, register.words, True)
+        address = self._address(register, register.words, True)
         fill = draft.attempt(call, tuple(draft.ask(*address)), "request")
         draft.request(fill, decide(draft.next + 1), remark)
 
@@ -301,14 +304,16 @@ class WordTask(LineTask):
 def _masked(word: Variable, operand: Operand, on: bool) -> Statement:
     """The statement that sets or clears the bit of an operand in a word."""
     assert operand.bit is not None
-    return masked(word, operand.bit.mask, on)
+    return masked(word, [operand.bit], on)
 
 
-def masked(word: Expression, mask: int, on: bool) -> Statement:
-    """The statement that sets or clears the bits of a mask in a word."""
+def masked(word: Expression, changed: Iterable[Bit], on: bool) -> Statement:
+    """The statement that sets or clears some bits of a word."""
     kind = word.type
     assert isinstance(kind, Elementary)
     bits = BITS[kind.size]
-    literal = Whole(mask if on else bits.high & ~mask, bits, True)
-    changed = Operation("OR" if on else "AND", (converted(word, bits), literal), bits)
-    return Assignment(word, converted(changed, kind))
+    by_place = {bit.first: bit for bit in changed}
+    masks = [mask_of(by_place[first], bits) for first in sorted(by_place)]
+    mask = masks[0] if len(masks) == 1 else Operation("OR", tuple(masks), bits)
+    operands = (converted(word, bits), mask if on else Negation(mask, bits))
+    return Assignment(word, converted(Operation("OR" if on else "AND", operands, bits), kind))
