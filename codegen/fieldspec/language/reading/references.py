@@ -229,33 +229,33 @@ class _Search:
         for key, value_key in VALUED.items() if self.section in _ACTING else ():
             signal, value = node.values.get(key), node.values.get(value_key)
             if isinstance(signal, Scalar) and value is not None:
-                yield from self._meant(value, value_key, self.meanings.facts(signal.text), holder)
+                yield from self._of_values(value, value_key, self.meanings.facts(signal.text), holder)
 
     def _by_keys(self, node: Mapping, key: str, child: Mapping, holder: str) -> Iterator[Reference]:
         """The references in the keys of a mapping under a `key` of a node, and in what these have."""
         if key in VALUES:
-            yield from self._given(child, key, [*self.meanings.fields(node, None)], holder)
+            yield from self._of_fields(child, key, [*self.meanings.fields(node, None)], holder)
         elif key == "printed":
             for inner, values in child.values.items():
                 if inner in VALUES:
-                    yield from self._given(values, inner, [*self.meanings.fields(child, node)], holder)
+                    yield from self._of_fields(values, inner, [*self.meanings.fields(child, node)], holder)
         elif key == "if":
             for signal in _keys(child):
                 for start, end, target in self._targets(signal.text, key, holder, None):
                     yield Reference(signal, start, end, key, holder, target)
-                yield from self._meant(child.values[signal.text], key, self.meanings.facts(signal.text), holder)
+                yield from self._of_values(child.values[signal.text], key, self.meanings.facts(signal.text), holder)
 
-    def _given(self, values: Node, key: str, fields: list[Mapping], holder: str) -> Iterator[Reference]:
+    def _of_fields(self, values: Node, key: str, fields: list[Mapping], holder: str) -> Iterator[Reference]:
         """The fields that values are given for, and what the values mean."""
         for name in _keys(values) if isinstance(values, Mapping) else ():
             field = next((field for field in fields if identity(field) == name.text), None)
             if field is not None and isinstance(values, Mapping):
                 yield Reference(name, 0, len(name.text), key, holder, field)
                 value = values.values[name.text]
-                yield from self._meant(value, key, [field], holder)
-                yield from self._given(value, key, [*self.meanings.parts(field)], holder)
+                yield from self._of_values(value, key, [field], holder)
+                yield from self._of_fields(value, key, [*self.meanings.parts(field)], holder)
 
-    def _meant(self, value: Node, key: str, facts: list[Mapping], holder: str) -> Iterator[Reference]:
+    def _of_values(self, value: Node, key: str, facts: list[Mapping], holder: str) -> Iterator[Reference]:
         """The members, bits, states and special values that a value means, or each of several: also a `BIT=MEMBER`."""
         nodes = value.items if isinstance(value, Sequence) else (value,)
         for scalar in (node for node in nodes if isinstance(node, Scalar)):
@@ -270,10 +270,10 @@ class _Search:
         path = text.partition("[")[0]  # an element of a list has its number behind its path
         if path.startswith(IN_USE):
             for message in self.names.get("messages", {}):
-                more = len(f"messages/{message}/") - len(IN_USE)
-                for start, end, named in self._on_path(f"messages/{message}/{path.removeprefix(IN_USE)}"):
-                    if start >= more + len(IN_USE):
-                        yield start - more, end - more, named
+                shift = len(f"messages/{message}/") - len(IN_USE)
+                for start, end, fact_there in self._on_path(f"messages/{message}/{path.removeprefix(IN_USE)}"):
+                    if start >= shift + len(IN_USE):
+                        yield start - shift, end - shift, fact_there
         elif "/" in path:
             yield from self._on_path(path)
         elif (target := self._named(text, key, holder, fact)) is not None:
