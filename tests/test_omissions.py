@@ -108,8 +108,11 @@ def test_each_omission_is_named_with_its_reason_in_the_generated_files(name: str
         assert {row["name"] for row in rows} == expected
         assert all(row["label"] for row in rows)
         return
+    if name == "twincat":
+        # The objects of a project are many: what is left out is said once.
+        texts = {path: text for path, text in texts.items() if path.endswith("project_items.xml")}
     for path, text in texts.items():
-        if path.endswith((".csv", "project_items.xml")):
+        if path.endswith(".csv"):
             continue
         omitted = re.findall(r"(?:register|table|record|message) \w+(?=: \w+ (?:is|has|begins|varies))", text)
         assert set(omitted) == expected, path

@@ -17,7 +17,7 @@ from fieldspec.targets.controllers.structured.layout_table import layout_table
 from fieldspec.targets.controllers.structured.objects import Item
 from fieldspec.targets.controllers.structured.program import Program, newest, origin, program
 from fieldspec.targets.controllers.structured.program import refusals as program_refusals
-from fieldspec.targets.twincat.project import Task, identifier, project_file, task_file
+from fieldspec.targets.twincat.project import Task, comments, identifier, project_file, task_file
 
 LIBRARIES = (("Tc2_SerialCom", "ComBuffer"), ("Tc2_ModbusRTU", "ModbusRtuMaster"))
 """The libraries of adapters, and types of each by which its use is known."""
@@ -77,7 +77,7 @@ def project_files(st_program: Program, items: Sequence[Item]) -> dict[str, str]:
     """The project with its tasks by their paths; none where there is no program to be called."""
     programs = [item.name for item in items if item.kind == "program"]
     if not programs:
-        return {"project_items.xml": inclusion(items)}
+        return {"project_items.xml": "".join(f"{line}\n" for line in comments(st_program.about())) + inclusion(items)}
     lines = [name for name in programs if name.endswith("SerialLine")]
     # Of several telegrams a drive has one: that with the most blocks, unless the project is changed.
     called = max(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import uuid
 from collections.abc import Sequence
 
@@ -52,13 +53,18 @@ def task_file(project: str, task: Task) -> str:
     )
 
 
+def comments(lines: Sequence[str]) -> list[str]:
+    """Lines as comments of XML, which have no two hyphens in a row, and none at their end."""
+    return [f"<!-- {re.sub('-(?=-|$)', '- ', line)} -->" for line in lines]
+
+
 def project_file(name: str, remarks: Sequence[str], items: str, tasks: Sequence[str], libraries: Sequence[str]) -> str:
     """The project: what it is of, its objects, the tasks that call programs, and the libraries that adapters need."""
     group = items.partition("<ItemGroup>\n")[2].rpartition("</ItemGroup>")[0].replace("\n", "\n  ")
     lines = [
         f'{BYTE_ORDER_MARK}<?xml version="1.0" encoding="utf-8"?>',
         '<Project DefaultTargets="Build" xmlns="http://schemas.microsoft.com/developer/msbuild/2003">',
-        *(f"  <!-- {line.replace('--', '- -').strip('-')} -->" for line in remarks),
+        *(f"  {line}" for line in comments(remarks)),
         "  <PropertyGroup>",
         "    <FileVersion>1.0.0.0</FileVersion>",
         "    <SchemaVersion>2.0</SchemaVersion>",
