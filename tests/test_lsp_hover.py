@@ -139,9 +139,7 @@ async def test_a_number_has_its_quantity_wherever_it_is_given(tmp_path: Path) ->
     specs = copied(tmp_path, "ck10", "esc11")
     async with editor(specs) as session:
         for kind, (name, pattern, quantity) in IN_UNITS.items():
-            text = session.text(name).replace(
-                "write: target_speed, argument: speed", "write: target_speed, value: 5000"
-            )
+            text = session.text(name).replace("write: jog_speed, argument: speed", "write: jog_speed, value: 5000")
             if name not in session.open_names:
                 await session.opened(name, text)
             found = re.search(pattern, text)

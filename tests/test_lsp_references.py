@@ -137,6 +137,14 @@ LEADS = {
         ("behaviour", r"state/(alarm): present"),
         ("behaviour", r"name: (alarm), m"),
     ),
+    "a state that a condition has": (
+        ("behaviour", r"state/alarm: (present)"),
+        ("behaviour", r"name: alarm, machine: \[.*\b(present)\b"),
+    ),
+    "a state that is entered": (
+        ("behaviour", r"enter: alarm, state: (present)"),
+        ("behaviour", r"name: alarm, machine: \[.*\b(present)\b"),
+    ),
     "a state machine that is entered": (("behaviour", r"enter: (alarm)"), ("behaviour", r"name: (alarm), m")),
     "a parameter in a product": (
         ("behaviour", r"product: \[parameters/parameters/(negative_soft_limit)"),

@@ -19,9 +19,9 @@ _IDENTITIES = ("name", "id", "group", "line")
 
 @dataclass(frozen=True, slots=True)
 class NamedFact:
-    """A fact: where it stands, its names, and the references to it, each once, by the places of these."""
+    """A fact or a state: where it stands, its names, and the references to it, each once, by the places of these."""
 
-    stated: Mapping
+    stated: Node
     names: dict[PlaceInFile, Scalar] = field(default_factory=dict)
     uses: dict[Span, Reference] = field(default_factory=dict)
 
@@ -44,11 +44,11 @@ class _Index:
     facts: dict[PlaceInFile, NamedFact] = field(default_factory=dict)
     meant: dict[PlaceInFile, dict[Span, list[PlaceInFile]]] = field(default_factory=dict)
 
-    def fact(self, node: Mapping) -> NamedFact:
-        """The fact that a mapping states."""
+    def fact(self, node: Node) -> NamedFact:
+        """The fact that a node states."""
         return self.facts.setdefault(place_in_file(node), NamedFact(node))
 
-    def mean(self, node: Scalar, span: Span, fact: Mapping) -> None:
+    def mean(self, node: Scalar, span: Span, fact: Node) -> None:
         """Notes that a part of a scalar means a fact."""
         places = self.meant.setdefault(place_in_file(node), {}).setdefault(span, [])
         if (place := place_in_file(fact)) not in places:
@@ -106,8 +106,12 @@ def _overlays(project: EditedProject, spec: DeviceSpec) -> Iterator[tuple[str, M
 
 
 def _names(node: Node, index: _Index) -> None:
-    """Notes the names of all facts of a tree: they are items of lists."""
-    for _, child in children(node):
+    """Notes the names of all facts of a tree: they are items of lists. States of machines are names alone."""
+    for key, child in children(node):
+        for state in child.items if key == "machine" and isinstance(child, Sequence) else ():
+            if isinstance(state, Scalar):
+                index.fact(state).names.setdefault(place_in_file(state), state)
+                index.mean(state, unquoted(state), state)
         if isinstance(node, Sequence) and isinstance(child, Mapping):
             name = next((child.values[key] for key in _IDENTITIES if key in child.values), None)
             if isinstance(name, Scalar):

@@ -56,4 +56,4 @@ def _meant(place: Cursor, *names: Node | None) -> Iterator[Mapping]:
     for name in names:
         if isinstance(name, Scalar):
             at_end = replace(place, offset=name.end, nodes=(name,), key_scalar=None)
-            yield from (fact.stated for fact in meant(at_end))
+            yield from (fact.stated for fact in meant(at_end) if isinstance(fact.stated, Mapping))
