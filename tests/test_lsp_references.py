@@ -167,6 +167,14 @@ async def test_names_in_tasks_behaviour_and_examples_lead_to_what_they_mean_and_
                 assert place in uses, kind
 
 
+@pytest.mark.asyncio
+async def test_an_address_that_copies_of_registers_begin_at_is_no_name_of_them(tmp_path: Path) -> None:
+    name = "ck10/registers-parameters.yaml"
+    async with editor(copied(tmp_path, "ck10")) as session:
+        place = first_spot(name, session.text(name), r"base: (0x1450)")
+        assert await defined(session, name, types.Position(place[1], place[2])) == set()
+
+
 def first_spot(name: str, text: str, pattern: str) -> Spot:
     """The first place of a pattern in a document."""
     return min(spots(name, text, pattern), key=lambda spot: spot[1:])

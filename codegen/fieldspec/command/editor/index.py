@@ -48,8 +48,10 @@ class _Index:
         """The fact that a node states."""
         return self.facts.setdefault(place_in_file(node), NamedFact(node))
 
-    def mean(self, node: Scalar, span: Span, fact: Node) -> None:
-        """Notes that a part of a scalar means a fact."""
+    def mean(self, node: Scalar, span: Span, name: str, fact: Node) -> None:
+        """Notes that a part of a scalar means a fact. A name that comes from an expansion is in no text."""
+        if _text(span) != name:
+            return
         places = self.meant.setdefault(place_in_file(node), {}).setdefault(span, [])
         if (place := place_in_file(fact)) not in places:
             places.append(place)
@@ -85,7 +87,8 @@ def _indexed(project: EditedProject, spec: DeviceSpec) -> _Index:
     results = [reference for tree in trees for reference in references(tree)]
     results += (reference for base, overlay in overlays for reference in references(spec.tree_at(base), overlay))
     for reference in results:
-        index.mean(reference.scalar, reference.span, reference.target)
+        text = reference.scalar.text[reference.start : reference.end]
+        index.mean(reference.scalar, reference.span, text, reference.target)
         # A role is no name, and one that comes from an expansion is in no text.
         if _text(reference.span) in {_text(unquoted(name)) for name in index.fact(reference.target).names.values()}:
             index.fact(reference.target).uses.setdefault(reference.span, reference)
@@ -111,11 +114,11 @@ def _names(node: Node, index: _Index) -> None:
         for state in child.items if key == "machine" and isinstance(child, Sequence) else ():
             if isinstance(state, Scalar):
                 index.fact(state).names.setdefault(place_in_file(state), state)
-                index.mean(state, unquoted(state), state)
+                index.mean(state, unquoted(state), state.text, state)
         if isinstance(node, Sequence) and isinstance(child, Mapping):
             name = next((child.values[key] for key in _IDENTITIES if key in child.values), None)
             if isinstance(name, Scalar):
                 index.fact(child).names.setdefault(place_in_file(name), name)
-                index.mean(name, unquoted(name), child)
+                index.mean(name, unquoted(name), name.text, child)
         if not isinstance(child, Scalar):
             _names(child, index)
