@@ -28,8 +28,8 @@ other figures; these compare the blocks with each other and show the order of ma
 
 *code* is the body of the block. The functions that blocks call exist once for each device; the line above each table
 has their sum, for a program that uses all of them. *data* is one instance. matiec copies each struct that a block is
-lent, and adds a byte of flags to each variable. CODESYS, TwinCAT and TIA Portal pass a reference, so *own data*, which
-leaves these structs out, is nearer to what they need.
+lent and each constant, and adds a byte of flags to each variable. CODESYS, TwinCAT and TIA Portal pass a reference, and
+need no memory for a constant, so *own data*, which leaves these out, is nearer to what they need.
 """
 
 
@@ -37,7 +37,8 @@ def main() -> None:
     """Writes the page."""
     lines = [HEAD]
     for path in sorted((ROOT / "generated" / "iec").glob("*.st")):
-        if not path.stem.endswith("_constants"):
+        # What lies beside the blocks of a version, its constants and programs, has none of its own.
+        if path.with_stem(f"{path.stem}_constants").exists():
             lines += _section(path)
     PAGE.write_text("\n".join(lines) + "\n", "utf-8")
     print(f"{PAGE.relative_to(ROOT)} is written")
@@ -46,7 +47,7 @@ def main() -> None:
 def _section(path: Path) -> Iterator[str]:
     """The table of a device."""
     blocks = re.findall(r"^FUNCTION_BLOCK (\w+)\n(.*?)^END_FUNCTION_BLOCK", path.read_text("utf-8"), re.M | re.S)
-    sizes = _sizes(path, {name: _lent(body) for name, body in blocks})
+    sizes = _sizes(path, {name: _copied(body) for name, body in blocks})
     functions = sum(size for name, size in sizes.items() if name.startswith("F_"))
     yield f"\n## {path.stem}\n\nAll functions: {functions:,} bytes of code.\n"
     yield "| block | code | data | own data |\n|---|---|---|---|"
@@ -56,9 +57,10 @@ def _section(path: Path) -> Iterator[str]:
         yield f"| `{name}` | {sizes[f'{upper}_body__']:,} | {data:,} | {own:,} |"
 
 
-def _lent(body: str) -> list[str]:
-    """The variables that a block is lent."""
-    return re.findall(r"^\s+(\w+) :", "".join(re.findall(r"^VAR_IN_OUT$(.*?)^END_VAR", body, re.M | re.S)), re.M)
+def _copied(body: str) -> list[str]:
+    """The variables that a block is lent, and its constants."""
+    sections = re.findall(r"^(?:VAR_IN_OUT|VAR CONSTANT)$(.*?)^END_VAR", body, re.M | re.S)
+    return re.findall(r"^\s+(\w+) :", "".join(sections), re.M)
 
 
 def _sizes(path: Path, blocks: dict[str, list[str]]) -> dict[str, int]:
@@ -69,9 +71,9 @@ def _sizes(path: Path, blocks: dict[str, list[str]]) -> dict[str, int]:
         command = [str(tool / "iec2c"), "-I", str(tool / "lib"), "-T", name, str(path)]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         lines = ['#include "POUS.h"', "TIME __CURRENT_TIME;", "BOOL __DEBUG;", '#include "POUS.c"']
-        for block, lent in blocks.items():
+        for block, copied in blocks.items():
             upper = block.upper()
-            less = "".join(f" - sizeof((({upper} *)0)->{variable.upper()})" for variable in lent)
+            less = "".join(f" - sizeof((({upper} *)0)->{variable.upper()})" for variable in copied)
             lines += [f"char DATA_{upper}[sizeof({upper})];", f"char OWN_{upper}[sizeof({upper}){less}];"]
         (folder / "all.c").write_text("\n".join(lines) + "\n", "utf-8")
         target = folder / "all.o"

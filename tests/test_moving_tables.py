@@ -125,6 +125,12 @@ def test_a_register_in_another_space_says_where_values_are_written(device: Simul
         assert device.simulation.engine.memory.read("holding_registers", PLACES["settings[1].delay"]) == 77
 
 
+def test_a_dry_run_says_that_the_device_decides_on_the_address(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["live", "recorder", "write", "settings[1].threshold=-5 mV", "--link", "tcp", "--unit", "1"]
+    assert main([*arguments, "--dry-run", "--specs", str(FOLDER)]) == 0
+    assert "its table begins where setting_address says" in capsys.readouterr().err
+
+
 def test_a_scan_finds_a_table_where_it_is(device: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     put(device, "event_address", 0x0700)
     put(device, "event_count", 3)

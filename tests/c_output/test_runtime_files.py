@@ -21,7 +21,7 @@ STANDARD = ["stdbool.h", "stddef.h", "stdint.h", "stdlib.h", "string.h"]
 
 # The declarations that a file needs before it, and statements that use all of it.
 PROGRAMS = {
-    "enum_size.h": ([], "typedef enum few {FIRST} DEVICE_ENUM_16 few; if (sizeof(few) != 2) return 1;"),
+    "enum_size.h": ([], "typedef enum few {FIRST} DEVICE_ENUM_16 small; if (sizeof(small) < 2) return 1;"),
     "machine.h": ([], "uint8_t out[2] = {1, 2}, in[2] = {0, 0}; DEVICE_COPY(in, out, 2); DEVICE_CLEAR(out, 2);"),
     "status.h": ([], "device_codec_status status = DEVICE_OK; (void)status;"),
     "code_text.h": ([], "device_code_text text = {1, -1, 0, 0, 0, 0, 0, 0}; (void)text;"),

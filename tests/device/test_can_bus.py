@@ -119,7 +119,10 @@ def test_live_reads_and_writes_objects_by_name_over_a_bus(
         (["simulate", "axis", "--port", "can://nothing/x"], "cannot open can://nothing/x"),
         (["live", "axis", "read", "--link", "sdo", "--port", "tcp://127.0.0.1:1"], "sdo is a CAN bus"),
         (["live", "servo", "read", "--port", "can://virtual/x"], "bus is no CAN bus"),
-        (["live", "axis", "read", "--link", "vehicle", "--port", "can://virtual/x"], "nothing says which priority"),
+        (
+            ["live", "axis", "read", "read_hours", "--link", "vehicle", "--port", "can://virtual/x"],
+            "says which priority",
+        ),
     ],
 )
 def test_a_place_that_is_none_for_a_link_is_refused(

@@ -21,7 +21,7 @@ def test_the_printed_silence_is_kept_unless_another_one_is_asked_for(device: str
     options |= {"retries": 0, "trace": False}
     for pause, expected in ((None, seconds), (0.7, 0.7)):
         arguments = argparse.Namespace(**options, pause=pause, fixed=[], format="text")
-        with connected(parts_of(name)[0], arguments, dry=True) as client:
+        with connected(parts_of(name)[0], arguments) as client:
             assert client.timing.pause == pytest.approx(expected)
 
 

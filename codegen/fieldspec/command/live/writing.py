@@ -34,6 +34,11 @@ def write_values(client: Client, access: Access, arguments: argparse.Namespace, 
         for hazard in item.hazards:
             print_note(f"{item.path}: {hazard}")
     if arguments.dry_run:
+        for item in chosen:
+            if register := access.address_register(item):
+                print_note(
+                    f"{item.path}: its table begins where {register} says; the frame is that for its usual address"
+                )
         for names, frame in frames:
             print_line(f"{names}: {frame.hex(' ').upper()}")
         return 0

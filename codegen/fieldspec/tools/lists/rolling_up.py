@@ -95,7 +95,7 @@ def _may_repeat(entry: Entry) -> bool:
 def _numbered(entry: Entry, name: str) -> Iterator[_Numbered]:
     """A register by each number in its name that its printed name has too."""
     row = entry.row
-    printed = row.texts.get("printed_name") or row.names[0]
+    printed = row.texts.get("printed_name") or next(iter(row.names), "")
     texts = tuple(sorted((role, text) for role, text in row.texts.items() if role not in _OWN_TEXTS))
     facts = (entry.shape, texts, row.doubts, row.unit, row.scale, row.offset, row.order, row.access)
     if "{" in printed or "}" in printed:

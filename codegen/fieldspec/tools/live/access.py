@@ -137,7 +137,10 @@ if TYPE_CHECKING:
             """Reads items, each once. A refused one costs no other."""
 
         def frame(self, client: Client, chosen: Any) -> bytes:
-            """The request that writes a value. Raises WriteError."""
+            """The request that writes a value; in a table that moves, at its usual address. Raises WriteError."""
+
+        def address_register(self, chosen: Any) -> str:
+            """The register that says where the table of a value begins; empty where its address is fixed."""
 
         def write(self, client: Client, chosen: Any) -> None:
             """Writes a value, once. Raises WriteError and RefusedError."""

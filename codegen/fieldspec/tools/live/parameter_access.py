@@ -156,6 +156,10 @@ class ParameterAccess:
         """The request that writes a value. Raises WriteError."""
         return parameter_request(client, chosen)[2]
 
+    def address_register(self, chosen: ParameterAssignment) -> str:
+        """Empty: no parameter has an address that moves."""
+        return ""
+
     def write(self, client: Client, chosen: ParameterAssignment) -> None:
         """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""
         write_parameter(client, chosen)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from fieldspec.codec.explain.hazards import roles_of
 from fieldspec.codec.explain.registers import (
     absent_text,
+    base_of_table,
     count_of_occupant,
     element_number,
     exponent_applied,
@@ -234,8 +235,14 @@ class RegisterAccess:
         return replace(reading(self.layout, space, replace(occupant, value=value), own.words), occupant=occupant)
 
     def frame(self, client: Client, chosen: Assignment) -> bytes:
-        """The request that writes a value. Raises WriteError."""
-        return request_frame(client, self._placed(client, chosen))[2]
+        """The request that writes a value; in a table that moves, at its usual address. Raises WriteError."""
+        return request_frame(client, chosen)[2]
+
+    def address_register(self, chosen: Assignment) -> str:
+        """The register that says where the table of a value begins; empty where its address is fixed."""
+        table = chosen.occupant.outer
+        is_moving = isinstance(table, Table) and table.name in self._moving
+        return base_of_table(self.layout, table.name).path if is_moving else ""
 
     def write(self, client: Client, chosen: Assignment) -> None:
         """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""

@@ -26,6 +26,7 @@ TERMINAL_FRAMES = {"8N1": 3, "8E1": 4, "8O1": 5}
 """The values of 80n0:11 and 80n0:15 of the terminals EL60xx."""
 ALTERNATIVE = "modbus_request"
 """The name of a source that takes the place of another one, so that a project has one of the two."""
+_BLOCK = re.compile(r"^(?:FUNCTION_BLOCK|PROGRAM)\b.*?^END_(?:FUNCTION_BLOCK|PROGRAM)$", re.MULTILINE | re.DOTALL)
 _BODY = re.compile(r"^END_VAR\n(?=\n|BEGIN)", re.MULTILINE)
 """The end of the variables of a block."""
 _WORD_CODES = {"read": {3}, "write": {6, 16}}
@@ -216,12 +217,13 @@ def _filled(
     }
     if station.telegram is not None:
         view |= _telegram(world, spelling, station.telegram)
-    texts = (_declared(fill(f"controllers/adapters/{template}", **view)) for template in templates)
+    texts = (_BLOCK.sub(_declared, fill(f"controllers/adapters/{template}", **view)) for template in templates)
     return Source(name, remarks, "\n".join(texts))
 
 
-def _declared(text: str) -> str:
+def _declared(block: re.Match[str]) -> str:
     """A block with the constants that it names, behind its variables."""
+    text = block[0]
     names = {item.name: item for item in port_constants() if re.search(rf"\b{item.name}\b", text)}
     section = "".join(f"{line}\n" for line in constants_section(sorted_constants(names.values())))
     return _BODY.sub(lambda match: match[0] + section, text, count=1)
