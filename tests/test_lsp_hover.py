@@ -121,6 +121,33 @@ async def test_a_key_is_shown_as_the_manual_of_the_language_has_it(specs: Path) 
                 assert row.partition("\n\nWords:")[0].rstrip() in rows, (file, key, words)
 
 
+# The quantities that the manuals of the devices print for these numbers, which the specs have in counts.
+IN_UNITS = {
+    "a default": ("ck10/registers-parameters.yaml", r"name: run_current, .*default: (10),", "10 (100 %)"),
+    "a value at delivery": ("esc11/behaviour.yaml", r"initial: \S+/stroke, value: (200)", "200 (20.0 mm)"),
+    "a value of an example": ("esc11/examples-move.yaml", r"distance: 1.00 mm, speed: (50)", "50 (50 %)"),
+    "a value of a step": ("ck10/tasks.yaml", r"write: jog_speed, value: (5000)", "5000 (5000 pps)"),
+    "a default that an erratum prints": (
+        "ck10/errata.yaml",
+        r"printed: \{default: (2147483647)",
+        "2147483647 (2147483647 pulse)",
+    ),
+}
+
+
+async def test_a_number_has_its_quantity_wherever_it_is_given(tmp_path: Path) -> None:
+    specs = copied(tmp_path, "ck10", "esc11")
+    async with editor(specs) as session:
+        for kind, (name, pattern, quantity) in IN_UNITS.items():
+            text = session.text(name).replace("write: jog_speed, argument: speed", "write: jog_speed, value: 5000")
+            if name not in session.open_names:
+                await session.opened(name, text)
+            found = re.search(pattern, text)
+            assert found is not None, kind
+            answer = await hover_text(session, Span(SourceFile(name, text), *found.span(1)))
+            assert answer.startswith(f"`{quantity}`\n"), (kind, answer)
+
+
 async def test_texts_of_a_spec_end_no_block_of_code_and_make_no_link(specs: Path) -> None:
     name = "gizmo/device.yaml"
     hostile = "```\\n[x](http://example.com) ![](file:///etc/passwd) <script>"

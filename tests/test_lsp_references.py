@@ -137,6 +137,14 @@ LEADS = {
         ("behaviour", r"state/(alarm): present"),
         ("behaviour", r"name: (alarm), m"),
     ),
+    "a state that a condition has": (
+        ("behaviour", r"state/alarm: (present)"),
+        ("behaviour", r"name: alarm, machine: \[.*\b(present)\b"),
+    ),
+    "a state that is entered": (
+        ("behaviour", r"enter: alarm, state: (present)"),
+        ("behaviour", r"name: alarm, machine: \[.*\b(present)\b"),
+    ),
     "a state machine that is entered": (("behaviour", r"enter: (alarm)"), ("behaviour", r"name: (alarm), m")),
     "a parameter in a product": (
         ("behaviour", r"product: \[parameters/parameters/(negative_soft_limit)"),
@@ -157,6 +165,14 @@ async def test_names_in_tasks_behaviour_and_examples_lead_to_what_they_mean_and_
             if "role" not in kind:  # a role is a use of the fact, but not of its name
                 uses = await used(session, target, types.Position(expected[1], expected[2]), declaration=False)
                 assert place in uses, kind
+
+
+@pytest.mark.asyncio
+async def test_an_address_that_copies_of_registers_begin_at_is_no_name_of_them(tmp_path: Path) -> None:
+    name = "ck10/registers-parameters.yaml"
+    async with editor(copied(tmp_path, "ck10")) as session:
+        place = first_spot(name, session.text(name), r"base: (0x1450)")
+        assert await defined(session, name, types.Position(place[1], place[2])) == set()
 
 
 def first_spot(name: str, text: str, pattern: str) -> Spot:

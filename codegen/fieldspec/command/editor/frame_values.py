@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.command.editor.typed_word import TypedWord
 from fieldspec.language.reading.meanings import VALUED, VALUES, Meanings, value_of
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, find, identity
+from fieldspec.language.reading.nodes import Mapping, Scalar, Sequence, identity
 
 
 def fields(word: TypedWord) -> Iterator[Mapping]:
@@ -50,12 +50,7 @@ def states(word: TypedWord, key: str) -> Iterator[str]:
     else:
         name = key.removeprefix("state/") if key.startswith("state/") else ""
     for known in _meanings(word) if name else ():
-        machine = find(known.tree, f"behaviour/{name}/machine")
-        yield from (state.text for state in _items(machine) if isinstance(state, Scalar))
-
-
-def _items(node: Node | None) -> tuple[Node, ...]:
-    return node.items if isinstance(node, Sequence) else ()
+        yield from (state.text for state in known.states(name))
 
 
 def _meanings(word: TypedWord) -> Iterator[Meanings]:

@@ -12,6 +12,7 @@ from fieldspec.command.editor.cursor import Cursor
 from fieldspec.command.editor.index import meant
 from fieldspec.command.editor.manual_links import SOURCE, cited_lines, manual_of
 from fieldspec.command.editor.projects import EditedProject
+from fieldspec.command.editor.quantities import quantity
 from fieldspec.command.rendering import explanation_text, item_blocks
 from fieldspec.command.rendering.blocks import Block, Line, bare_text
 from fieldspec.command.rendering.item import Item, fact_of, items
@@ -41,7 +42,8 @@ def hover(place: Cursor) -> str | None:
             return key_text(part, place.key)
         if rule is not None or not meant(place):
             return rule.what if rule is not None else None
-    return "\n".join(filter(None, (_cited(place), _stated(place)))) or None
+    number = f"{code(known)}\n" if (known := quantity(place)) else ""
+    return "\n".join(filter(None, (_cited(place), number, _stated(place)))) or None
 
 
 def _cited(place: Cursor) -> str:

@@ -19,9 +19,9 @@ _IDENTITIES = ("name", "id", "group", "line")
 
 @dataclass(frozen=True, slots=True)
 class NamedFact:
-    """A fact: where it stands, its names, and the references to it, each once, by the places of these."""
+    """A fact or a state: where it stands, its names, and the references to it, each once, by the places of these."""
 
-    stated: Mapping
+    stated: Node
     names: dict[PlaceInFile, Scalar] = field(default_factory=dict)
     uses: dict[Span, Reference] = field(default_factory=dict)
 
@@ -44,12 +44,14 @@ class _Index:
     facts: dict[PlaceInFile, NamedFact] = field(default_factory=dict)
     meant: dict[PlaceInFile, dict[Span, list[PlaceInFile]]] = field(default_factory=dict)
 
-    def fact(self, node: Mapping) -> NamedFact:
-        """The fact that a mapping states."""
+    def fact(self, node: Node) -> NamedFact:
+        """The fact that a node states."""
         return self.facts.setdefault(place_in_file(node), NamedFact(node))
 
-    def mean(self, node: Scalar, span: Span, fact: Mapping) -> None:
-        """Notes that a part of a scalar means a fact."""
+    def mean(self, node: Scalar, span: Span, name: str, fact: Node) -> None:
+        """Notes that a part of a scalar means a fact. A name that comes from an expansion is in no text."""
+        if _text(span) != name:
+            return
         places = self.meant.setdefault(place_in_file(node), {}).setdefault(span, [])
         if (place := place_in_file(fact)) not in places:
             places.append(place)
@@ -85,7 +87,8 @@ def _indexed(project: EditedProject, spec: DeviceSpec) -> _Index:
     results = [reference for tree in trees for reference in references(tree)]
     results += (reference for base, overlay in overlays for reference in references(spec.tree_at(base), overlay))
     for reference in results:
-        index.mean(reference.scalar, reference.span, reference.target)
+        text = reference.scalar.text[reference.start : reference.end]
+        index.mean(reference.scalar, reference.span, text, reference.target)
         # A role is no name, and one that comes from an expansion is in no text.
         if _text(reference.span) in {_text(unquoted(name)) for name in index.fact(reference.target).names.values()}:
             index.fact(reference.target).uses.setdefault(reference.span, reference)
@@ -106,12 +109,16 @@ def _overlays(project: EditedProject, spec: DeviceSpec) -> Iterator[tuple[str, M
 
 
 def _names(node: Node, index: _Index) -> None:
-    """Notes the names of all facts of a tree: they are items of lists."""
-    for _, child in children(node):
+    """Notes the names of all facts of a tree: they are items of lists. States of machines are names alone."""
+    for key, child in children(node):
+        for state in child.items if key == "machine" and isinstance(child, Sequence) else ():
+            if isinstance(state, Scalar):
+                index.fact(state).names.setdefault(place_in_file(state), state)
+                index.mean(state, unquoted(state), state.text, state)
         if isinstance(node, Sequence) and isinstance(child, Mapping):
             name = next((child.values[key] for key in _IDENTITIES if key in child.values), None)
             if isinstance(name, Scalar):
                 index.fact(child).names.setdefault(place_in_file(name), name)
-                index.mean(name, unquoted(name), child)
+                index.mean(name, unquoted(name), name.text, child)
         if not isinstance(child, Scalar):
             _names(child, index)

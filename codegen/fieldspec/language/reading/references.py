@@ -55,7 +55,7 @@ def place_in_file(node: Node) -> PlaceInFile:
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """A name of the fact `target` under a `key` of the fact at the path `holder`.
+    """A name of the fact `target`, or of a state of a machine, under a `key` of the fact at the path `holder`.
 
     The name is the text `start` to `end` of the scalar: all of it, or a step of a path, of which each step is one. The
     scalar may be a key. It may have a role of the target in place of its name. It is at some `keys` of the tree, which
@@ -67,7 +67,7 @@ class Reference:
     end: int
     key: str
     holder: str
-    target: Mapping
+    target: Node
     keys: Keys = ()
 
     @property
@@ -180,6 +180,8 @@ IN_USE = "message/"
 """Begins the path of a part of the cyclic message in use, which may be any message."""
 
 
+_STATE = "state/"
+"""Begins the path of the state of a machine in a condition."""
 _OF_PARTS = ("enter", "append", "insert", "remove", "load", "from")
 """The keys under which actions name machines and collections, which are parts of the behaviour."""
 _PARTS = frozenset(("machine", "collection"))
@@ -230,6 +232,9 @@ class _Search:
             signal, value = node.values.get(key), node.values.get(value_key)
             if isinstance(signal, Scalar) and value is not None:
                 yield from self._of_values(value, value_key, self.meanings.facts(signal.text), holder)
+        machine, state = node.values.get("enter"), node.values.get("state")
+        if self.section == "behaviour" and isinstance(machine, Scalar) and state is not None:
+            yield from self._of_states(state, "state", machine.text, holder)
 
     def _by_keys(self, node: Mapping, key: str, child: Mapping, holder: str) -> Iterator[Reference]:
         """The references in the keys of a mapping under a `key` of a node, and in what these have."""
@@ -243,7 +248,17 @@ class _Search:
             for signal in _keys(child):
                 for start, end, target in self._targets(signal.text, key, holder, None):
                     yield Reference(signal, start, end, key, holder, target)
-                yield from self._of_values(child.values[signal.text], key, self.meanings.facts(signal.text), holder)
+                value, machine = child.values[signal.text], signal.text.removeprefix(_STATE)
+                if machine != signal.text:
+                    yield from self._of_states(value, key, machine, holder)
+                yield from self._of_values(value, key, self.meanings.facts(signal.text), holder)
+
+    def _of_states(self, value: Node, key: str, machine: str, holder: str) -> Iterator[Reference]:
+        """The states of a machine that a value means, or each of several."""
+        for scalar in value.items if isinstance(value, Sequence) else (value,):
+            for state in self.meanings.states(machine):
+                if isinstance(scalar, Scalar) and scalar.text == state.text:
+                    yield Reference(scalar, 0, len(state.text), key, holder, state)
 
     def _of_fields(self, values: Node, key: str, fields: list[Mapping], holder: str) -> Iterator[Reference]:
         """The fields that values are given for, and what the values mean."""
