@@ -142,9 +142,9 @@ async def test_a_number_has_its_quantity_wherever_it_is_given(tmp_path: Path) ->
             text = session.text(name).replace("write: jog_speed, argument: speed", "write: jog_speed, value: 5000")
             if name not in session.open_names:
                 await session.opened(name, text)
-            found = re.search(pattern, text)
-            assert found is not None, kind
-            answer = await hover_text(session, Span(SourceFile(name, text), *found.span(1)))
+            match = re.search(pattern, text)
+            assert match is not None, kind
+            answer = await hover_text(session, Span(SourceFile(name, text), *match.span(1)))
             assert answer.startswith(f"`{quantity}`\n"), (kind, answer)
 
 

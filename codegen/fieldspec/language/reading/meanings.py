@@ -57,8 +57,10 @@ class Meanings:
 
     def states(self, machine: str) -> Iterator[Scalar]:
         """The names of the states of a machine, which stand in its list and state nothing else."""
-        listed = find(self.tree, f"behaviour/{machine}/machine")
-        yield from (node for _, node in children(listed) if isinstance(node, Scalar)) if listed is not None else ()
+        machine_list = find(self.tree, f"behaviour/{machine}/machine")
+        yield from (
+            (node for _, node in children(machine_list) if isinstance(node, Scalar)) if machine_list is not None else ()
+        )
 
     def with_role(self, role: str) -> list[Mapping]:
         """The facts that have a role."""
