@@ -77,7 +77,7 @@ def line(request: pytest.FixtureRequest) -> Iterator[tuple[float, Servo, Any]]:
     servo.start()
     port = sdk.PortHandler(os.ttyname(host))
     assert port.openPort()
-    port.tx_time_per_byte = 200.0  # a loaded machine needs longer than the line
+    port.tx_time_per_byte = 2000.0  # a loaded machine needs longer than the line
     yield request.param, servo, port
     port.closePort()
     os.close(host)
