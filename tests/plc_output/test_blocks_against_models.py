@@ -25,7 +25,6 @@ from model_scenes import (
     place,
     ready,
     set_out,
-    speed_input,
     until_moving,
     value_input,
 )
@@ -191,22 +190,6 @@ def test_a_gripper_without_a_home_is_not_done(refusal: str, make: Callable[..., 
 def test_a_gripper_is_not_done_at_a_place_that_it_cannot_reach(refusal: str, make: Callable[..., Any]) -> None:
     rig = make("esc11", refusal=refusal)
     assert rig.finish(rig.block("absolute"), lrPosition=900.0).startswith("Error")
-
-
-@pytest.mark.parametrize("name", POSITIONING)
-@pytest.mark.parametrize("kind", ["absolute", "home", "relative"])
-def test_what_is_stopped_from_outside_is_not_done(name: str, kind: str, make: Callable[..., Any]) -> None:
-    rig = make(name)
-    block = rig.block(kind)
-    if kind != "home":
-        slow = {"tc100": 10, "ck10": 2000, "esc11": 10}.get(name, 120000.0)
-        rig.set(block, **{value_input(rig, block): place(name, 1900), speed_input(rig, block): slow})
-    rig.start(block)
-    until_moving(rig)
-    rig.model.stop_outside()
-    rig.run(7000)
-    assert rig.ended(block).startswith("Error")
-    assert broken(rig, 34, 37) == []
 
 
 @pytest.mark.parametrize("name", POSITIONING)

@@ -13,7 +13,17 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from loaded import programs
-from model_scenes import FRAMED, POSITIONING, broken, jogging, ready, until_moving
+from model_scenes import (
+    FRAMED,
+    POSITIONING,
+    broken,
+    jogging,
+    place,
+    ready,
+    speed_input,
+    until_moving,
+    value_input,
+)
 
 from device_models.ck10 import POINT_WORDS, POINTS
 
@@ -121,3 +131,19 @@ def test_a_jog_that_has_reached_the_end_of_the_stroke_is_busy_until_its_input_fa
     rig.run(400)
     assert rig.ended(block) == ""
     assert broken(rig, 30) == []
+
+
+@pytest.mark.parametrize("name", POSITIONING)
+@pytest.mark.parametrize("kind", ["absolute", "home", "relative"])
+def test_what_is_stopped_from_outside_is_not_done(name: str, kind: str, make: Callable[..., Any]) -> None:
+    rig = make(name)
+    block = rig.block(kind)
+    if kind != "home":
+        slow = {"tc100": 10, "ck10": 2000, "esc11": 10}.get(name, 120000.0)
+        rig.set(block, **{value_input(rig, block): place(name, 1900), speed_input(rig, block): slow})
+    rig.start(block)
+    until_moving(rig)
+    rig.model.stop_outside()
+    rig.run(7000)
+    assert rig.ended(block).startswith("Error")
+    assert broken(rig, 34, 37) == []
