@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import yaml
 
+from layouts import TEST_SPECS
 from random_devices.agreement import JUDGES, Judge, compare
 from random_devices.fuzz import CASES, batch
 from random_devices.key_counts import BATCH, KeyCounts, counts_of
@@ -55,6 +56,15 @@ def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
         result = compare(spec, number, 60, judges_of(text))
         assert result.findings == ()
         assert result.disagreements == []
+
+
+@pytest.mark.parametrize("device", ["courier"])
+def test_all_codecs_agree_on_frames_of_others(device: str) -> None:
+    spec = yaml.safe_load((TEST_SPECS / device / "device.yaml").read_text("utf-8"))
+    spec["device"]["id"] = "chance"
+    result = compare(spec, 1, 60)
+    assert result.findings == ()
+    assert result.disagreements == []
 
 
 TRUTHS = """

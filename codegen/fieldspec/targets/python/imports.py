@@ -56,7 +56,7 @@ _SHARED = {
     "_absent": "LEFT_OUT LeftOut counts_or_absent real_or_absent state_of",
     "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
-    "_checksums": "Crc Fletcher Followed Sum Xor",
+    "_checksums": "Avoiding Crc Fletcher Followed Sum Swapped Xor",
     "_choices": "Choice",
     "_can": "CanFrame CanIdentifier",
     "_codes": "by_number by_printed_name",
