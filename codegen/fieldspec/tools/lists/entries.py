@@ -25,12 +25,13 @@ _MOST_WORDS = 1 << 20
 
 @dataclass(frozen=True, slots=True)
 class Bit:
-    """One bit of a register, or several neighbours."""
+    """One bit of a register, or several; `pieces` says where those are that are no neighbours."""
 
     low: int
     high: int
     name: str
     row: ListRow | None
+    pieces: str = ""
 
 
 @dataclass(frozen=True, slots=True)
