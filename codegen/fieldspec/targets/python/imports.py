@@ -72,7 +72,7 @@ _SHARED = {
     "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_inner_lists": "InnerList InnerLists",
+    "_inner_lists": "InnerList InnerLists Parts",
     "_mark_framer": "MarkFramer",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",
