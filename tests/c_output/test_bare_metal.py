@@ -94,7 +94,7 @@ CASES += [(device, "big-endian, 32 bits") for device in TEST_DEVICES]
 CASES += [(device, "int of 16 bits") for device in ("widget", "glider-x", "compass")]
 
 
-@pytest.mark.proof(7)
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(("device", "machine"), CASES)
 def test_the_self_test_passes_without_an_operating_system(device: str, machine: str, tmp_path: Path) -> None:
     result = run(MACHINES[machine], tmp_path, device)
