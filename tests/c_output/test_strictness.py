@@ -13,8 +13,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import STRICT, require_tool
 from headers import DEVICES, write_newest
 
-from example_counts import FACTOR
 from fieldspec.foundation.names import stem
+from proofs import IS_WHOLE
 
 # Padding depends on the machine; the other warning says that the linker of a machine may lack a library.
 EVERYTHING = ["-Weverything", "-Wno-padded", "-Wno-unknown-warning-option", "-Wno-avr-rtlib-linking-quirks"]
@@ -71,7 +71,8 @@ def test_every_standard_of_cpp_accepts_the_header(source: Path, standard: str) -
     assert complaints(command) == ""
 
 
-@pytest.mark.parametrize("source", sorted(DEVICES) if FACTOR > 1 else ["esc11", "hiwin-e", "widget"], indirect=True)
+@pytest.mark.proof
+@pytest.mark.parametrize("source", sorted(DEVICES) if IS_WHOLE else ["esc11", "widget"], indirect=True)
 def test_cppcheck_finds_nothing(source: Path) -> None:
     header = str(source).replace("_selftest.c", ".h")
     command = [
