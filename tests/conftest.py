@@ -156,8 +156,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             proofs[item.nodeid.partition("[")[0]].append(item)
     left_out = set()
     for cases in proofs.values():
-        (most,) = cases[0].iter_markers("proof")
-        left_out |= {*cases} - {*share(cases, *most.args)}
+        marker = cases[0].get_closest_marker("proof")
+        left_out |= {*cases} - {*share(cases, *(marker.args if marker is not None else ()))}
     if left_out:
         config.hook.pytest_deselected(items=[item for item in items if item in left_out])
         items[:] = [item for item in items if item not in left_out]

@@ -41,9 +41,6 @@ class Case:
     def get_closest_marker(self, name: str) -> pytest.Mark | None:
         return self.marker
 
-    def iter_markers(self, name: str) -> list[pytest.Mark | None]:
-        return [self.marker]
-
 
 @dataclass
 class Deselected:

@@ -20,6 +20,8 @@ from proving import Proof, without
 from fieldspec.codec.reference import CodecError, codec
 from fieldspec.targets.controllers.routines.wrapping import framed
 
+pytestmark = pytest.mark.proof()
+
 TRIES = 25
 
 

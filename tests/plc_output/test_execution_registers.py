@@ -31,6 +31,8 @@ from fieldspec.targets.controllers.routines.scaling import quantities
 from fieldspec.targets.vectors.backend import idle_vectors
 from layouts import SPECS, TEST_SPECS
 
+pytestmark = pytest.mark.proof()
+
 TRIES = 25
 READ, WRITABLE = ("ro", "rw"), ("wo", "rw")
 
