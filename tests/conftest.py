@@ -57,6 +57,7 @@ SLOW = (
     "test_interruptions.py",
     "test_mutants.py",
     "test_overviews.py",
+    "test_page_commands.py",
     "test_plugins.py",
     "test_python_conversions.py",
     "test_python_frames.py",
