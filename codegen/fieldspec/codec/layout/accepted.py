@@ -260,11 +260,15 @@ def _number_passes(test: Equals | IsBit | Known | Within | RealWithin | PartWith
         case RealWithin():
             return (test.takes_nan and number != number) or _is_in(number, test.intervals)
         case PartWithin():
-            return _is_in(number, test.sentinels) or _is_in(int(number) & test.bit.mask, test.bit.images)
+            return _is_in(number, test.sentinels) or _part_is_in(test.bit, int(number))
         case Fits():
             return _fits(number, test.precision)
         case _:
             assert_never(test)
+
+
+def _part_is_in(bit: Bit, word: int) -> bool:
+    return _is_in(bit.joined(word) if bit.pieces else word & bit.mask, bit.images)
 
 
 def _is_in(number: float, intervals: Iterable[tuple[float, float]]) -> bool:
