@@ -69,7 +69,8 @@ class Naming:
 
     @contextmanager
     def noting(self) -> Iterator[RequestedNames]:
-        """Meanwhile, notes what is asked for, and the names that are given."""
+        """Meanwhile, notes what is asked for, and the names that are given. A piece has no pieces."""
+        assert self._noted is None
         self._noted = {}, {}
         try:
             yield self._noted
@@ -78,6 +79,7 @@ class Naming:
 
     def gives(self, requested_names: RequestedNames) -> bool:
         """Gives the same names again, all or none."""
+        assert self._noted is None
         earlier, new = requested_names
         given, taken, names = self._given, self._taken, new.values()
         if not (earlier.items() <= given.items() and taken.isdisjoint(names) and _NUMBERED.isdisjoint(names)):
