@@ -130,11 +130,11 @@ def test_the_second_call_reads_no_spec(cache: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_an_item_is_shown_without_those_that_are_not(cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
-    shown = ["show", "tc100", "registers/motion_command", "--specs", str(SPECS)]
-    assert main(shown) == 0
+    arguments = ["show", "tc100", "registers/motion_command", "--specs", str(SPECS)]
+    assert main(arguments) == 0
     first, rebuilt, parse = capsys.readouterr().out, [], layout_cache._parse_line
     monkeypatch.setattr(layout_cache, "_parse_line", lambda line: rebuilt.append(line) or parse(line))
-    assert main(shown) == 0
+    assert main(arguments) == 0
     assert capsys.readouterr().out == first
     assert len(rebuilt) < 300
 

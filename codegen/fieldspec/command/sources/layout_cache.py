@@ -81,8 +81,8 @@ def index(specs_option: str | None, text: str, anew: bool, names: Callable[[], l
         content = json.dumps([names(), used_by(spec.tree_at(picked(spec, version)))]).encode()
         if key:
             cache_folder.store(INDEXES, key, content)
-    named, users = json.loads(content)
-    return named, users
+    item_names, users = json.loads(content)
+    return item_names, users
 
 
 def _files(specs_option: str | None, device: str) -> tuple[str, dict[str, bytes]]:

@@ -28,10 +28,10 @@ def run(arguments: argparse.Namespace) -> int:
     names, users = layout_cache.index(
         arguments.specs, arguments.device, arguments.no_cache, lambda: [_names(item) for item in items(layout)]
     )
-    named = _named(names, arguments.item)
-    first_items = list(islice(items(layout), named[-1] + 1)) if named else []
-    meant = [first_items[place] for place in named] or _numbered(layout, arguments.item, number)
-    for index, item in enumerate(meant):
+    places = _named(names, arguments.item)
+    first_items = list(islice(items(layout), places[-1] + 1)) if places else []
+    chosen_items = [first_items[place] for place in places] or _numbered(layout, arguments.item, number)
+    for index, item in enumerate(chosen_items):
         if index:
             print_line("")
         path = fact_of(item).place.path

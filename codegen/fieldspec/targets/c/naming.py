@@ -81,11 +81,13 @@ class Naming:
         """Gives the same names again, all or none."""
         assert self._noted is None
         earlier, new = requested_names
-        given, taken, names = self._given, self._taken, new.values()
-        if not (earlier.items() <= given.items() and taken.isdisjoint(names) and _NUMBERED.isdisjoint(names)):
+        names = new.values()
+        if not (earlier.items() <= self._given.items() and self._taken.isdisjoint(names)) or not _NUMBERED.isdisjoint(
+            names
+        ):
             return False
-        given.update(new)
-        taken.update(names)
+        self._given.update(new)
+        self._taken.update(names)
         return True
 
     def type(self, noun: Noun, *parts: str) -> str:
