@@ -32,7 +32,7 @@ INPUTS = {
 }
 OUTPUTS = {
     "panel.Ready": "bool",
-    "panel.ErrorID": "uint",
+    "panel.Status": "word",
     "status": "word",
     "diagnostics": "int",
     "axis/valid": "bool",
@@ -136,14 +136,14 @@ def test_a_request_that_cannot_be_packed_is_shown_and_makes_the_next_telegram_in
 
 @pytest.mark.parametrize("way", ["input", "output"])
 def test_a_block_that_works_while_a_telegram_fails_ends_with_error_7(way: str, walk: Walk) -> None:
-    walk.scan(3, panel__xServo=True)
-    assert walk.show("panel.ErrorID") == [0]
+    walk.scan(3, panel__Servo=True)
+    assert walk.show("panel.Status") == [0]
     walk.scan(2, **{f"{way}__returned": signed(0x80A0)})
-    assert walk.show("panel.ErrorID") == [7]
+    assert walk.show("panel.Status") == [0x8600 + 7]
 
 
 def test_the_error_of_the_walk_goes_with_that_of_its_block(walk: Walk) -> None:
-    walk.scan(2, panel__xMove=True)
-    assert walk.show("panel.ErrorID") != [0]
-    walk.scan(2, panel__xMove=False)
-    assert walk.show("panel.ErrorID") == [0]
+    walk.scan(2, panel__MoveAbsolute=True)
+    assert walk.show("panel.Status") != [0]
+    walk.scan(2, panel__MoveAbsolute=False)
+    assert walk.show("panel.Status") == [0]

@@ -53,7 +53,7 @@ class ProgramBench(Bench):
         }
         self.inputs, self.outputs = kinds["input"], kinds["output"]
         self.initial = {key: key[1] == "Show" if kind == "bool" else 0 for key, kind in self.inputs.items()}
-        port = "Axis" if telegram else "Frames"
+        port = "stAxis" if telegram else "stFrames"
         kind = f"st_{pascal.lower()}_" + (f"telegram{telegram}axis" if telegram else "frames")
         self._lent, self._kinds = [port], {port: kind}
         self._called, self._ordered, self._numbers = [], False, {}
@@ -161,8 +161,8 @@ def ready(name: str, folder: Path, *inputs: str) -> Any:
 
 def target(rig: Any, counts: float) -> tuple[str, float]:
     """The input for the position, and counts as it has them."""
-    name = next(name for _, name in rig.bench.inputs if "osition" in name)
-    return name, counts / 100 if name.startswith("lr") else counts
+    name, kind = next((name, kind) for (_, name), kind in rig.bench.inputs.items() if "osition" in name)
+    return name, counts / 100 if kind == "lreal" else counts
 
 
 @pytest.fixture
