@@ -103,7 +103,7 @@ WRONG: dict[str, list[Any]] = {
 }
 """What is repeated wrongly, by the names of parts and fields."""
 BLOCK = "SendCopy"
-NEW = {"uiValueAnswered": 41, "uiReasonAnswered": 51, "iStep2": -52, "xAsked2": True, "udiOwner": 53}
+NEW = {"ValueAnswered": 41, "ReasonAnswered": 51, "StepValue": -52, "Asked": True, "Owner": 53}
 """The outputs with what the answer does not repeat: none is a variable of the block itself."""
 
 
@@ -125,7 +125,7 @@ class Copies(Rig):
             point[name] = [1, 2, 3] if "marks" in name else -5
         self.bench.ports[self.bench.lent[BLOCK, "Label"]] = list(b"ABCD")
         self.bench.ports[self.bench.lent[BLOCK, "Numbers"]] = [1, 2, 3, 0]
-        self.bench.set(BLOCK, Receiver=3, Ticket=700, Mode=2, Number=9, Value=40, uiReason2=50)
+        self.bench.set(BLOCK, Receiver=3, Ticket=700, Mode=2, Number=9, Value=40, Reason=50)
         self.bench.set(BLOCK, NumbersCount=3)
 
     def pass_scan(self) -> None:
