@@ -111,8 +111,8 @@ class TelegramRig(HiwinRig):
         Rig.__init__(self, Bench(SPECS, "hiwin-e", self.blocks, folder, program=block_names(SPECS, "hiwin-e")))
         self.device = Simulated("hiwin-e", "cyclic", self.message)
         self.process_data = ProcessData(self.bench, self.device, self.message)
-        for block, name in self.bench.inputs:
-            if name.startswith("lr"):
+        for (block, name), kind in self.bench.inputs.items():
+            if kind == "lreal":
                 self.bench.set(block, **{name: 50.0})
         for block in self.blocks:
             if block.endswith(("MoveAbsolute", "MoveRelative")):
