@@ -135,6 +135,7 @@ def comparable(record: RecordLayout) -> bool:
     return not any(map(is_real, encodings)) and all(map(has_single_bytes, encodings)) and all(map(comparable, inner))
 
 
+@pytest.mark.proof(5)
 def test_c_and_the_reference_agree_on_random_bytes(driver: tuple[DeviceLayout, Path]) -> None:
     layout, program = driver
     dice = random.Random(layout.device.id)

@@ -32,6 +32,7 @@ IMPORTS = {
     "record": ("checkSize", "record"),
     "register": ("readRequestsOf", "register", "registerArray", "table", "valueOf", "writeRequestsOf"),
     "values": (
+        "bitsNumber",
         "bitsOf",
         "booleanOf",
         "checkList",
