@@ -104,10 +104,10 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"
     messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"
-    others = [messages, record, *(["bigint"] if wide else [])]
+    arguments = [messages, record, *(["bigint"] if wide else [])]
     types = [
         *comment(described(link.link.title or Name.of(link.name).title(), link.link)),
-        f"export declare const {name}: Link<{', '.join([*headers.values(), *others])}>;",
+        f"export declare const {name}: Link<{', '.join([*headers.values(), *arguments])}>;",
         "",
     ]
     for direction in ("request", "response"):
