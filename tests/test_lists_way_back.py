@@ -17,7 +17,10 @@ OF_THE_FILE = ("section", "line", "unverified")
 DEVICES = [
     (folder, path.parent.name) for folder in (SPECS, TEST_SPECS) for path in sorted(folder.glob("*/device.yaml"))
 ]
-WITHOUT = ("beacon", "gateway", "grinder", "pedal", "scanner", "sealer", "sequencer", "stamper", "tariff")
+WITHOUT = (
+    *("beacon", "courier", "gateway", "grinder", "herald", "lever", "pedal", "scanner", "sealer", "sequencer"),
+    *("sorter", "stamper", "tariff"),
+)
 """Devices without registers and parameters."""
 
 
