@@ -277,8 +277,8 @@ def _fixed(
     differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if field.repeat is not None or field.name in differing]
     is_inner = any(field is not record.fields[-1] for field in lists) or bool(differing)
-    others = [field for field in record.fields if field not in lists]
-    for field in (*others, *lists) if is_inner else record.fields:
+    remaining_fields = [field for field in record.fields if field not in lists]
+    for field in (*remaining_fields, *lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
         size = field.value.size if field.value else (nested.most or 0) if nested else 0
         count = None if field.repeat else field.count or 1
