@@ -115,6 +115,30 @@ function followedBy(algorithm, suffix) {
   };
 }
 
+/** A function that computes a checksum of numbers of `unitSize` bytes, of which it takes the last byte first. */
+function swapping(algorithm, unitSize) {
+  return (bytes, start, stop) => {
+    const data = new Uint8Array(Math.ceil((stop - start) / unitSize) * unitSize);
+    data.set(bytes.slice(start, stop));
+    for (let at = 0; at < data.length; at += unitSize) data.subarray(at, at + unitSize).reverse();
+    return algorithm(data, 0, data.length);
+  };
+}
+
+/** A function that computes a checksum of `size` bytes, with others in place of the bytes that must not occur. */
+function avoiding(algorithm, size, avoided, replacements) {
+  return (bytes, start, stop) => {
+    const number = BigInt(algorithm(bytes, start, stop));
+    let result = 0n;
+    for (let shift = 0n; shift < 8 * size; shift += 8n) {
+      const byte = Number((number >> shift) & 255n);
+      const place = avoided.indexOf(byte);
+      result |= BigInt(place < 0 ? byte : replacements[place]) << shift;
+    }
+    return result;
+  };
+}
+
 /** The bytes of a checksum in a frame: those of its number, or its digits. */
 function checksumBytes({ algorithm, size, order, digits }, bytes, first, last) {
   let number = algorithm(bytes, first, last);
@@ -1661,9 +1685,22 @@ function setBitsOf(device, word, number) {
   return meanings;
 }
 
+/** The adjacent bits of a field of bits: the first one, and as many as there are, the least significant run first. */
+const runsOf = ({ runs, first, width }) => runs ?? [[first, width]];
+
 /** The bits of a field of bits in its word. */
-function bitMask({ first, width }) {
-  return ((1n << BigInt(width)) - 1n) << BigInt(first);
+function bitMask(bit) {
+  return bitsPlaced(bit, -1n);
+}
+
+/** The word in which the bits of a field are those of a number, and all others are 0. */
+function bitsPlaced(bit, number) {
+  let [word, rest] = [0n, number];
+  for (const [first, width] of runsOf(bit)) {
+    word |= BigInt.asUintN(width, rest) << BigInt(first);
+    rest >>= BigInt(width);
+  }
+  return word;
 }
 
 /** The first field of bits whose number in a word is not in its range. */
@@ -1674,13 +1711,18 @@ function refusedBitOf(word, number) {
 
 /** The number of a field of bits in a word. */
 function bitsNumber(bit, raw) {
-  const number = (raw & bitMask(bit)) >> BigInt(bit.first);
+  let [number, weight] = [0n, 0n];
+  for (const [first, width] of runsOf(bit)) {
+    number |= BigInt.asUintN(width, raw >> BigInt(first)) << weight;
+    weight += BigInt(width);
+  }
   const signed = bit.signed ? BigInt.asIntN(bit.width, number) : number;
   return bit.width > 8 * WIDE ? signed : Number(signed);
 }
 
 function bitMeaning(device, bit, number) {
-  const bits = bit.width === 1 ? String(bit.first) : `${bit.first}..${bit.first + bit.width - 1}`;
+  const runs = runsOf(bit).map(([first, width]) => (width === 1 ? String(first) : `${first}..${first + width - 1}`));
+  const bits = runs.join(", ");
   const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
   if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
   if (bit.width > 1) {
@@ -1912,12 +1954,16 @@ const FUNCTIONS = new WeakMap();
 function functionOf(algorithm) {
   if (!FUNCTIONS.has(algorithm)) {
     const initial = BigInt(algorithm.initial);
-    const compute = algorithm.method === "crc"
+    let compute = algorithm.method === "crc"
       ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
       : algorithm.method === "fletcher"
         ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
         : totalOf({ ...algorithm, initial });
-    FUNCTIONS.set(algorithm, algorithm.suffix ? followedBy(compute, bytesOfHex(algorithm.suffix)) : compute);
+    if (algorithm.method === "crc" && algorithm.unitSize) compute = swapping(compute, algorithm.unitSize);
+    if (algorithm.suffix) compute = followedBy(compute, bytesOfHex(algorithm.suffix));
+    const { avoided, replacements } = algorithm;
+    if (avoided) compute = avoiding(compute, Math.ceil(algorithm.width / 8), bytesOfHex(avoided), bytesOfHex(replacements));
+    FUNCTIONS.set(algorithm, compute);
   }
   return FUNCTIONS.get(algorithm);
 }
@@ -3851,7 +3897,7 @@ function wordOf(device, name, value, text) {
   const word = device.flags.get(value.flags);
   const named = new Set();
   let result = 0n;
-  for (const bit of word.bits ?? []) result |= (BigInt(bit.default ?? 0) << BigInt(bit.first)) & bitMask(bit);
+  for (const bit of word.bits ?? []) result |= bitsPlaced(bit, BigInt(bit.default ?? 0));
   for (const item of text.split(/[, ]+/).filter(Boolean)) {
     const [bitName, setting] = item.split("=");
     const bit = word.bits?.find((other) => other.name === bitName);
@@ -3866,7 +3912,7 @@ function wordOf(device, name, value, text) {
     if (number > high || number < (bit.signed ? -high - 1n : 0n)) {
       throw new CodecError("out_of_range", `${name}: ${number} does not fit the ${bit.width} bits of ${bitName}`);
     }
-    result = (result & ~bitMask(bit)) | ((number << BigInt(bit.first)) & bitMask(bit));
+    result = (result & ~bitMask(bit)) | bitsPlaced(bit, number);
   }
   const missing = word.needed?.find(([, , names]) => !names.some((other) => named.has(other)));
   if (missing) {

@@ -65,6 +65,11 @@ class FieldLayout:
         return part is not None and part.part == "value" and is_octets(self.primitive.encoding) and not self.is_list
 
     @property
+    def word_order(self) -> str:
+        """The order of its words: that of the bytes in each, or the opposite one."""
+        return {"big": "little", "little": "big"}[self.order] if self.swapped else self.order
+
+    @property
     def primitive(self) -> Primitive:
         """The type of the value of a field that has one."""
         assert self.value is not None

@@ -182,7 +182,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
         ),
         ("Texts of codes, in UTF-8", _code_texts(naming, layout)),
         ("Values that stand for a state", _absent_values(naming, layout)),
-        ("Values out of range", (declare_out_of_range(naming, ranged) for ranged in ranged_values(layout))),
+        ("Values out of range", _out_of_range(naming, layout)),
     )
 
 
@@ -266,6 +266,13 @@ def _absent_values(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         yield [Directive("ifndef", naming.own_macro("without_double"))]
         yield from (declare_fixed_quantity(naming, absent) for absent in fixed)
         yield [Directive("endif")]
+
+
+def _out_of_range(naming: Naming, layout: DeviceLayout) -> Iterator[FactBlock]:
+    device = layout.device
+    for ranged in ranged_values(layout):
+        facts, words = facts_of(device, ranged.value), (ranged.noun, ranged.names, ranged.trigger)
+        yield FactBlock("out of range", facts, words, partial(declare_out_of_range, naming, device, ranged))
 
 
 def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
