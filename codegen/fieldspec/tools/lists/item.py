@@ -197,8 +197,8 @@ def _parts(record: RecordLayout, before: str = "") -> Iterator[tuple[str, FieldL
 
 
 def _space(device: Device, name: str) -> str:
-    own = device.space_name(name)
-    return REGISTERS if own == device.space_name("") else own
+    full_name = device.space_name(name)
+    return REGISTERS if full_name == device.space_name("") else full_name
 
 
 def _flat(

@@ -81,9 +81,9 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
 
 def enum_of(members: Members, name: str, row: int, enums: dict[object, str], used_names: set[str]) -> tuple[str, str]:
     """The name of the enum with some members, and its line, which is empty where another value has the same one."""
-    known = enums.get(members)
-    if known:
-        return known, ""
+    known_name = enums.get(members)
+    if known_name:
+        return known_name, ""
     enum_name = enums[members] = fresh(name, "values", used_names)
     ordered = sorted(members)
     sparse = ", sparse: true" if ordered[-1][0] - ordered[0][0] >= len(ordered) else ""

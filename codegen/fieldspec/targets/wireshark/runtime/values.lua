@@ -178,6 +178,11 @@ local function linked(entry)
         end
     end
     entry.shown = entry.show and values.shows[entry.show] or show_characters
+    -- A field whose item depends on its own bytes alone.
+    entry.is_plain = not (
+        entry.is_list or entry.has_place or entry.parameter or entry.percent or entry.same_as
+        or entry.measures or entry.bits_of
+    )
     return entry.shown
 end
 

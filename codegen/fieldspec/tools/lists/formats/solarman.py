@@ -224,7 +224,7 @@ def _lookup(node: Node | None, of_bits: bool, doubts: list[str]) -> Meanings:
         if text and bit is not None and 0 <= bit < 64:
             bits.append(NamedBits(bit, bit, text))
         elif text and numbers and not of_bits:
-            members += [(own, text) for own in numbers]
+            members += [(number, text) for number in numbers]
         elif text and of_bits and len(numbers) == 1 and numbers[0] > 0 and numbers[0] & (numbers[0] - 1) == 0:
             position = numbers[0].bit_length() - 1
             bits.append(NamedBits(position, position, text))
