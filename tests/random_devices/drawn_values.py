@@ -168,32 +168,37 @@ def _sentinels(draft: Draft, keys: Spec, low: int, high: int) -> None:
 
 def _digits(draft: Draft, place: str) -> Spec:
     """A number that is sent as digits, in a type that holds all of them."""
-    form = draft.pick(("decimal", "decimal", "upper_hex", "lower_hex", "bcd"))
-    is_signed = form != "bcd" and draft.chance(40)
+    form = draft.pick(("decimal", "decimal", "upper_hex", "lower_hex", "bcd", "packed_decimal"))
+    has_nibbles = form in ("bcd", "packed_decimal")
+    is_signed = draft.chance(40)
     size = draft.number(1, 8)
     places = draft.number(1, 3) if form == "decimal" and draft.chance(40) else 0
-    if form != "decimal" and is_signed:
+    if form.endswith("hex") and is_signed:
         size = draft.pick((2, 4, 8, 16))
     elif form == "decimal":
         size += is_signed + (places + 1 if places else 0)
     size += size % 2 if place == "register" else 0
-    count = 2 * size if form == "bcd" else size - (form == "decimal" and is_signed) - bool(places)
+    count = size - (form == "decimal" and is_signed) - bool(places)
+    if has_nibbles:
+        count = 2 * size - (form == "packed_decimal")
     has_blanks = form == "decimal" and count > places + 1 and draft.chance(50)
     count += has_blanks and is_signed
     high = (16 if form.endswith("hex") else 10) ** count - 1
     low = 0
-    if has_blanks and is_signed:
+    if (has_blanks or form == "bcd") and is_signed:
         low = 1 - 10 ** (count - 1)
     elif is_signed:
-        low, high = (-high, high) if form == "decimal" else (-(high + 1) // 2, high // 2)
+        low, high = (-high, high) if not form.endswith("hex") else (-(high + 1) // 2, high // 2)
     bits = next(bits for bits in (8, 16, 32, 64) if high < 1 << (bits - is_signed))
     keys: Spec = {"type": f"{'i' if is_signed else 'u'}{bits}", "digits": form, "length": size}
     if places:
         keys["places"] = places
     if has_blanks:
         keys["padding"] = "space"
-    if form == "bcd" and size > 1 and place != "signal" and draft.chance(30):
+    if has_nibbles and size > 1 and place != "signal" and draft.chance(30):
         keys["byte_order"] = draft.pick(("little", "big"))
+    if form.endswith("hex") and size % 2 == 0 and place != "signal" and draft.chance(40):
+        keys["byte_order"] = "little"
     use = draft.pick(("bare", "range", "scaled", "enum", "sentinel"))
     if use == "enum":
         _enum(draft, keys, low, high)

@@ -53,6 +53,7 @@ def _value_words(value: Value) -> Words:
         *((write_ranges,) if value.write_ranges is not None and write_ranges != ranges else ()),
         *((value.digits, value.places) if value.digits else ()),
         *(("blanks",) if value.has_blanks else ()),
+        *(("low first",) if value.is_low_first else ()),
         *((value.text_form,) if value.text_form is not None else ()),
         *(("turned",) if value.text_form is not None and value.text_form.is_turned else ()),
         *(("width", value.width) if value.width else ()),

@@ -25,7 +25,7 @@ from fieldspec.language.checks.facts import layers, values
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import BCD, digit_bounds, digit_count, digits_text
+from fieldspec.language.model.digits import NIBBLES, digit_bounds, digit_count, digits_text
 from fieldspec.language.model.encoding import MACHINE_BITS, Octets, Real, Sign, Text, Truth, Whole, is_count, is_signed
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
@@ -70,7 +70,7 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
     facts: chain[Part | Field] = chain(link.request, link.response, *(body.fields for body in bodies))
     for fact in facts:
         digits = fact.digits if isinstance(fact, Part) and fact.value is None else fact.value and fact.value.digits
-        if digits and digits != BCD:
+        if digits and digits not in NIBBLES:
             text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
             help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
             related_label = label(link.place, "encoding", "sends every byte as two characters")
@@ -89,15 +89,16 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     elif value.places and value.digits != "decimal":
         text = f"{fact.name} has {value.places} places, which only decimal digits have"
         yield finding(_CODE, fact.place, "places", text, "remove it, or use `digits: decimal`")
-    elif value.digits == BCD and (is_signed(kind.encoding) or value.size > _MOST_BYTES):
-        text = f"{fact.name} is {kind.name} in {value.size} bytes; BCD is unsigned and has at most {_MOST_BYTES} bytes"
-        yield finding(
-            _CODE, fact.place, "digits", text, "use an unsigned type, or state the parts as values of their own"
-        )
+    elif value.digits in NIBBLES and value.size > _MOST_BYTES:
+        text = f"{fact.name} is {kind.name} in {value.size} bytes; BCD has at most {_MOST_BYTES} bytes"
+        yield finding(_CODE, fact.place, "digits", text, "state the parts as values of their own")
+    elif value.is_low_first and (value.size % 2 or value.width):
+        text = f"{fact.name} begins with the digits of its low byte, but has no fixed number of whole bytes"
+        yield finding(_CODE, fact.place, "length", text, "state two digits for each byte, without `varies`")
     elif digit_count(value) <= value.places:
         text = f"{fact.name} has no room for a digit in {value.size} bytes"
         yield finding(_CODE, fact.place, "length", text, "count the sign, the point and all digits")
-    elif is_signed(kind.encoding) and value.digits != "decimal" and digit_count(value) != 2 * kind.size:
+    elif is_signed(kind.encoding) and value.digits.endswith("hex") and digit_count(value) != 2 * kind.size:
         text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
         yield finding(_CODE, fact.place, "length", text, "use the type with as many digits")
     elif digit_bounds(value)[1] > kind.high:

@@ -38,6 +38,7 @@ from fieldspec.language.model.encoding import (
 )
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.fact import Fact, Place
+from fieldspec.language.model.link import Part
 from fieldspec.language.model.value import Value
 
 _NAMED = ("enum", "flags", "const")
@@ -80,7 +81,7 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
         if value.type.is_number and not value.digits and "length" in fact.place:
             text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
             yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
-        if value.has_characters and value.byte_order:
+        if value.has_characters and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
             text = f"{fact.name} is sent as characters, the most significant digit first, and has no byte order"
             yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
         elif value.type.is_number and value.size == 1 and "byte_order" in fact.place and value.type.name != BIT:

@@ -30,13 +30,23 @@ if TYPE_CHECKING:
         @property
         def digits(self) -> str: ...
         @property
+        def is_low_first(self) -> bool: ...
+        @property
         def places(self) -> int: ...
         @property
         def has_blanks(self) -> bool: ...
 
 
 BCD = "bcd"
-"""Two decimal digits in each byte; all other forms are characters."""
+"""Two decimal digits in each byte. Below zero, a nibble of ones takes the place of the highest digit."""
+
+PACKED_DECIMAL = "packed_decimal"
+"""Two decimal digits in each byte, and the sign in the last nibble: C and D, or F where there is none."""
+
+NIBBLES = (BCD, PACKED_DECIMAL)
+"""The forms with two digits in each byte; in all others, digits are characters."""
+
+_LAST_NIBBLES = {False: {"f": 1}, True: {"c": 1, "d": -1}}
 
 _SIGNS = {0x2B: 1, 0x2D: -1}
 _CHARACTERS = {
@@ -44,6 +54,7 @@ _CHARACTERS = {
     "upper_hex": b"0123456789ABCDEF",
     "lower_hex": b"0123456789abcdef",
     BCD: b"0123456789",
+    PACKED_DECIMAL: b"0123456789",
 }
 
 
@@ -66,8 +77,8 @@ def digit_count(value: Digits) -> int:
 
     Where blanks are in place of leading zeros, it is how many it has at most, when no sign takes the place of one.
     """
-    if value.digits == BCD:
-        return 2 * value.size
+    if value.digits in NIBBLES:
+        return 2 * value.size - (value.digits == PACKED_DECIMAL)
     return value.size - has_sign(value) - (value.places > 0)
 
 
@@ -88,6 +99,8 @@ def digit_bounds(value: Digits) -> tuple[int, int]:
         high = 16**count - 1
         return (-(high + 1) // 2, high // 2) if is_signed(value.type.encoding) else (0, high)
     high = 10**count - 1
+    if value.digits in NIBBLES and is_signed(value.type.encoding):
+        return (1 - 10 ** (count - 1) if value.digits == BCD else -high), high
     if value.width:
         # The sign is sent below zero only, and takes the place of a digit; one stands before a point.
         return (_least_below_zero(value, count) if has_sign(value) else 0), high
@@ -103,8 +116,10 @@ def _least_below_zero(value: Digits, count: int) -> int:
 
 def digits_number(value: Digits, data: bytes) -> int | None:
     """The number of digits in `data`, the most significant digit first; None for anything but such digits."""
-    if value.digits == BCD:
-        return int(data.hex()) if data.hex().isdecimal() else None
+    if value.digits in NIBBLES:
+        return _number_of_nibbles(value, data.hex())
+    if value.is_low_first:
+        data = low_first(data)
     if value.has_blanks:
         return _number_behind_blanks(value, data)
     text = data
@@ -127,6 +142,29 @@ def digits_number(value: Digits, data: bytes) -> int | None:
     return number - 16 ** len(text) if is_signed(value.type.encoding) and number > value.type.high else number
 
 
+def low_first(data: bytes) -> bytes:
+    """The digits of a number whose lowest byte comes first, two characters for each, in the other order."""
+    return b"".join(data[place : place + 2] for place in range(len(data) - 2, -1, -2))
+
+
+def _number_of_nibbles(value: Digits, nibbles: str) -> int | None:
+    sign: int | None = 1
+    if value.digits == PACKED_DECIMAL:
+        sign, nibbles = _LAST_NIBBLES[is_signed(value.type.encoding)].get(nibbles[-1]), nibbles[:-1]
+    elif nibbles.startswith("f") and is_signed(value.type.encoding):
+        sign, nibbles = -1, nibbles[1:]
+    return sign * int(nibbles) if sign is not None and nibbles.isdecimal() else None
+
+
+def _nibbles_of(value: Digits, number: int) -> str:
+    if value.digits == PACKED_DECIMAL:
+        last = next(
+            nibble for nibble, sign in _LAST_NIBBLES[is_signed(value.type.encoding)].items() if sign * number >= 0
+        )
+        return f"{abs(number):0{digit_count(value)}d}{last}"
+    return f"f{-number:0{digit_count(value) - 1}d}" if number < 0 else f"{number:0{digit_count(value)}d}"
+
+
 def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
     """The number of ` -1.25`: blanks, `-` below zero, and digits of which the first is a zero only before the point."""
     text = data.lstrip(b" ")
@@ -145,11 +183,11 @@ def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
 def digits_bytes(value: Digits, number: int) -> bytes:
     """The digits of a number within the bounds of a value, the most significant digit first."""
     count = digit_count(value)
-    if value.digits == BCD:
-        return bytes.fromhex(f"{number:0{count}d}")
+    if value.digits in NIBBLES:
+        return bytes.fromhex(_nibbles_of(value, number))
     if value.digits != "decimal":
         text = f"{number % 16**count:0{count}{'X' if value.digits == 'upper_hex' else 'x'}}"
-        return text.encode("ascii")
+        return low_first(text.encode("ascii")) if value.is_low_first else text.encode("ascii")
     text = f"{abs(number):0{value.places + 1 if value.has_blanks else count}d}"
     if value.places:
         text = f"{text[: -value.places]}.{text[-value.places :]}"
@@ -160,13 +198,15 @@ def digits_bytes(value: Digits, number: int) -> bytes:
 
 def digits_text(value: Digits) -> str:
     """How people call the digits: `5 decimal digits, 2 of them after a point, with a sign`."""
-    name = {"decimal": "decimal", BCD: "BCD"}.get(value.digits, "hexadecimal")
+    name = {"decimal": "decimal", BCD: "BCD", PACKED_DECIMAL: "BCD"}.get(value.digits, "hexadecimal")
     if value.width:
         return _varying_text(value, name)
     count = digit_count(value)
     places = f", {value.places} of them after a point" if value.places else ""
     case = {"upper_hex": " in upper case", "lower_hex": " in lower case"}.get(value.digits, "")
-    sign = ", with a sign" if has_sign(value) else ""
+    sign = ", with a sign" if has_sign(value) else ", the low byte first" if value.is_low_first else ""
+    if value.digits in NIBBLES and is_signed(value.type.encoding):
+        sign = ", the sign in the last nibble" if value.digits == PACKED_DECIMAL else ", F for the first below zero"
     if value.has_blanks:
         sign = f", blanks in place of leading zeros{', a sign below zero' if is_signed(value.type.encoding) else ''}"
     return f"{count} {name} digit{'s' * (count != 1)}{case}{places}{sign}"

@@ -6,7 +6,7 @@ from decimal import Context, Decimal
 
 from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.digits import BCD, digit_bounds
+from fieldspec.language.model.digits import NIBBLES, digit_bounds
 from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.primitives import Primitive
@@ -222,7 +222,12 @@ class Value:
     @property
     def has_characters(self) -> bool:
         """Whether its digits are characters, of which the first is the most significant whatever the byte order."""
-        return self.digits not in ("", BCD)
+        return self.digits not in ("", *NIBBLES)
+
+    @property
+    def is_low_first(self) -> bool:
+        """Whether hexadecimal digits begin with those of the lowest byte."""
+        return self.digits.endswith("hex") and self.byte_order == "little"
 
     @property
     def scaled(self) -> bool:

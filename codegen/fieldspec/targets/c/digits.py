@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.language.model.digits import BCD, has_sign, is_complement
+from fieldspec.language.model.digits import BCD, NIBBLES, PACKED_DECIMAL, has_sign, is_complement
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.expressions import Call, Cast, Expression
@@ -15,8 +15,8 @@ LETTERS = {"decimal": 0, "upper_hex": 0x41, "lower_hex": 0x61}
 
 def digits_test(naming: Naming, value: Value, source: Expression, number: Expression) -> Expression:
     """`is_digits(in + 4, 6u, 2u, 0u)`: whether bytes are the digits of a value; `number` is what BCD is loaded as."""
-    if value.digits == BCD:
-        return Call(naming.own("is_bcd"), (number,))
+    if value.digits in NIBBLES:
+        return Call(naming.own(f"is_{nibbles_name(value)}"), (number, *_sign_place(value)))
     size, places = unsigned(value.size), unsigned(value.places)
     if value.has_blanks:
         signed = TRUE if is_signed(value.encoding) else FALSE
@@ -32,13 +32,17 @@ def load_digits(naming: Naming, value: Value, source: Expression, number: Expres
     if has_sign(value):
         loaded = Call(naming.own("load_signed_digits"), (source, unsigned(value.size)))
         return Cast(kind.type, loaded)
-    if value.digits == BCD:
-        return Cast(kind.word, Call(naming.own("of_bcd"), (number,)))
+    if value.digits in NIBBLES:
+        call = Call(naming.own(f"of_{nibbles_name(value)}"), (number, *_sign_place(value)))
+        return Cast(kind.type if is_signed(value.encoding) else kind.word, call)
     if value.has_blanks:
         loaded = Call(naming.own("load_blank_digits"), (source, unsigned(value.size)))
         return of_bits(naming, value.encoding, Cast(kind.word, loaded))
     base = 16 if LETTERS[value.digits] else 10
-    loaded = Call(naming.own("load_digits"), (source, unsigned(value.size), unsigned(base)))
+    if value.is_low_first:
+        loaded = Call(naming.own("load_low_first_digits"), (source, unsigned(value.size)))
+    else:
+        loaded = Call(naming.own("load_digits"), (source, unsigned(value.size), unsigned(base)))
     return of_bits(naming, value.encoding, Cast(kind.word, loaded))
 
 
@@ -53,6 +57,8 @@ def digits_call(
     if has_sign(value):
         return naming.own("store_signed_digits"), (target, size, places, number)
     raw = to_bits(naming, value.encoding, number) if is_complement(value) else number
+    if value.is_low_first:
+        return naming.own("store_low_first_digits"), (target, size, unsigned(LETTERS[value.digits]), raw)
     return naming.own("store_digits"), (target, size, places, unsigned(LETTERS[value.digits]), raw)
 
 
@@ -64,4 +70,25 @@ def digits_parts(values: list[Value]) -> list[str]:
     blank = [value for value in characters if value.has_blanks]
     parts += ["blank_digits"] if blank else []
     parts += ["signed_blank_digits"] if any(is_signed(value.encoding) for value in blank) else []
-    return parts + (["bcd"] if any(value.digits == BCD for value in values) else [])
+    parts += ["low_first_digits"] if any(value.is_low_first for value in characters) else []
+    nibbles = {nibbles_name(value) for value in values if value.digits in NIBBLES}
+    parts += ["bcd"] if nibbles else []
+    return [*parts, *(name for name in ("signed_bcd", "unsigned_packed", "signed_packed") if name in nibbles)]
+
+
+def nibbles_name(value: Value) -> str:
+    """What functions call two decimal digits in each byte, with or without a sign: `bcd`, `signed_packed`"""
+    signed = is_signed(value.encoding)
+    if value.digits == PACKED_DECIMAL:
+        return "signed_packed" if signed else "unsigned_packed"
+    return "signed_bcd" if signed else BCD
+
+
+def _sign_place(value: Value) -> tuple[Expression, ...]:
+    """The place of the highest nibble, which is a sign below zero."""
+    return (unsigned(8 * value.size - 4),) if nibbles_name(value) == "signed_bcd" else ()
+
+
+def to_nibbles(naming: Naming, value: Value, number: Expression) -> Expression:
+    """`to_signed_bcd(in->flow, 28u)`: the digits of a number, with four bits each."""
+    return Call(naming.own(f"to_{nibbles_name(value)}"), (number, *_sign_place(value)))

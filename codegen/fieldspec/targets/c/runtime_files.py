@@ -14,7 +14,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.language.model.address_space import BIT
-from fieldspec.language.model.digits import BCD
+from fieldspec.language.model.digits import NIBBLES
 from fieldspec.language.model.encoding import Sign, Whole, is_odd, is_text
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import Source
@@ -127,7 +127,7 @@ def _accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> list[str]:
 
 def _odd_accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
     """The functions that load and store numbers of odd sizes or in BCD."""
-    odd = (wire for wire in wires if is_odd(wire.encoding) or wire.value.digits == BCD)
+    odd = (wire for wire in wires if is_odd(wire.encoding) or wire.value.digits in NIBBLES)
     parts = (part for part in _parts_of_frames(layout) if part.value is not None and is_odd(part.value.encoding))
     return {wire.access for wire in odd} | {access_name(part.size, part.order, False) for part in parts}
 

@@ -34,7 +34,7 @@ from fieldspec.language.model.encoding import (
 )
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.conditions import refused_number
-from fieldspec.targets.c.digits import digits_call, digits_test, load_digits
+from fieldspec.targets.c.digits import digits_call, digits_test, load_digits, to_nibbles
 from fieldspec.targets.c.encoded_texts import load_text, store_text, text_bytes_test, text_capacity, text_test
 from fieldspec.targets.c.enums import enum_type
 from fieldspec.targets.c.expressions import (
@@ -312,7 +312,7 @@ def store_number(naming: Naming, wire: WireValue, number: Expression, target: Ex
         function, arguments = digits_call(naming, wire.value, target, number)
         return call(function, *arguments)
     word = machine(Whole(8 * wire.size, Sign.NONE)).type
-    return store(naming, wire.access, target, Cast(word, Call(naming.own("to_bcd"), (number,))))
+    return store(naming, wire.access, target, Cast(word, to_nibbles(naming, wire.value, number)))
 
 
 def encode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:

@@ -104,6 +104,7 @@ def _digits(value: Value) -> dict[str, Data]:
         "places": value.places,
         "hasSign": has_sign(value),
         "hasBlanks": value.has_blanks,
+        "isLowFirst": value.is_low_first,
         "bits": 8 * value.type.size if is_complement(value) else 0,
         "form": digits_text(value),
         "low": value.low,

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import BCD, digits_letters, has_sign, is_complement
+from fieldspec.language.model.digits import NIBBLES, PACKED_DECIMAL, digits_letters, has_sign, is_complement
 from fieldspec.language.model.encoding import (
     Digits,
     Octets,
@@ -98,11 +98,12 @@ class Slot:
     def _digits(self, digits: Digits, base: str, offset: int) -> str:
         """The expression of the number of characters, or of two decimal digits in each byte."""
         name, wide, position = literal(self.name), flag(self.wide), place(base, offset)
-        if digits.form == BCD:
+        if digits.form in NIBBLES:
             listing = ", ".join(self._bytes(base, offset))
-            return f"bcdOf({name}, [{listing}], {position}, {wide})"
-        function = "blankDigitsOf" if digits.has_blanks else "digitsOf"
-        return f"{function}({name}, b, {position}, {self._form(digits)}, {wide})"
+            return f"bcdOf({name}, [{listing}], {position}, {wide}{_sign_nibble(digits)})"
+        if digits.has_blanks:
+            return f"blankDigitsOf({name}, b, {position}, {self._form(digits)}, {wide})"
+        return f"digitsOf({name}, b, {position}, {wide}, {self._form(digits)})"
 
     def _form(self, digits: Digits) -> str:
         """The arguments for digits: bytes, characters that they may be, places, whether there is a sign, and bits.
@@ -113,7 +114,8 @@ class Slot:
             return f"{digits.size}, {digits.places}, {flag(digits.number.sign.is_signed)}"
         letters = digits_letters(self.value).decode("ascii")
         bits = digits.number.bits if is_complement(self.value) else 0
-        return f'{digits.size}, "{letters}", {digits.places}, {flag(has_sign(self.value))}, {bits}'
+        low_first = ", true" * self.value.is_low_first
+        return f'{digits.size}, "{letters}", {digits.places}, {flag(has_sign(self.value))}, {bits}{low_first}'
 
     def stored(self, number: str, base: str, offset: int) -> list[str]:
         """The statements that write a number, given by the name of a variable. Raises AssertionError like `number`."""
@@ -124,9 +126,9 @@ class Slot:
             case Real() | Truth():
                 return stored_bits(number, self._bytes(base, offset))
             case Digits():
-                if encoding.form == BCD:
+                if encoding.form in NIBBLES:
                     places = ", ".join(place(base, offset + index) for index in self.places)
-                    return [f"putBcd({number}, b, [{places}]);"]
+                    return [f"putBcd({number}, b, [{places}]{_sign_nibble(encoding)});"]
                 function = "putBlankDigits" if encoding.has_blanks else "putDigits"
                 return [f"{function}({number}, b, {place(base, offset)}, {self._form(encoding)});"]
             case Text() | Octets():
@@ -352,3 +354,9 @@ def sign_literal(value: Value) -> str:
 def throw_wrong_number(reason: str, name: str, number: str, detail: str, position: str) -> str:
     """The statement that refuses a number; `number`, `detail` and `position` are expressions."""
     return f"throw wrongNumber({literal(reason)}, {literal(name)}, {number}, {detail}, {position});"
+
+
+def _sign_nibble(digits: Digits) -> str:
+    """The further arguments for digits with a nibble that is a sign: whether there may be `-`, and the form."""
+    signed, is_packed = digits.number.sign.is_signed, digits.form == PACKED_DECIMAL
+    return f", {flag(signed)}" * (signed or is_packed) + f", {literal(digits.form)}" * is_packed

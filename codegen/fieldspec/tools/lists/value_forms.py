@@ -8,9 +8,10 @@ from fieldspec.language.model.value import Value
 
 _SPACE = ord(" ")
 _FORM = re.compile(
-    r"(?P<type>[a-z]+[0-9]*)(?: (?P<digits>bcd|decimal|upper_hex|lower_hex))?(?: (?P<encoding>latin_1|utf_8|utf_16))?"
+    r"(?P<type>[a-z]+[0-9]*)(?: (?P<digits>bcd|packed_decimal|decimal|upper_hex|lower_hex))?"
+    r"(?: (?P<encoding>latin_1|utf_8|utf_16))?"
     r"(?: places (?P<places>[0-9]{1,2}))?(?: padding (?P<padding>space))?(?: align (?P<align>right))?"
-    r"(?: terminator (?P<terminator>[0-9]{1,5}))?"
+    r"(?: terminator (?P<terminator>[0-9]{1,5}))?(?: byte_order (?P<byte_order>little))?"
 )
 
 
@@ -24,6 +25,7 @@ def type_text(value: Value) -> str:
     texts += ["padding space"] if has_spaces else []
     texts += ["align right"] if form is not None and form.is_right else []
     texts += [f"terminator {form.terminator}"] if form is not None and form.terminator is not None else []
+    texts += ["byte_order little"] if value.is_low_first else []
     return " ".join(filter(None, texts))
 
 

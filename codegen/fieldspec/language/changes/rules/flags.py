@@ -25,7 +25,7 @@ def bit_moved(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Bit):
-        if (pair.old.first, pair.old.last) != (pair.new.first, pair.new.last):
+        if pair.old.number_text != pair.new.number_text:
             old, new = bits(pair.old), bits(pair.new)
             key = "bit" if pair.new.width == 1 else "bits"
             effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE

@@ -265,12 +265,14 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _ordered(value: Value, key: str) -> bool:
-    return value.has_words if key == "word_order" else value.has_order
+    return value.has_words if key == "word_order" else value.has_order or value.has_characters
 
 
 def _order(value: Value, device: Device, key: str) -> str:
     """The order of a value: its own, or that of its device, whose words have the order of its bytes by default."""
     own: str = getattr(value, key)
+    if value.has_characters:
+        return own or "big"
     if key == "word_order":
         return own or device.word_order or _order(value, device, "byte_order")
     return own or device.byte_order

@@ -128,6 +128,29 @@ static inline void device_store_signed_blank_digits(uint8_t *out, size_t size, s
     }
 }
 
+/* ---- low_first_digits ---- */
+
+/** The number of hexadecimal digits, of which those of the lowest byte come first. */
+static inline uint64_t device_load_low_first_digits(const uint8_t *in, size_t size)
+{
+    uint64_t value = 0;
+    size_t at;
+    for (at = size; at > 0u; at -= 2u) {
+        value = (value << 8) | device_load_digits(in + (at - 2u), 2u, 16u);
+    }
+    return value;
+}
+
+/** Writes the hexadecimal digits of a number, those of its lowest byte first. */
+static inline void device_store_low_first_digits(uint8_t *out, size_t size, uint8_t letter, uint64_t value)
+{
+    size_t at;
+    for (at = 0; at < size; at += 2u) {
+        device_store_digits(out + at, 2u, 0u, letter, value & 0xFFu);
+        value >>= 8;
+    }
+}
+
 /* ---- bcd ---- */
 
 /** Whether four bits each are a decimal digit. */
@@ -162,4 +185,68 @@ static inline uint64_t device_to_bcd(uint64_t value)
         value /= 10u;
     }
     return raw;
+}
+
+/* ---- signed_bcd ---- */
+
+/** Whether four bits each are a decimal digit, the highest ones at `place` perhaps a sign. */
+static inline bool device_is_signed_bcd(uint64_t raw, uint32_t place)
+{
+    return device_is_bcd((raw >> place) == 15u ? raw & ~(UINT64_C(15) << place) : raw);
+}
+
+/** The number whose decimal digits have four bits each, below zero with ones in place of the highest digit. */
+static inline int64_t device_of_signed_bcd(uint64_t raw, uint32_t place)
+{
+    if ((raw >> place) == 15u) {
+        return -(int64_t)device_of_bcd(raw & ~(UINT64_C(15) << place));
+    }
+    return (int64_t)device_of_bcd(raw);
+}
+
+/** The decimal digits of a number with four bits each, below zero with ones in place of the highest digit. */
+static inline uint64_t device_to_signed_bcd(int64_t value, uint32_t place)
+{
+    return value < 0 ? device_to_bcd((uint64_t)-value) | (UINT64_C(15) << place) : device_to_bcd((uint64_t)value);
+}
+
+/* ---- unsigned_packed ---- */
+
+/** Whether four bits each are a decimal digit, and the lowest ones that there is no sign. */
+static inline bool device_is_unsigned_packed(uint64_t raw)
+{
+    return (raw & 15u) == 15u && device_is_bcd(raw >> 4);
+}
+
+/** The number whose decimal digits have four bits each, before four bits for no sign. */
+static inline uint64_t device_of_unsigned_packed(uint64_t raw)
+{
+    return device_of_bcd(raw >> 4);
+}
+
+/** The decimal digits of a number with four bits each, before four bits for no sign. */
+static inline uint64_t device_to_unsigned_packed(uint64_t value)
+{
+    return (device_to_bcd(value) << 4) | 15u;
+}
+
+/* ---- signed_packed ---- */
+
+/** Whether four bits each are a decimal digit, and the lowest ones a sign. */
+static inline bool device_is_signed_packed(uint64_t raw)
+{
+    return ((raw & 15u) == 12u || (raw & 15u) == 13u) && device_is_bcd(raw >> 4);
+}
+
+/** The number whose decimal digits have four bits each, before those of its sign. */
+static inline int64_t device_of_signed_packed(uint64_t raw)
+{
+    int64_t value = (int64_t)device_of_bcd(raw >> 4);
+    return (raw & 15u) == 13u ? -value : value;
+}
+
+/** The decimal digits of a number with four bits each, before those of its sign. */
+static inline uint64_t device_to_signed_packed(int64_t value)
+{
+    return value < 0 ? (device_to_bcd((uint64_t)-value) << 4) | 13u : (device_to_bcd((uint64_t)value) << 4) | 12u;
 }

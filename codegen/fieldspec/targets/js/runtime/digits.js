@@ -4,7 +4,7 @@ import { CodecError } from "./error.js";
 const FORMS = { __proto__: null, "0123456789": "decimal", "0123456789ABCDEF": "upper_hex", "0123456789abcdef": "lower_hex" };
 
 /** The form of digits that are characters, each of `known`, with `bits` of a number in two's complement, else 0. */
-const formOf = (size, known, places, hasSign, bits) => ({ digits: FORMS[known], size, places, hasSign, bits });
+const formOf = (size, known, places, hasSign, bits, isLowFirst) => ({ digits: FORMS[known], size, places, hasSign, bits, isLowFirst });
 
 /** The number of digits, a bigint where it is `wide`. Throws CodecError for what are none; `detail` says what they are. */
 function numberOfDigits(name, form, digits, detail, offset, wide) {
@@ -15,11 +15,11 @@ function numberOfDigits(name, form, digits, detail, offset, wide) {
 
 /**
  * The number of digits that are characters: `known` are the characters that they may be, `places` of them follow a
- * point, and a sign comes first where the number is `signed`. Throws CodecError for anything else.
+ * point, a sign comes first where the number is `signed`, and the digits of the lowest byte where they are `isLowFirst`. Throws CodecError for anything else.
  */
-export function digitsOf(name, bytes, offset, size, known, places, signed, bits, wide) {
+export function digitsOf(name, bytes, offset, wide, size, known, places, signed, bits, isLowFirst = false) {
   const detail = `${size - (signed ? 1 : 0) - (places ? 1 : 0)} digits`;
-  const form = formOf(size, known, places, signed, bits);
+  const form = formOf(size, known, places, signed, bits, isLowFirst);
   return numberOfDigits(name, form, bytes.subarray(offset, offset + size), detail, offset, wide);
 }
 
@@ -43,11 +43,11 @@ export function putBlankDigits(number, bytes, offset, size, places) {
 }
 
 /** The number of two decimal digits in each of some bytes, the first one first. Throws CodecError for other bytes. */
-export function bcdOf(name, bytes, offset, wide) {
-  return numberOfDigits(name, { digits: "bcd" }, bytes, `${2 * bytes.length} digits`, offset, wide);
+export function bcdOf(name, bytes, offset, wide, signed = false, digits = "bcd") {
+  return numberOfDigits(name, { digits, signed }, bytes, `${2 * bytes.length} digits`, offset, wide);
 }
 
 /** Writes a number, whose digits fit, with two decimal digits in each byte; `places` are those of the bytes. */
-export function putBcd(number, bytes, places) {
-  digitsBytes({ digits: "bcd", size: places.length }, number).forEach((byte, at) => (bytes[places[at]] = byte));
+export function putBcd(number, bytes, places, signed = false, digits = "bcd") {
+  digitsBytes({ digits, signed, size: places.length }, number).forEach((byte, at) => (bytes[places[at]] = byte));
 }

@@ -15,6 +15,7 @@ _KNOWN = {
     "decimal": b"0123456789",
     "blank_decimal": b"0123456789",
     "bcd": b"0123456789",
+    "packed_decimal": b"0123456789",
     "upper_hex": b"0123456789ABCDEF",
     "lower_hex": b"0123456789abcdef",
 }
@@ -28,20 +29,35 @@ class Digits:
     `blank_decimal` has blanks in place of leading zeros, and a sign below zero only, which takes the place of a digit.
     """
 
-    __slots__ = ("count", "form", "has_sign", "high", "is_reversed", "letters", "low", "places", "signed", "size")
+    __slots__ = (
+        "count",
+        "form",
+        "has_nibbles",
+        "has_sign",
+        "high",
+        "is_reversed",
+        "letters",
+        "low",
+        "places",
+        "signed",
+        "size",
+    )
 
     def __init__(self, letters: str) -> None:
         kind, self.form, size, places = letters.split()
         self.letters, self.size, self.places = letters, int(size), int(places)
         self.is_reversed, self.signed = kind[0] == "<", kind[1] == "i"
         self.has_sign = self.signed and self.form == "decimal"
-        self.count = 2 * self.size if self.form == "bcd" else self.size - self.has_sign - (self.places > 0)
+        self.count = self.size - self.has_sign - (self.places > 0)
+        self.has_nibbles = self.form in ("bcd", "packed_decimal")
+        if self.has_nibbles:
+            self.count = 2 * self.size - (self.form == "packed_decimal")
         bits = int(kind[2:])
         high = (16 if self.form.endswith("hex") else 10) ** self.count - 1
         if self.signed:
             self.high = min(high, (1 << (bits - 1)) - 1)
-            self.low = -self.high if self.has_sign else -self.high - 1
-            if self.form == "blank_decimal":
+            self.low = -self.high if self.has_sign or self.form == "packed_decimal" else -self.high - 1
+            if self.form in ("blank_decimal", "bcd"):
                 self.low = 1 - 10 ** (self.count - 1) if self.count - 1 > self.places else 0
         else:
             self.low, self.high = 0, min(high, (1 << bits) - 1)
@@ -85,11 +101,12 @@ class Digits:
         """The same, before the bytes of words are turned."""
         if not self.low <= number <= self.high:
             raise OverflowError
-        if self.form == "bcd":
-            data = bytes.fromhex(f"{number:0{self.count}d}")
+        if self.has_nibbles:
+            data = bytes.fromhex(self._nibbles(number))
             return data[::-1] if self.is_reversed else data
         if self.form.endswith("hex"):
-            return f"{number % 16**self.count:0{self.count}{'X' if self.form == 'upper_hex' else 'x'}}".encode("ascii")
+            text = f"{number % 16**self.count:0{self.count}{'X' if self.form == 'upper_hex' else 'x'}}"
+            return self._in_order(text.encode("ascii"))
         has_blanks = self.form == "blank_decimal"
         text = f"{abs(number):0{self.places + 1 if has_blanks else self.count}d}"
         if self.places:
@@ -102,9 +119,8 @@ class Digits:
 
     def _parsed(self, raw: bytes) -> int | None:
         """The number of digits; None for anything else."""
-        if self.form == "bcd":
-            text = (raw[::-1] if self.is_reversed else raw).hex()
-            return int(text) if text.isdecimal() else None
+        if self.has_nibbles:
+            return self._of_nibbles((raw[::-1] if self.is_reversed else raw).hex())
         if self.form == "blank_decimal":
             return self._behind_blanks(raw)
         characters = raw[1:] if self.has_sign else raw
@@ -119,8 +135,32 @@ class Digits:
             return None
         if self.form == "decimal":
             return -int(characters) if raw[:1] == b"-" else int(characters)
-        number = int(characters, 16)
+        number = int(self._in_order(characters), 16)
         return number - 16**self.count if number > self.high else number
+
+    def _in_order(self, characters: bytes) -> bytes:
+        """Hexadecimal digits, of which those of the lowest byte may come first."""
+        if not self.is_reversed:
+            return characters
+        return b"".join(characters[place : place + 2] for place in range(len(characters) - 2, -1, -2))
+
+    def _nibbles(self, number: int) -> str:
+        """The digits of a number, with a sign in the first or in the last nibble."""
+        if self.form == "packed_decimal":
+            return f"{abs(number):0{self.count}d}{('d' if number < 0 else 'c') if self.signed else 'f'}"
+        return f"f{-number:0{self.count - 1}d}" if number < 0 else f"{number:0{self.count}d}"
+
+    def _of_nibbles(self, nibbles: str) -> int | None:
+        """The number of such digits; None for anything else."""
+        digits, sign = nibbles, 1
+        if self.form == "packed_decimal":
+            digits, last = nibbles[:-1], nibbles[-1]
+            if last not in ("cd" if self.signed else "f"):
+                return None
+            sign = -1 if last == "d" else 1
+        elif self.signed and nibbles[0] == "f":
+            digits, sign = nibbles[1:], -1
+        return sign * int(digits) if digits.isdecimal() else None
 
     def _behind_blanks(self, raw: bytes) -> int | None:
         """The number of ` -1.25`, whose first digit is a zero only before the point; None for anything else."""
