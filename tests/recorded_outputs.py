@@ -56,8 +56,9 @@ def main(names: list[str]) -> int:
             for path, content in contents.items():
                 # A build adds links to pages about the manual to the indexes of the documentation.
                 is_index = name == "docs" and path.endswith(("index.html", "README.md"))
-                recorded = generated / path
-                if not recorded.is_file() or (recorded.read_bytes() != content and not is_index):
+                # Of older versions, what tests them is not kept.
+                is_left_out = path.endswith(OUTPUTS[name].test_endings) and not (generated / path).exists()
+                if not is_left_out and (generated / path).read_bytes() != content and not is_index:
                     return 1
     return int(any(digests(name) != digests_path(name).read_text("utf-8") for name in names))
 
