@@ -1,8 +1,8 @@
 """Whether the compiler makes some outputs as they are recorded: `python recorded_outputs.py OUTPUT...`.
 
-The exit code is 1 where one differs. The outputs of the devices that are in `generated/` are compared byte by byte, those of
-the made-up devices, which use every feature of the language, by the digests in `tests/recorded/`. It compares outputs,
-not hashes of the compiler, so that a changed compiler with the same outputs passes.
+The exit code is 1 where one differs. The outputs of the devices that are in `generated/` are compared byte by byte,
+those of the made-up devices, which use every feature of the language, by the digests in `tests/recorded/`. It compares
+outputs, not hashes of the compiler, so that a changed compiler with the same outputs passes.
 """
 
 from __future__ import annotations
