@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.targets import OUTPUTS
-from recorded_outputs import RECORDED, digests, digests_path
+from recorded_outputs import RECORDED, digests, digests_path, main
 
 
 @pytest.mark.parametrize("name", OUTPUTS)
@@ -21,3 +21,7 @@ def test_outputs_of_made_up_devices_are_as_recorded(name: str, accept: bool) -> 
 
 def test_every_recorded_output_exists() -> None:
     assert {path.stem for path in RECORDED.iterdir()} == set(OUTPUTS)
+
+
+def test_the_right_compiler_makes_what_is_recorded() -> None:
+    assert main(["c"]) == 0
