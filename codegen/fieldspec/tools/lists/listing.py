@@ -18,7 +18,7 @@ from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, shortened_bits, wire_number
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import FACTORS, Cells, ListRow, exported_row, read_row
+from fieldspec.tools.lists.row_reading import FACTORS, OF_THE_MANUAL, Cells, ListRow, exported_row, read_row
 from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
 from fieldspec.tools.lists.words import folded, meaning
 
@@ -91,6 +91,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     places = placed(columns_of_sheet)
     ways = bases(places, options.base, columns_of_sheet.heading("address"))
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
+    if own:
+        cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
+        columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
     assumptions = list(shortened_bits(places))
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]

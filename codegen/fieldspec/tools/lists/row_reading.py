@@ -26,6 +26,10 @@ FACTORS = ("scale", "gain", "divisor")
 REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
 """What a row is: exports and files of some formats have fields of tables, parameters, and messages with signals too."""
 
+OF_THE_MANUAL = ("section", "line", "unverified")
+"""The columns of an export about the place where the manual prints a fact."""
+
+_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile("[1-9][0-9]{0,5}")
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
@@ -66,7 +70,8 @@ class ListRow:
     address. `special` are states that a list has apart from other values, `scale_text` is its scale as written.
     `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
     the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
-    signal in its message. `form` has the keys of how a value is sent beyond its type.
+    signal in its message. `form` has the keys of how a value is sent beyond its type. `cited` is where the manual prints
+    an exported row, its section and its line, and `is_verified` says that somebody has compared them.
     """
 
     row: int
@@ -101,6 +106,13 @@ class ListRow:
     scale_text: str = ""
     special: tuple[tuple[str, str], ...] = ()
     doubts: tuple[str, ...] = ()
+    cited: tuple[str, int] | None = None
+    is_verified: bool = False
+
+    def source(self, section: str = "1 ") -> list[str]:
+        """The keys that cite the row: its place in the manual, or that in the list, whose `section` a holder may have."""
+        place = f"{section}L{self.row}" if self.cited is None else f"{self.cited[0]} L{self.cited[1]}"
+        return [f"source: {place}", *([] if self.is_verified else ["unverified: true"])]
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +179,12 @@ def exported_row(row: ListRow) -> ListRow:
     type_name, form = type_parts(row.texts.get("type", ""))
     own_type = Typed(type_name) if type_name in PRIMITIVES else None
     subindices = _bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
-    row = replace(row, doubts=tuple(doubt for doubt in row.doubts if not doubt.startswith("Subindex")))
+    doubts = [doubt for doubt in row.doubts if not doubt.startswith("Subindex")]
+    section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
+    cited = (section, int(line)) if _SECTION.fullmatch(section) and _LINE.fullmatch(line) else None
+    if cited is None:
+        doubts += [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
+    row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
     row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
     return replace(row, scale=scale, scale_text=own_text)
 
