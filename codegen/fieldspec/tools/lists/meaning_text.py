@@ -80,7 +80,9 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     return Meant((line,) if line else (), "", (f"enum: {quoted(enum_name)}", *states), own_type)
 
 
-def enum_of(members: Members, name: str, row: ListRow, enums: dict[object, str], used_names: set[str]) -> tuple[str, str]:
+def enum_of(
+    members: Members, name: str, row: ListRow, enums: dict[object, str], used_names: set[str]
+) -> tuple[str, str]:
     """The name of the enum with some members, and its line, which is empty where another value has the same one."""
     known = enums.get(members)
     if known:

@@ -13,7 +13,7 @@ from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, whole
-from fieldspec.tools.lists.item import REGISTERS
+from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
 from fieldspec.tools.lists.type_words import Loose, Typed, typed
 from fieldspec.tools.lists.value_forms import type_parts
@@ -70,8 +70,8 @@ class ListRow:
     address. `special` are states that a list has apart from other values, `scale_text` is its scale as written.
     `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
     the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
-    signal in its message. `form` has the keys of how a value is sent beyond its type. `cited` is where the manual prints
-    an exported row, its section and its line, and `is_verified` says that somebody has compared them.
+    signal in its message. `form` has the keys of how a value is sent beyond its type. `cited` is the section and the line
+    of an exported row in its manual, and `is_verified` says that somebody has compared them.
     """
 
     row: int
@@ -109,8 +109,13 @@ class ListRow:
     cited: tuple[str, int] | None = None
     is_verified: bool = False
 
+    @property
+    def message(self) -> str:
+        """The name of the message of an exported field, empty for another row."""
+        return self.texts.get("name", "").partition(".")[0] if self.is_own and self.space == MESSAGES else ""
+
     def source(self, section: str = "1 ") -> list[str]:
-        """The keys that cite the row: its place in the manual, or that in the list, whose `section` a holder may have."""
+        """The keys that cite the row: its place in the manual, or in the list, whose `section` a holder may have."""
         place = f"{section}L{self.row}" if self.cited is None else f"{self.cited[0]} L{self.cited[1]}"
         return [f"source: {place}", *([] if self.is_verified else ["unverified: true"])]
 
@@ -183,7 +188,9 @@ def exported_row(row: ListRow) -> ListRow:
     section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
     cited = (section, int(line)) if _SECTION.fullmatch(section) and _LINE.fullmatch(line) else None
     if cited is None:
-        doubts += [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
+        doubts += [
+            f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts
+        ]
     row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
     row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
     return replace(row, scale=scale, scale_text=own_text)
