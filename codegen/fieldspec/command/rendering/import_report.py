@@ -81,7 +81,9 @@ def _columns(result: Imported) -> Iterator[str]:
     columns = result.listing.columns
     used_columns = [(role, columns.heading(role)) for role in columns.places if role not in (NOTE, *_IDLE)]
     used_columns += [
-        (role, columns.heading_at(place)) for role in ("address", "name") for place in columns.more.get(role, ())
+        (role, columns.heading_at(place))
+        for role in ("address", "name", "values")
+        for place in columns.more.get(role, ())
     ]
     yield "columns used: " + ", ".join(
         role if folded(heading) == folded(role) else f"{role} from {heading}" for role, heading in used_columns
@@ -100,7 +102,8 @@ def _columns(result: Imported) -> Iterator[str]:
 
 def _unused(result: Imported) -> Sequence[str]:
     columns = result.listing.columns
-    idle = [columns.places[role] for role in _IDLE if role in columns.places]
+    used = columns.more.get("values", ())
+    idle = [columns.places[role] for role in _IDLE if role in columns.places and columns.places[role] not in used]
     return [columns.heading_at(place) for place in sorted([*columns.unused(), *idle])]
 
 

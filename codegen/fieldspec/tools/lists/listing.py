@@ -18,11 +18,13 @@ from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, shortened_bits, wire_number
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import FACTORS, OF_THE_MANUAL, Cells, ListRow, exported_row, read_row
+from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS, unread_scales
+from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row
 from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
+from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import folded, meaning
 
-_NUMERIC = (*FACTORS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
+_NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
 _SHORTEST_TITLE = 8
 """The letters of a title that names a space: shorter ones, such as `Inputs`, are those of groups."""
@@ -120,6 +122,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     if own:
         read = [exported_row(row) for row in read]
     else:
+        columns_of_sheet, read = with_values_beneath(columns_of_sheet, read, places.skipped)
         read = _decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
     return Listing(
         columns_of_sheet,
@@ -258,8 +261,7 @@ def _with_length(row: ListRow, unit: str) -> ListRow:
 def _scaled(row: ListRow, direction: str) -> ListRow:
     """A row with its scale; a factor beside another scale has to be the same, or is a doubt."""
     if row.factor is None:
-        texts = {role: row.texts[role] for role in FACTORS if role in row.texts}
-        unread = [f"Scale in the list: {text}." for text in texts.values()] if row.scale is None else []
+        unread = [f"Scale in the list: {text}." for text in unread_scales(row.texts)] if row.scale is None else []
         return replace(row, doubts=(*row.doubts, *unread))
     own_way = DIVIDE if "divisor" in row.texts and "scale" not in row.texts and "gain" not in row.texts else direction
     scale = 1 / row.factor if own_way == DIVIDE else row.factor

@@ -25,6 +25,7 @@ _LINEAR = re.compile(
     re.IGNORECASE,
 )
 _SYMBOL = re.compile(r"[^\W\d_°%µΩ\u2032″‰]*[°%‰]?[^\W\d_]*(?:[/·*^⁻¹²³][^\W_]{1,8}){0,3}[²³]?")
+_PER_COUNT = re.compile(r"\s*(?:/|\bper\b)\s*(?:bit|digit|lsb|count|step)s?$", re.IGNORECASE)
 _NO_UNIT = ("", "-", "--", "---", "n/a", "na", "none", "/", "1", ".", "无", "無", "keine", "aucune", "\u2013", "\u2014")
 _LONGEST_SYMBOL = 12
 
@@ -91,7 +92,7 @@ def states_direction(text: str) -> bool:
 
 def unit_cell(text: str, decimal: str) -> Quantity | None:
     """The unit of a cell, with the scale that it may have before or behind it. None if the cell is not understood."""
-    text = " ".join(unicodedata.normalize("NFC", text).split()).strip("`")
+    text = _PER_COUNT.sub("", " ".join(unicodedata.normalize("NFC", text).split()).strip("`"))
     if text.casefold() in _NO_UNIT:
         return Quantity()
     if unit := known_unit(text):
