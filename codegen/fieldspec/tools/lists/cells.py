@@ -128,6 +128,12 @@ def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
     return (POINT, point) if point and not comma else ("", "")
 
 
+def number_in_unit(text: str, decimal: str = POINT) -> Decimal | None:
+    """An exact number, perhaps with a unit behind it: `5 s`."""
+    value = number(text, decimal)
+    return value if value is not None else number(_TRAILING.sub("", text.strip()), decimal)
+
+
 def whole(text: str, decimal: str = POINT) -> int | None:
     """A whole number, None if the text is none."""
     value = number(text, decimal)
@@ -138,10 +144,7 @@ def bounds(text: str, decimal: str = POINT) -> tuple[Decimal, Decimal] | None:
     """The ends of a range such as `0~100`, `0-100 V`, `[-5, 5]`, `0..0FFh`; None if the text is none."""
     number_text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`[]").strip()
     parts = _RANGE.split(number_text)
-    ends = [
-        end if (end := number(part, decimal)) is not None else number(_TRAILING.sub("", part), decimal)
-        for part in parts
-    ]
+    ends = [number_in_unit(part, decimal) for part in parts]
     if len(ends) != 2 or ends[0] is None or ends[1] is None or ends[0] > ends[1]:
         return None
     return ends[0], ends[1]

@@ -94,6 +94,8 @@ def _with_further_tables(first: Columns) -> Columns:
     for index, row in enumerate(first.rows):
         known = [_whole_words().get(folded(cell)) for cell in row.cells if cell]
         is_heading = "address" in known and known.count(None) * 2 <= len(known) and row.cells != tables[-1][2]
+        text = row.cell(tables[-1][0].places["address"])
+        is_heading = is_heading and (folded(text) in _whole_words() or address_text(text) is None)
         if is_heading and len(tables) < _MOST_TABLES:
             sample = first.rows[index + 1 : index + 1 + _LOOKED_AT]
             further = _guessed([[cell] if cell else [] for cell in row.cells], {}, sample)
@@ -202,6 +204,10 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
             known = known[1:]
         if role in ("address", "name", NOTE) and known and not (role == "address" and "address" in names):
             further[role] = tuple(known)
+    codes = _ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())
+    if codes and "printed_name" not in places:
+        places["printed_name"] = further["address"][codes[0]]
+        further["address"] = tuple(column for column in further["address"] if column != places["printed_name"])
     if byte_columns := _byte_columns(heads, {*places.values()}):
         rows, headings = _with_addresses_of_bytes(rows, headings, byte_columns)
         further |= {"bytes of addresses": byte_columns}
@@ -299,6 +305,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "access": cells.access,
     "writable": lambda text: cells.answer(text) is not None or cells.access(text),
     "function": cells.functions,
+    "function_write": cells.functions,
     "places": lambda text: decimal_places(text) is not None,
     "exponent": lambda text: cells.whole(text) is not None,
     "value_offset": lambda text: cells.number(text, cells.COMMA) is not None,

@@ -16,6 +16,7 @@ _HALF = re.compile(
     r"(?:[\s_-]*bits?)?|[高低](?P<sign>字|16位|位))[)\]]*",
     re.IGNORECASE,
 )
+_LIMIT = re.compile("alarm|limit|thresh|warn|trip|grenz|schwell|limite|seuil|报警|限", re.IGNORECASE)
 _FEWEST = 2
 """The number of pairs that names of one letter need, which may be those of a high and a low limit."""
 
@@ -23,7 +24,7 @@ _FEWEST = 2
 def with_halves_joined(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
     """The rows, those of two words of one value as the first of them. What is joined is assumed."""
     pairs = {low.row: pair for pair in pairwise(rows) if (low := pair[0]) and _halves(*pair)}
-    certain = [pair for pair in pairs.values() if _half(pair[0])[1] > 1]
+    certain = [pair for pair in pairs.values() if _half(pair[0])[1]]
     if not pairs or (not certain and len(pairs) < _FEWEST):
         return list(rows)
     joined = list(_joined(rows, pairs))
@@ -85,14 +86,16 @@ def _halves(first: ListRow, second: ListRow) -> bool:
     return alike and halves == {"high", "low"} and _stem(first.names[0]) == _stem(second.names[0])
 
 
-def _half(row: ListRow) -> tuple[str, int]:
-    """Which half a row is, and how many letters say it, 1 where that may be a limit; empty if none."""
+def _half(row: ListRow) -> tuple[str, bool]:
+    """Which half a row is, empty if none, and whether its name says that this is one: a letter may be of a limit."""
     match = _HALF.fullmatch(row.names[0])
     if match is None:
-        return "", 0
+        return "", False
     half = match["half"].casefold()
-    which = "high" if half[0] in "hmu高" else "low"
-    return which, len(half) if match["word"] or match["sign"] or half in ("msw", "lsw") else 1
+    is_word = bool(match["word"] or match["sign"]) or half in ("msw", "lsw")
+    if not is_word and (len(half) > 1 or _LIMIT.search(match["stem"])):
+        return "", False
+    return "high" if half[0] in "hmu高" else "low", is_word
 
 
 def _stem(text: str) -> str:

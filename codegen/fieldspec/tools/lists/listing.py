@@ -109,6 +109,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             for role in columns_of_sheet.places
             if (text := columns_of_sheet.cell(sheet_row, role)) and (text not in _EMPTY or role == "address")
         }
+        if "function_write" in texts:
+            texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
         row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, options.order)
         read.append(
             replace(

@@ -87,7 +87,7 @@ def factor(text: str, decimal: str) -> Fraction | None:
 
 def states_direction(text: str) -> bool:
     """Whether a cell says by itself how a factor is used: `/10`, `x0.1`, `1/10`, `0.1 V`."""
-    return re.search(r"[/÷*x\u00d7^]|[^\W\d_]", text.strip()) is not None
+    return re.search(r"[/÷*x\u00d7^%‰°]|[^\W\d_]", text.strip()) is not None
 
 
 def unit_cell(text: str, decimal: str) -> Quantity | None:

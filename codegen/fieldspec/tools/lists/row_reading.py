@@ -12,7 +12,7 @@ from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, whole
+from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.row_quantity import FACTORS, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, typed
@@ -147,7 +147,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         access=_access(texts, doubts),
         low=low,
         high=high,
-        default=number(texts.get("default", ""), decimal),
+        default=number_in_unit(texts.get("default", ""), decimal),
         const=number(texts.get("const", ""), decimal),
         count=count if 1 <= count <= _HIGHEST_COUNT else 1,
         stride=max(whole(texts.get("stride", "")) or 0, 0),
@@ -273,7 +273,7 @@ def _bounds(
     texts: Mapping[str, str], decimal: str, doubts: list[str]
 ) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
     """The least and the greatest number, or the meanings that a list has in their place."""
-    low, high = number(texts.get("min", ""), decimal), number(texts.get("max", ""), decimal)
+    low, high = (number_in_unit(texts.get(role, ""), decimal) for role in ("min", "max"))
     text = texts.get("range", "")
     range_ends = bounds(text, decimal)
     if range_ends is not None:

@@ -388,6 +388,8 @@ def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Ite
     is_own_element = row.is_own and row.subindices is not None
     printed = texts.get("printed_name", "") or (row.names[0] if row.names and not is_own_element else "")
     label = texts.get("label", "")
+    if "printed_name" in texts and not label and not row.is_own and row.names and row.names[0] != printed:
+        label = row.names[0]
     if printed == label and "printed_name" not in texts and "name" not in texts:
         printed = ""
     if "_" in printed and len(printed.split()) > 1 and printed != name:

@@ -66,7 +66,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     bars = separator == "|"
     is_grid = bars and sum(line.startswith("+") for line in text.splitlines()) > _MOST_BORDERS
     is_first = True
-    rows = []
+    rows: list[SheetRow] = []
     size = [0]
     reader = csv.reader(
         _bounded_lines(text, size), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
