@@ -103,7 +103,7 @@ def test_messages_are_exported_compared_and_refused_by_name(
     spec = (tmp_path / "again.yaml").read_text("utf-8")
     refused = re.findall(r"^# row (\d+): is a field of the message ", spec, re.MULTILINE)
     assert [int(number) for number in refused] == fields
-    assert f" ({', '.join(with_data)}): a list has no frames" in ran.out
+    assert f" ({', '.join(with_data)}): a list has no frames for them" in ran.out
 
 
 def test_documentation_describes_every_column_in_order() -> None:

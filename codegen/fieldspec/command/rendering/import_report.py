@@ -32,9 +32,8 @@ def lines(name: str, result: Imported, noted: Sequence[int]) -> Iterator[str]:
     share = f"{100 * used // max(total, 1)} %"
     yield f"rows: {used} of {total} used ({share}){_skipped(result.skipped)}"
     if messages := dict.fromkeys(row.message for row in result.rows if row.message):
-        number = "1 message" if len(messages) == 1 else f"{len(messages)} messages"
-        names = ", ".join(messages)
-        yield f"not used: {number} ({names}): a list has no frames; take them from a protocol, or write them"
+        count = "1 message" if len(messages) == 1 else f"{len(messages)} messages"
+        yield f"not used: {count} ({', '.join(messages)}): a list has no frames for them; take or write them"
     if noted:
         yield f"rows with cells that are only noted: {len(noted)}; see `notes`"
     yield from _limited([f"not used: {refusal.text()}" for refusal in result.refused])

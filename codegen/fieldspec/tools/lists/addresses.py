@@ -35,7 +35,7 @@ _OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
 """Places in the memory of a controller that are not counted in words, and not alike by all controllers."""
 
 _HALF = re.compile(
-    r"(.*[0-9a-f]h?)[\s_]*[(\[]?\s*(?:(?:_|\b)(l|lo|low|lsb|h|hi|high|msb)(?:[\s_-]*byte)?)\s*[)\]]?", re.IGNORECASE
+    r"(.*[0-9a-f]h?)(?:_(l|h|lo|hi|low|high)|[\s_(\[]*(?:(lo|low|hi|high)[\s_-]*byte|([lm]sb)))\s*[)\]]?", re.IGNORECASE
 )
 _LETTERED = re.compile(r"[a-z]?([0-9]{1,10})", re.IGNORECASE)
 _PAIR = re.compile(r"(.+?)\s*[(\[/=|]\s*([^()\[\]]+?)\s*[)\]]?")
@@ -143,7 +143,7 @@ def place(text: str) -> Place | None:
         pointed = _POINTED.fullmatch(normalized) is not None
         return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless, pointed=pointed)
     if (half := _HALF.fullmatch(normalized)) and (address := address_text(half[1])):
-        return Place(address, bits=(0, 7) if half[2][0] in "lL" else (8, 15))
+        return Place(address, bits=(0, 7) if half[half.lastindex or 2][0] in "lL" else (8, 15))
     for separator in (_SPAN, _SEVERAL):
         ends = [address_text(part) for part in separator.split(normalized)]
         known = [end for end in ends if end is not None]

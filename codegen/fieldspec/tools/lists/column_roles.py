@@ -320,7 +320,10 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
 
-_FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {"type": typed}
+_FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
+    "type": typed,
+    "places": lambda text: not text.isdecimal() and decimal_places(text) is not None,
+}
 """The same for roles whose own headings are enough, and others are not."""
 
 _NOTED = ("access", "unit", "writable", "word_order")

@@ -128,7 +128,7 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
     return Quantity(scale, "", places) if Fraction(places) == offset else None
 
 
-def _unit_of_name(names: tuple[str, ...], decimal: str) -> Quantity:
+def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
     """The unit in brackets behind a name, where the list has no cell for it: `Speed [rpm]`."""
     for name in names:
         aside = _ASIDE.search(name)
