@@ -33,7 +33,8 @@ def lines(name: str, result: Imported, noted: Sequence[int]) -> Iterator[str]:
     yield f"rows: {used} of {total} used ({share}){_skipped(result.skipped)}"
     if messages := dict.fromkeys(row.message for row in result.rows if row.message):
         count = "1 message" if len(messages) == 1 else f"{len(messages)} messages"
-        yield f"not used: {count} ({', '.join(messages)}): a list has no frames for them; take or write them"
+        reason = "a list has no frames for them; take them from a protocol, or write them"
+        yield f"not used: {count} ({', '.join(messages)}): {reason}"
     if noted:
         yield f"rows with cells that are only noted: {len(noted)}; see `notes`"
     yield from _limited([f"not used: {refusal.text()}" for refusal in result.refused])
