@@ -221,8 +221,8 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
 
 def _byte_columns(heads: Sequence[tuple[str, ...]], used_columns: set[int]) -> tuple[int, ...]:
     """The columns with the high and the low byte of addresses; empty if the list has none."""
-    found = [_ranked(heads, words("address_bytes")[half], used_columns)[:1] for half in ("high", "low")]
-    return (*found[0], *found[1]) if all(found) else ()
+    halves = [_ranked(heads, words("address_bytes")[half], used_columns)[:1] for half in ("high", "low")]
+    return (*halves[0], *halves[1]) if all(halves) else ()
 
 
 def _with_addresses_of_bytes(
@@ -302,7 +302,9 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
         r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?)?\.?", text, re.IGNORECASE
     ),
     "bits": lambda text: bit_names(text) is not None,
+    "last": address_text,
     "access": cells.access,
+    "readable": lambda text: cells.answer(text) is not None,
     "writable": lambda text: cells.answer(text) is not None or cells.access(text),
     "function": cells.functions,
     "function_write": cells.functions,

@@ -12,10 +12,11 @@ from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.type_words import Typed
 
 _HALF = re.compile(
-    r"(?P<stem>.*?\w[^\w(\[]*?)[\s_(\[,-]+(?P<half>h|l|msw|lsw|(?:high|hi|upper|low|lo|lower)[\s_-]*(?P<word>word|16|half)?"
-    r"(?:[\s_-]*bits?)?|[高低](?P<sign>字|16位|位))[)\]]*",
+    r"[\s_(\[,-]+(?P<half>h|l|msw|lsw|(?:high|hi|upper|low|lo|lower)[\s_-]*(?P<word>word|16|half)?(?:[\s_-]*bits?)?"
+    r"|[高低](?P<sign>字|16位|位))[)\]]*$",
     re.IGNORECASE,
 )
+_LONGEST_HALF = 30
 _LIMIT = re.compile("alarm|limit|thresh|warn|trip|grenz|schwell|limite|seuil|报警|限", re.IGNORECASE)
 _FEWEST = 2
 """The number of pairs that names of one letter need, which may be those of a high and a low limit."""
@@ -62,6 +63,10 @@ def _joined(rows: Sequence[ListRow], pairs: dict[int, tuple[ListRow, ListRow]]) 
 
 def _halves(first: ListRow, second: ListRow) -> bool:
     """Whether two rows are the words of one value: neighbours of one word, with equal facts."""
+    if second.address != first.address + 1 or first.is_own or not first.names or not second.names:
+        return False
+    if {_half(first)[0], _half(second)[0]} != {"high", "low"} or _stem(first.names[0]) != _stem(second.names[0]):
+        return False
     facts = [
         (
             row.space,
@@ -77,27 +82,29 @@ def _halves(first: ListRow, second: ListRow) -> bool:
         )
         for row in (first, second)
     ]
-    is_plain = first.bits is None and not first.is_own and first.type in (None, Typed("u16"), Typed("i16"))
-    if not (is_plain and first.names and second.names and second.address == first.address + 1):
-        return False
-    halves = {_half(first)[0], _half(second)[0]}
     is_bounded = first.low is not None or first.high is not None
-    alike = facts[0] == facts[1] and facts[0][1] == 1 and not is_bounded
-    return alike and halves == {"high", "low"} and _stem(first.names[0]) == _stem(second.names[0])
+    is_word = first.bits is None and first.words in (None, 1) and first.type in (None, Typed("u16"), Typed("i16"))
+    return facts[0] == facts[1] and is_word and not is_bounded
 
 
 def _half(row: ListRow) -> tuple[str, bool]:
     """Which half a row is, empty if none, and whether its name says that this is one: a letter may be of a limit."""
-    match = _HALF.fullmatch(row.names[0])
+    match = _match(row.names[0])
     if match is None:
         return "", False
     half = match["half"].casefold()
     is_word = bool(match["word"] or match["sign"]) or half in ("msw", "lsw")
-    if not is_word and (len(half) > 1 or _LIMIT.search(match["stem"])):
+    if not is_word and (len(half) > 1 or _LIMIT.search(row.names[0])):
         return "", False
     return "high" if half[0] in "hmu高" else "low", is_word
 
 
 def _stem(text: str) -> str:
-    match = _HALF.fullmatch(text)
-    return match["stem"].strip() if match else text
+    """A name without the half at its end."""
+    match = _match(text)
+    return text[: len(text) - len(match[0])].strip() if match else text
+
+
+def _match(text: str) -> re.Match[str] | None:
+    """The half at the end of a name, of which no more is looked at than a half can have."""
+    return _HALF.search(text[-_LONGEST_HALF:])

@@ -109,6 +109,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             for role in columns_of_sheet.places
             if (text := columns_of_sheet.cell(sheet_row, role)) and (text not in _EMPTY or role == "address")
         }
+        if "readable" in columns_of_sheet.places and "writable" in texts:
+            texts.setdefault("readable", "no")
         if "function_write" in texts:
             texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
         row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, options.order)
@@ -332,9 +334,9 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
         list_row = read_row(cells, POINT, "")
         if list_row.bits is not None and "bit" in texts and cells.names:
             yield replace(list_row, address=-1)
-        elif match and match[3]:
+        elif match and (names := tuple(filter(None, (match[3], *(name for name in cells.names if name != match[0]))))):
             low, high = int(match[1]), int(match[2] or match[1])
-            yield replace(list_row, address=-1, bits=(min(low, high), max(low, high)), names=(match[3], *cells.names))
+            yield replace(list_row, address=-1, bits=(min(low, high), max(low, high)), names=names)
 
 
 def _with_gaps(rows: list[ListRow]) -> list[ListRow]:

@@ -225,7 +225,11 @@ def _access(texts: Mapping[str, str], doubts: list[str]) -> str:
     by_code = ("rw" if codes.reads else "wo") if codes is not None and codes.writes else ""
     if text and not stated and codes is None:
         doubts.append(f"Access in the list: {text}.")
-    if writable:
+    if texts.get("readable") and not stated:
+        is_readable, is_writable = answer(texts["readable"]), answer(writable or "no")
+        stated = {(True, True): "rw", (True, False): "ro", (False, True): "wo"}.get((is_readable, is_writable), "")
+        doubts += [] if stated else [f"Readable in the list: {texts['readable']}; writable: {writable}."]
+    elif writable:
         answer_value = answer(writable)
         by_answer = access(writable) or {True: "rw", False: "ro", None: ""}[answer_value]
         if not by_answer:

@@ -31,8 +31,7 @@ _HEAD = """\
 # take `unverified` away. Then put the manual's own title, file and hash below.
 """
 _CITING_HEAD = """\
-# Written from an export, whose sources are places in the manual. Put the manual's own title, file, hash and number of
-# lines below, in place of those of the list and of the last line that it cites.
+# Written from an export, which cites the manual. Put the manual's own title, file, hash and number of lines below.
 """
 _HAS_IT_SO = "The list has it so."
 
@@ -174,8 +173,7 @@ class _Writer:
             yield f"    space: {space}", 0
         registers = [self._registers[place] for place in places]
         if not all(entry.row.is_verified for entry in registers):
-            yield '    section: "1"', 0
-            yield "    unverified: true", 0
+            yield from (('    section: "1"', 0), ("    unverified: true", 0))
         addresses = [entry.row.address for entry in registers]
         has_tables = any(
             entry.space == space and (entry.kind == FIELD or (entry.rows and entry.row.stride > entry.shape.words))
@@ -388,8 +386,8 @@ def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Ite
     is_own_element = row.is_own and row.subindices is not None
     printed = texts.get("printed_name", "") or (row.names[0] if row.names and not is_own_element else "")
     label = texts.get("label", "")
-    if "printed_name" in texts and not label and not row.is_own and row.names and row.names[0] != printed:
-        label = row.names[0]
+    if "printed_name" in texts and not row.is_own and row.names and row.names[0] != printed:
+        label = label or row.names[0]
     if printed == label and "printed_name" not in texts and "name" not in texts:
         printed = ""
     if "_" in printed and len(printed.split()) > 1 and printed != name:

@@ -64,6 +64,8 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
             return placed
         separator = ","
     bars = separator == "|"
+    heading = next((line.strip() for line in text.splitlines() if "|" in line), "")
+    is_bordered = bars and heading.startswith("|")
     is_grid = bars and sum(line.startswith("+") for line in text.splitlines()) > _MOST_BORDERS
     is_first = True
     rows: list[SheetRow] = []
@@ -83,7 +85,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
             if bars and _RULE.fullmatch(separator.join(cells)):
                 is_first = True
                 continue
-            if bars and cells and not cells[0].strip():
+            if is_bordered and cells and not cells[0].strip():
                 cells = cells[1:]
             row = tuple(clean(cell) for cell in cells)
             if is_grid and not is_first:
