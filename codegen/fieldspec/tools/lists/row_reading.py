@@ -227,7 +227,9 @@ def _access(texts: Mapping[str, str], doubts: list[str]) -> str:
         doubts.append(f"Access in the list: {text}.")
     if texts.get("readable") and not stated:
         is_readable, is_writable = answer(texts["readable"]), answer(writable or "no")
-        stated = {(True, True): "rw", (True, False): "ro", (False, True): "wo"}.get((is_readable, is_writable), "")
+        by_columns = {(True, True): "rw", (True, False): "ro", (False, True): "wo"}
+        is_understood = is_readable is not None and is_writable is not None
+        stated = by_columns.get((bool(is_readable), bool(is_writable)), "") if is_understood else ""
         doubts += [] if stated else [f"Readable in the list: {texts['readable']}; writable: {writable}."]
     elif writable:
         answer_value = answer(writable)
