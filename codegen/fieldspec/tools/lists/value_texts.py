@@ -100,8 +100,8 @@ def bit_names(text: str) -> tuple[NamedBits, ...] | None:
     bits = [_BIT.fullmatch(piece.strip()) for piece in text.split(";") if piece.strip()]
     if not bits:
         return None
-    named = [_named_bits(bit[1], bit[2]) for bit in bits if bit]
-    return tuple(named) if len(named) == len(bits) and all(bit.low <= bit.high < 64 for bit in named) else None
+    parts = [_named_bits(bit[1], bit[2]) for bit in bits if bit]
+    return tuple(parts) if len(parts) == len(bits) and all(bit.low <= bit.high < 64 for bit in parts) else None
 
 
 def _named_bits(text: str, name: str) -> NamedBits:
