@@ -85,6 +85,7 @@ class Calls:
     busy: list[bool] = field(default_factory=list)
     ends: list[str] = field(default_factory=list)
     error: list[int] = field(default_factory=list)
+    active: list[bool] = field(default_factory=list)
     directions: list[tuple[bool, ...]] = field(default_factory=list)
     _before: dict[int, int] = field(default_factory=dict)
 
@@ -303,6 +304,7 @@ class History:
             calls.abort.append(bool(scan.inputs.get((name, "Abort"))))
             calls.busy.append(bool(outputs.get((name, "Busy"))))
             calls.ends.append("".join(end for end in ENDS if outputs.get((name, end))))
+            calls.active.append(bool(outputs.get((name, "Active"))))
             calls.error.append(int(outputs.get((name, "ErrorID"), 0)))
             calls.directions.append(levels)
             before, restarted = levels, False

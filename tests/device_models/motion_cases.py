@@ -235,8 +235,8 @@ MOTION_CASES = (
     Case(
         a_valid_position_is_true,
         39,
-        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "-Read.Valid +Read.Error Read.ErrorID=2"),
-        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "+Read.Error Read.ErrorID=2"),
+        ("p500", "+Read.Enable +Read.Valid Read.PositionRaw=500", "-Read.Valid +Read.Error Read.ErrorID=2"),
+        ("p500", "+Read.Enable +Read.Valid Read.PositionRaw=500", "+Read.Error Read.ErrorID=2"),
     ),
     Case(
         two_edges_start_once,
@@ -253,19 +253,19 @@ MOTION_CASES = (
     Case(
         a_valid_position_is_true,
         39,
-        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500"),
-        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=1426063360"),
+        ("p500", "+Read.Enable +Read.Valid Read.PositionRaw=500"),
+        ("p500", "+Read.Enable +Read.Valid Read.PositionRaw=1426063360"),
     ),
     Case(
         a_valid_position_is_true,
         39,
-        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "-Read.Enable -Read.Valid"),
-        ("p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "-Read.Enable"),
+        ("p500", "+Read.Enable +Read.Valid Read.PositionRaw=500", "-Read.Enable -Read.Valid"),
+        ("p500", "+Read.Enable +Read.Valid Read.PositionRaw=500", "-Read.Enable"),
     ),
     Case(
         a_valid_position_is_true,
         39,
-        ("ms:50 p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "p900 x100", "Read.diPositionRaw=900 x300"),
-        ("ms:50 p500", "+Read.Enable +Read.Valid Read.diPositionRaw=500", "p900 x300"),
+        ("ms:50 p500", "+Read.Enable +Read.Valid Read.PositionRaw=500", "p900 x100", "Read.PositionRaw=900 x300"),
+        ("ms:50 p500", "+Read.Enable +Read.Valid Read.PositionRaw=500", "p900 x300"),
     ),
 )

@@ -24,6 +24,7 @@ OUTPUT_CASES = (
     Case(an_edge_is_answered_at_once, 2, ("", EDGE), ("", "+Move.Execute")),
     Case(an_edge_is_answered_at_once, 2, ("", "+Move.Execute +Move.Error"), ("", f"{EDGE} +Move.Done")),
     Case(outputs_exclude_each_other, 3, ("+Stop.Done +Stop.Busy",), ("+Move.Done +Move.Busy",)),
+    Case(outputs_exclude_each_other, 3, (f"{EDGE} +Move.Active",), (f"{EDGE} +Move.Active", "-Move.Busy +Move.Done")),
     Case(an_error_has_a_number, 4, ("+Move.Error Move.ErrorID=2",), ("+Move.Error",)),
     Case(an_error_has_a_number, 4, ("",), ("Move.ErrorID=2",)),
     Case(a_falling_edge_ends_nothing, 5, ("", EDGE, "-Move.Execute"), ("", EDGE, "-Move.Execute -Move.Busy")),

@@ -36,13 +36,15 @@ def an_edge_is_answered_at_once(history: History) -> Iterator[Violation]:
 
 
 def outputs_exclude_each_other(history: History) -> Iterator[Violation]:
-    """Rule 3: of Busy, Done, Error and CommandAborted one at most is TRUE; a stop may be Done and Busy."""
+    """Rule 3: of Busy, Done, Error and CommandAborted one at most is TRUE, and Active with Busy; a stop may be both."""
     for calls in history.blocks.values():
         for index, scan in enumerate(calls.scans):
             number = calls.busy[index] + sum(end in calls.ends[index] for end in ENDS)
             if number > 1 and not (calls.kind in LOCKS and number == 2 and calls.ends[index] == "Done"):
                 busy = "Busy and " if calls.busy[index] else ""
                 yield Violation(3, scan, calls.name, f"{busy}{calls.ends[index]} are TRUE together")
+            elif calls.active[index] and not calls.busy[index]:
+                yield Violation(3, scan, calls.name, "Active is TRUE without Busy")
 
 
 def an_error_has_a_number(history: History) -> Iterator[Violation]:

@@ -3,7 +3,7 @@
 A line has what changes in a scan; all else stays as it was:
 
     +Move.Execute -Move.Busy     an input or an output rises, falls
-    Move.ErrorID=8 Read.diPositionRaw=500   a number
+    Move.ErrorID=8 Read.PositionRaw=500   a number
     ask:start_absolute           a request on the wire
     accepted:absolute:1:500:90   an event of the device, with the number of the motion, a value and a speed
     n1 w2 v100 p500              the motion that is carried out, that waits, velocity, position
@@ -119,6 +119,6 @@ def record_of(kinds: Mapping[str, str], lines: Sequence[str]) -> History:
         record.scans,
         kinds,
         lambda block, inputs: inputs.get((block, "value")),
-        lambda block, outputs: outputs.get((block, "diPositionRaw")),
+        lambda block, outputs: outputs.get((block, "PositionRaw")),
         speed_of=lambda block, inputs: inputs.get((block, "speed")),
     )

@@ -122,7 +122,7 @@ def test_javascript_for_the_site_encodes_requests(device: str, tmp_path: Path) -
     ("output", "files", "names"),
     [
         ("st", "{}_v*.st", r"\b(?:FB|ST|F)_\w+|(?<=\.)[A-Z][A-Z0-9_]+\b|(?<=stData\.)\w+"),
-        ("scl", "{}_v*/*.*", r'"([^"]+)"|(?<=stData\.)(\w+)'),
+        ("scl", "{}_v*/*.*", r'"([^"]+)"|(?<=#data\.)(\w+)'),
     ],
 )
 def test_code_for_controllers_has_the_names_of_the_output(output: str, files: str, names: str, device: str) -> None:

@@ -130,7 +130,7 @@ def test_blocks_that_are_laid_over_the_wire_have_standard_access_and_the_others_
 
 def test_the_calls_in_the_comments_of_blocks_are_of_functions_that_are_there() -> None:
     outputs = sources(newest(SPECS, "hiwin-e"))
-    assert '"F_HiwinE_PackTelegram111RequestBytes"(stData := "HiwinETelegram111Values".toDevice' in outputs["data.db"]
+    assert '"F_HiwinE_PackTelegram111RequestBytes"(data := "HiwinETelegram111Values".toDevice' in outputs["data.db"]
     assert 'FUNCTION "F_HiwinE_PackTelegram111RequestBytes" : UINT' in outputs["functions.scl"]
 
 

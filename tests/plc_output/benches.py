@@ -148,6 +148,13 @@ class Bench:
         assert len(ends) <= 1, (block, ends)
         return "".join(ends)
 
+    def reason(self, block: str) -> int:
+        """The number of the reason of its error; for Siemens it is the low byte of a status of errors."""
+        if (block, "ErrorID") in self.out:
+            return int(self.out[block, "ErrorID"])
+        status = int(self.out[block, "Status"])
+        return status & 0xFF if status >= 0x8000 else 0
+
     def port(self, port: str, name: str) -> str:
         """The name of a member of a port, in the language of the test, as it is in `ports`."""
         return self.world.names.members[port][name].lower().strip('"')

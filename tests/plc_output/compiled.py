@@ -249,19 +249,20 @@ class Compiled(Machine):
             sections = [
                 (role, variable, self.kind(kind)) for role, variable, kind, _ in function.variables if role != "VAR"
             ]
-            lines += [f"  static {types[variable]} {variable};" for _, variable, _ in sections]
+            lines += [f"  static {types[variable]} of_{variable};" for _, variable, _ in sections]
             for role, variable, kind in sections:
                 if role != "VAR_OUTPUT":
-                    lines += self._moved("get", variable, kind, 1)
+                    lines += self._moved("get", f"of_{variable}", kind, 1)
             arguments = [
-                text if role == "VAR_INPUT" else f"&{text}" for role, text, _ in self._in_order(sections, rest)
+                f"of_{text}" if role == "VAR_INPUT" else f"&of_{text}"
+                for role, text, _ in self._in_order(sections, rest)
             ]
             lines.append(f"  {returns} result = {name.upper()}({', '.join(['1', 'NULL', *arguments])});")
             lines += self._moved("put", "result", self.kind(function.returns), 1)
             for wanted in ("VAR_OUTPUT", "VAR_IN_OUT"):
                 for role, variable, kind in sections:
                     if role == wanted:
-                        lines += self._moved("put", variable, kind, 1)
+                        lines += self._moved("put", f"of_{variable}", kind, 1)
             lines.append("}")
         lines += self._block_lines()
         lines += [

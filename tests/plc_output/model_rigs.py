@@ -176,8 +176,8 @@ class FrameRig(ModelRig):
         for (block, name), of in self.bench.inputs.items():
             if of != "bool" and ("tation" in name or "ddress" in name):
                 self.set(block, **{name: self.model.STATION})
-            if name == "iRetries":
-                self.set(block, iRetries=2)
+            if name == "Retries":
+                self.set(block, Retries=2)
 
     def connect(self) -> None:
         """Puts the model at the other end of the line."""

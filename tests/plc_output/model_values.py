@@ -97,7 +97,7 @@ def value_of(device: str, block: str, kind: str, inputs: Mapping[tuple[str, str]
         if owner == block and pattern is not None and pattern.search(name):
             if not math.isfinite(value):
                 return None
-            return round(value * SCALES.get(device, 1.0) * 1e6) / 1e6 if name.startswith("lr") else float(value)
+            return round(value * SCALES.get(device, 1.0) * 1e6) / 1e6
     return None
 
 
@@ -110,7 +110,7 @@ def speed_of(device: str, kind: str, block: str, inputs: Mapping[tuple[str, str]
     if kind == "velocity":
         return None
     numbers = {name: value for (owner, name), value in inputs.items() if owner == block and SPEED.search(name)}
-    share = numbers.pop("lrSpeedOverride", 100.0) / 100
+    share = numbers.pop("SpeedOverride", 100.0) / 100
     speed = next(iter(numbers.values()), None)
     if speed is None or not math.isfinite(speed):
         return None

@@ -84,14 +84,14 @@ class Rig:
             self.scan()
         result = self.bench.ended(block)
         if result == "Error":
-            result = f"Error {self.bench.out[block, 'ErrorID']}"
+            result = f"Error {self.bench.reason(block)}"
         self.run(2, block, Execute=False)
         return result
 
     def ended(self, block: str) -> str:
         """How a block has ended, with its number."""
         result = self.bench.ended(block)
-        return f"Error {self.bench.out[block, 'ErrorID']}" if result == "Error" else result
+        return f"Error {self.bench.reason(block)}" if result == "Error" else result
 
 
 class Tc100Rig(Rig):
@@ -112,10 +112,10 @@ class Tc100Rig(Rig):
         variable = next(name for name in self.bench.ports if name.lower().endswith("frames"))
         self.transport = Transport(self.bench, FRAMES, variable, delay=1)
         station = next(name for block, name in self.bench.inputs if block == "RtuClient" and "tation" in name)
-        self.bench.set("RtuClient", iRetries=2, **{station: Tc100.STATION})
-        self.bench.set("MoveAbsolute", uiSpeed=20, diPositionCounts=5000)
-        self.bench.set("MoveRelative", uiSpeed=20, diDistanceCounts=-10)
-        self.bench.set("Jog", uiSpeed=20)
+        self.bench.set("RtuClient", Retries=2, **{station: Tc100.STATION})
+        self.bench.set("MoveAbsolute", Velocity=20, PositionCounts=5000)
+        self.bench.set("MoveRelative", Velocity=20, DistanceCounts=-10)
+        self.bench.set("Jog", Velocity=20)
 
 
 class Esc11Rig(Rig):
@@ -138,10 +138,10 @@ class Esc11Rig(Rig):
         for block, name in self.bench.inputs:
             if "ddress" in name:
                 self.bench.set(block, **{name: Esc11.STATION})
-            if name == "usiSpeed":
-                self.bench.set(block, usiSpeed=50)
-            if name == "usiPointNumber":
-                self.bench.set(block, usiPointNumber=3)
+            if name == "Velocity":
+                self.bench.set(block, Velocity=50)
+            if name == "PointNumber":
+                self.bench.set(block, PointNumber=3)
 
 
 class HiwinRig(Rig):
@@ -162,9 +162,9 @@ class HiwinRig(Rig):
         super().__init__(Bench(SPECS, "hiwin-e", self.blocks, folder, dialect, block_names(SPECS, "hiwin-e")))
         self.device = Telegram111()
         self.lost = False
-        self.axis = self.bench.lent["Telegram111ServoOn", "stAxis"]
-        for block, name in self.bench.inputs:
-            if name.startswith("lr"):
+        self.axis = self.bench.lent["Telegram111ServoOn", "Axis"]
+        for (block, name), kind in self.bench.inputs.items():
+            if kind == "lreal":
                 self.bench.set(block, **{name: 50.0})
 
     def _of(self, name: str) -> str:

@@ -17,14 +17,14 @@ from vendor_codes import COMM_LOAD, IO_DRV_MODBUS, MODBUS_ERRORS, MODBUS_MASTER
 COUNTERS = {"Requests": "int", "Code": "int", "First": "word"}
 WORDS = {
     "ModbusRequest": Adapter(
-        *("FB_Tc100ModbusRequest", "tc100", "stAxis", "ST_Tc100_Axis", "usiStation := 3"),
+        *("FB_Tc100ModbusRequest", "tc100", "Axis", "ST_Tc100_Axis", "Station := 3"),
         {"fbRequest.Answer": "int"},
-        {f"fbRequest.{name}": kind for name, kind in COUNTERS.items()} | {"byError": "byte"},
+        {f"fbRequest.{name}": kind for name, kind in COUNTERS.items()} | {"Diagnostics": "byte"},
     ),
     "ModbusRtuMasterV2": Adapter(
-        *("FB_Tc100ModbusMaster", "tc100", "stAxis", "ST_Tc100_Axis", "byStation := BYTE#16#03"),
+        *("FB_Tc100ModbusMaster", "tc100", "Axis", "ST_Tc100_Axis", "Station := BYTE#16#03"),
         {"fbMaster.Answer": "int"},
-        {f"fbMaster.{name}": kind for name, kind in COUNTERS.items()} | {"iError": "int"},
+        {f"fbMaster.{name}": kind for name, kind in COUNTERS.items()} | {"Diagnostics": "int"},
     ),
     "Modbus_Master": Adapter(
         *("Tc100ModbusMaster", "tc100", "axis", "typeTc100Axis", "station := 3"),
@@ -36,7 +36,7 @@ WORDS = {
 }
 """The adapters of words by the vendor's block."""
 BLOCKS = {"ModbusRequest": "fbRequest", "ModbusRtuMasterV2": "fbMaster", "Modbus_Master": "master"}
-REASONS = {"ModbusRequest": "byError", "ModbusRtuMasterV2": "iError", "Modbus_Master": "status"}
+REASONS = {"ModbusRequest": "Diagnostics", "ModbusRtuMasterV2": "Diagnostics", "Modbus_Master": "status"}
 CODES = {"ModbusRequest": IO_DRV_MODBUS, "ModbusRtuMasterV2": MODBUS_ERRORS, "Modbus_Master": MODBUS_MASTER}
 EACH = [(block, code, error) for block, codes in CODES.items() for code, error in codes.items()]
 NAMES = [f"{block}-{code:X}" for block, code, _ in EACH]

@@ -24,17 +24,17 @@ from vendor_codes import CAA_SERIAL_COM, COM_ERROR, PORT_CONFIG, RECEIVE_P2P, SE
 
 LINE = ("array", 0, 254, "byte")
 CODESYS = Adapter(
-    *("FB_Tc100SerialPort", "tc100", "stFrames", "ST_Tc100_Frames", "hPort := 7"),
-    {"xOpen": "bool", "fbRead.Line": LINE, "fbRead.Arrived": "int", "fbRead.Taken": "int", "fbRead.Waits": "bool"}
+    *("FB_Tc100SerialPort", "tc100", "Frames", "ST_Tc100_Frames", "Port := 7"),
+    {"Open": "bool", "fbRead.Line": LINE, "fbRead.Arrived": "int", "fbRead.Taken": "int", "fbRead.Waits": "bool"}
     | {"fbRead.Answer": "uint", "fbWrite.Answer": "uint"},
-    {"fbWrite.Requests": "int", "iStep": "int", "eError": "uint", "xLost": "bool"},
+    {"fbWrite.Requests": "int", "iStep": "int", "Diagnostics": "uint", "Lost": "bool"},
     milliseconds=5,
 )
 TWINCAT = Adapter(
-    *("FB_Esc11SerialPort", "esc11", "stFrames", "ST_Esc11_Frames", "tPause := T#200ms"),
+    *("FB_Esc11SerialPort", "esc11", "Frames", "ST_Esc11_Frames", "Pause := T#200ms"),
     {"fbReceive.Line": LINE, "fbReceive.Arrived": "int", "fbReceive.Taken": "int", "fbReceive.Answer": "int"}
     | {"fbSend.Answer": "int", "fbSend.Full": "bool", "iLineError": "int"},
-    {"fbSend.Requests": "int", "iStep": "int", "eError": "int"},
+    {"fbSend.Requests": "int", "iStep": "int", "Diagnostics": "int"},
 )
 SIEMENS = Adapter(
     *("Esc11PointToPoint", "esc11", "frames", "typeEsc11Frames", "pause := T#200ms"),
@@ -79,7 +79,7 @@ class Line:
         self.receiver = RECEIVERS[name]
         self.stand.restart()
         if name == "codesys":
-            self.stand.set(xOpen=True)
+            self.stand.set(Open=True)
         self.stand.run(20)
         self.waited = 0
 
@@ -184,16 +184,16 @@ def test_a_slow_line_is_no_end_of_the_answer(folder: Path) -> None:
 @pytest.mark.parametrize("block", ["fbRead", "fbWrite"])
 def test_an_error_of_the_com_port_is_one_of_the_port(block: str, code: int, folder: Path) -> None:
     line = Line("codesys", folder, packet(4), 50).put(**{f"{block}__Answer": code})
-    assert (line.ask(), line.stand.get("eError")) == (7, code)
+    assert (line.ask(), line.stand.get("Diagnostics")) == (7, code)
 
 
 def test_a_write_that_takes_too_long_is_an_error_of_the_port(folder: Path) -> None:
     line = Line("codesys", folder).put(fbWrite__Answer=5001)
-    assert (line.ask(), line.stand.get("eError")) == (7, 5001)
+    assert (line.ask(), line.stand.get("Diagnostics")) == (7, 5001)
 
 
 def test_a_port_that_is_not_open_is_an_error_of_the_port_at_once(folder: Path) -> None:
-    line = Line("codesys", folder).put(xOpen=False)
+    line = Line("codesys", folder).put(Open=False)
     scans = []
     assert line.ask(until=lambda: bool(scans.append(1))) == 7
     assert (len(scans) < 3, line.stand.get("fbWrite.Requests")) == (True, 0)
@@ -206,7 +206,7 @@ def test_a_port_that_is_not_open_is_an_error_of_the_port_at_once(folder: Path) -
 @pytest.mark.parametrize("block", ["fbSend", "fbReceive"])
 def test_an_error_of_the_serial_library_is_one_of_the_port(block: str, code: int, folder: Path) -> None:
     line = Line("twincat", folder).put(**{f"{block}__Answer": code})
-    assert (line.ask(), line.stand.get("eError")) == (7, code)
+    assert (line.ask(), line.stand.get("Diagnostics")) == (7, code)
 
 
 @pytest.mark.parametrize("code", COM_ERROR)
@@ -218,7 +218,7 @@ def test_an_error_of_the_line_in_another_task_is_one_of_the_port(code: int, fold
             line.put(iLineError=code)
         return False
 
-    assert (line.ask(until=broken), line.stand.get("eError")) == (7, code)
+    assert (line.ask(until=broken), line.stand.get("Diagnostics")) == (7, code)
 
 
 def test_an_error_of_the_line_before_a_request_is_forgotten(folder: Path) -> None:
@@ -319,11 +319,11 @@ def opening(folder: Path) -> Compiled:
     """PRG_Tc100SerialPort; what it gives to the walk is its own."""
     program = standard(TEXTS["PRG_Tc100SerialPort"])
     program = re.sub(r"PRG_Tc100\.(\w+)", r"\1", program)
-    program = program.replace("\nVAR\n", "\nVAR\n    xOpen : BOOL;\n    hPort : UDINT;\n    xLost : BOOL;\n", 1)
+    program = program.replace("\nVAR\n", "\nVAR\n    Open : BOOL;\n    Port : UDINT;\n    Lost : BOOL;\n", 1)
     parameter = "TYPE Parameter : STRUCT udiParameterId : UDINT; udiValue : UDINT; END_STRUCT; END_TYPE\n"
     program = program.replace("OF COM.PARAMETER", "OF Parameter")
-    outputs = (("xOpen", "bool"), ("hPort", "udint"), ("xError", "bool"), ("eError", "uint"))
-    inputs = (("fbOpen.Answer", "uint"), ("xLost", "bool"), ("fbClose.Answer", "uint"))
+    outputs = (("Open", "bool"), ("Port", "udint"), ("Error", "bool"), ("Diagnostics", "uint"))
+    inputs = (("fbOpen.Answer", "uint"), ("Lost", "bool"), ("fbClose.Answer", "uint"))
     block = Block("PRG_Tc100SerialPort", inputs, (*outputs, ("fbOpen.Requests", "int"), ("fbClose.Requests", "int")))
     return Compiled(named(parameter + ALL + program), folder, block, parsed(parameter))
 
@@ -370,11 +370,11 @@ def test_a_port_that_fails_is_closed_and_opened_again(closes: int, folder: Path)
 def test_a_port_whose_calls_fail_is_lost_until_it_is_closed(block: str, folder: Path) -> None:
     line = Line("codesys", folder, packet(4), 50).put(**{f"{block}__Answer": 5003})
     line.ask()
-    assert line.stand.get("xLost")
-    line.put(xOpen=False).stand.scan()
-    assert not line.stand.get("xLost")
+    assert line.stand.get("Lost")
+    line.put(Open=False).stand.scan()
+    assert not line.stand.get("Lost")
 
 
 def test_a_read_without_bytes_loses_no_port(folder: Path) -> None:
     line = Line("codesys", folder).put(fbRead__Waits=True)
-    assert (line.ask(), line.stand.get("xLost")) == (2, False)
+    assert (line.ask(), line.stand.get("Lost")) == (2, False)

@@ -22,19 +22,17 @@ from fieldspec.codec.reference import codec
 from layouts import SPECS, newest
 
 INPUTS = {
-    **dict.fromkeys(("panel.xServo", "panel.xHome", "panel.xMove", "panel.xStop"), "bool"),
-    "panel.diPosition": "dint",
-    **dict.fromkeys(
-        ("panel.lrSpeed", "panel.lrAcceleration", "panel.lrDeceleration", "panel.lrSpeedOverride"), "lreal"
-    ),
+    **dict.fromkeys(("panel.Servo", "panel.Home", "panel.MoveAbsolute", "panel.Stop"), "bool"),
+    "panel.Position": "dint",
+    **dict.fromkeys(("panel.Velocity", "panel.Acceleration", "panel.Deceleration", "panel.SpeedOverride"), "lreal"),
     "input.returned": "int",
     "output.returned": "int",
     "input.bytes": ("array", 0, 23, "byte"),
     "axis/request.velocityOverride": "uint",
 }
 OUTPUTS = {
-    "panel.xReady": "bool",
-    "panel.uiErrorID": "uint",
+    "panel.Ready": "bool",
+    "panel.Status": "word",
     "status": "word",
     "diagnostics": "int",
     "axis/valid": "bool",
@@ -138,14 +136,14 @@ def test_a_request_that_cannot_be_packed_is_shown_and_makes_the_next_telegram_in
 
 @pytest.mark.parametrize("way", ["input", "output"])
 def test_a_block_that_works_while_a_telegram_fails_ends_with_error_7(way: str, walk: Walk) -> None:
-    walk.scan(3, panel__xServo=True)
-    assert walk.show("panel.uiErrorID") == [0]
+    walk.scan(3, panel__Servo=True)
+    assert walk.show("panel.Status") == [0]
     walk.scan(2, **{f"{way}__returned": signed(0x80A0)})
-    assert walk.show("panel.uiErrorID") == [7]
+    assert walk.show("panel.Status") == [0x8600 + 7]
 
 
 def test_the_error_of_the_walk_goes_with_that_of_its_block(walk: Walk) -> None:
-    walk.scan(2, panel__xMove=True)
-    assert walk.show("panel.uiErrorID") != [0]
-    walk.scan(2, panel__xMove=False)
-    assert walk.show("panel.uiErrorID") == [0]
+    walk.scan(2, panel__MoveAbsolute=True)
+    assert walk.show("panel.Status") != [0]
+    walk.scan(2, panel__MoveAbsolute=False)
+    assert walk.show("panel.Status") == [0]

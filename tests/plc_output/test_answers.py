@@ -60,9 +60,9 @@ class Client:
         clients = [name for name in block_names(root, device) if name.endswith("Client")]
         self.name = next(name for name in clients if name.lower() == f"{link}client" or len(clients) == 1)
         self.bench = Bench(root, device, [self.name], folder, program=clients)
-        self.bench.set(self.name, iRetries=0)
+        self.bench.set(self.name, Retries=0)
         for block, name in self.bench.inputs:
-            if block == self.name and name != "iRetries":
+            if block == self.name and name != "Retries":
                 self.bench.set(block, **{name: STATION})
 
     def of(self, port: str, name: str) -> Any:
@@ -75,7 +75,7 @@ class Client:
             self._port(port)[self.bench.port(port, name)] = value
 
     def _port(self, port: str) -> Any:
-        return self.bench.ports[self.bench.lent[self.name, "stAxis" if port == AXIS else "stFrames"]]
+        return self.bench.ports[self.bench.lent[self.name, "Axis" if port == AXIS else "Frames"]]
 
     def ask(self, write: bool, words: list[int]) -> bytes:
         """Asks through the port of the axis; the request that the client sends."""

@@ -18,55 +18,55 @@ from layouts import SPECS, newest
 # A source, what stands there, what is planted in its place with the word that is marked in « », and what is said.
 FAULTS = {
     "a mistyped member": (
-        *("client", "iLength := stFrames.received", "iLength := stFrames.«recieved»"),
+        *("client", "iLength := Frames.received", "iLength := Frames.«recieved»"),
         "ST_Ck10_Frames has no member recieved: is it received?",
     ),
     "a mistyped variable": (
-        *("client", "iTry < iRetries", "iTry < «iRetrys»"),
-        "nothing is called iRetrys: is it iRetries?",
+        *("client", "iTry < Retries", "iTry < «Retrys»"),
+        "nothing is called Retrys: is it Retries?",
     ),
-    "a wrong type": ("client", "uiReason := stFrames.error", "«iTry» := stFrames.error", "INT := UINT: convert it"),
+    "a wrong type": ("client", "uiReason := Frames.error", "«iTry» := Frames.error", "INT := UINT: convert it"),
     "a wrong argument": (
-        *("client", "iLength := stFrames.received", "«iLenght» := stFrames.received"),
+        *("client", "iLength := Frames.received", "«iLenght» := Frames.received"),
         "F_Ck10_ParseRtuReadRegisters has no parameter iLenght: is it iLength?",
     ),
     "an arrow for an input": (
-        *("client", "iLength := stFrames.received", "«iLength» => stFrames.received"),
+        *("client", "iLength := Frames.received", "«iLength» => Frames.received"),
         "iLength is an input of F_Ck10_ParseRtuReadRegisters",
     ),
     "a missing argument": (
         *(
             "client",
-            "{access.parse}({access.answered}, aFrame := stFrames.frame, iLength := stFrames.received)",
+            "{access.parse}({access.answered}, aFrame := Frames.frame, iLength := Frames.received)",
         ),
-        *("{access.«parse»}({access.answered}, aFrame := stFrames.frame)",),
+        *("{access.«parse»}({access.answered}, aFrame := Frames.frame)",),
         "F_Ck10_ParseRtuReadRegisters wants iLength as well",
     ),
     "an argument of another type": (
-        *("client", "aFrame := stFrames.frame, iLength := stFrames.received"),
-        *("«aFrame» := stFrames.error, iLength := stFrames.received",),
+        *("client", "aFrame := Frames.frame, iLength := Frames.received"),
+        *("«aFrame» := Frames.error, iLength := Frames.received",),
         "aFrame of F_Ck10_ParseRtuReadRegisters is an array, not UINT",
     ),
     "what is compared with itself": (
-        *("client", "stFrames.answered <> udiRequest", "udiRequest «<>» udiRequest"),
+        *("client", "Frames.answered <> udiRequest", "udiRequest «<>» udiRequest"),
         "both sides of <> are the same",
     ),
-    "two numbers": ("client", "stFrames.error <> 0", "1 «<>» 0", "both sides of <> are numbers"),
+    "two numbers": ("client", "Frames.error <> 0", "1 «<>» 0", "both sides of <> are numbers"),
     "a number that does not fit": (
         *("client", "    uiReason := 0;", "    uiReason := «70000»;"),
         "70000 is no UINT, which has 0..65535",
     ),
     "a time for a number": ("client", "iTry := 0;", "iTry := «T#5s»;", "T#5s is no number"),
     "a missing THEN": (
-        *("client", "IF iStep = STEP_IDLE THEN\n    IF stAxis.state", "IF iStep = STEP_IDLE\n    «IF» stAxis.state"),
+        *("client", "IF iStep = STEP_IDLE THEN\n    IF Axis.state", "IF iStep = STEP_IDLE\n    «IF» Axis.state"),
         "expected THEN, not IF",
     ),
     "a missing END_IF": (
         *(
             "client",
-            "IF stAxis.urgent > 0 THEN\n    stAxis.urgent := stAxis.urgent - 1;\nEND_IF;",
+            "IF Axis.urgent > 0 THEN\n    Axis.urgent := Axis.urgent - 1;\nEND_IF;",
         ),
-        *("«IF» stAxis.urgent > 0 THEN\n    stAxis.urgent := stAxis.urgent - 1;",),
+        *("«IF» Axis.urgent > 0 THEN\n    Axis.urgent := Axis.urgent - 1;",),
         "END_IF is missing before line",
     ),
     "an unknown slot": (
@@ -99,11 +99,11 @@ FAULTS = {
     "another section": ("client", "VAR_OUTPUT", "«VAR_TEMP»", "VAR_TEMP is no section: there is VAR_INPUT"),
     "a member of a number": ("exchange", "iTry := 0;", "iTry.«Q» := 0;", "iTry has no members"),
     "a call of what is no function": (
-        *("exchange", "{build}({asked}, iLength => iSend)", "{«asked»}({asked}, iLength => iSend)"),
+        *("exchange", "{build}({asked}, iLength => SendLength)", "{«asked»}({asked}, iLength => SendLength)"),
         "asked is no function",
     ),
     "a timer without its time": (
-        *("exchange", "fbTimeout(IN := iState = STEP_WAIT, PT := tTimeout)", "«fbTimeout»(IN := iState = STEP_WAIT)"),
+        *("exchange", "fbTimeout(IN := iState = STEP_WAIT, PT := Timeout)", "«fbTimeout»(IN := iState = STEP_WAIT)"),
         "only a timer is called as a statement, with IN and PT",
     ),
     "a list that is no declarations": (
@@ -111,7 +111,7 @@ FAULTS = {
         "this slot is no list of declarations",
     ),
     "no statements": ("exchange", "{taken};", "{«build»};", "build has no statements"),
-    "two types": ("exchange", "iTry < iRetries", "iTry < «xFailed»", "INT < BOOL: convert one of them"),
+    "two types": ("exchange", "iTry < Retries", "iTry < «Failed»", "INT < BOOL: convert one of them"),
     "a conversion of another type": ("exchange", "iTry + 1", "«UINT_TO_INT»(iTry) + 1", "the value is INT"),
     "what follows the end": ("exchange", "END_FUNCTION_BLOCK", "END_FUNCTION_BLOCK «x»", "expected end, not x"),
     "an action in the place of branches that is no IF": (
@@ -119,7 +119,7 @@ FAULTS = {
         "Tail is no single IF without ELSE",
     ),
     "a member that an axis does not have": (
-        *("moving", "udiClaim <> stAxis.claims", "udiClaim <> stAxis.«claim»"),
+        *("moving", "udiClaim <> Axis.claims", "udiClaim <> Axis.«claim»"),
         "ST_Ck10_Axis has no member claim: is it claims?",
     ),
     "an action of another block": ("stopping", "{Succeed};", "{«GoOut»};", "no action is called GoOut"),

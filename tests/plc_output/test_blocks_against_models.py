@@ -48,7 +48,9 @@ def test_every_task_is_done_with_a_calm_device(name: str, make: Callable[..., An
             assert rig.finish(rig.block(kind)) == "Done"
     block = jogging(rig)
     rig.start(block, False)
-    rig.run(400)  # a jog that was not seen to move is Busy until the axis has stood for tStart, 2 s, and one poll more
+    rig.run(
+        400
+    )  # a jog that was not seen to move is Busy until the axis has stood for StartTime, 2 s, and one poll more
     assert (rig.model.state.velocity, rig.ended(block)) == (0, "")
     assert [rig.finish(rig.block(kind)) for kind in ("stop", "power_off")] == ["Done", "Done"]
 
@@ -184,13 +186,13 @@ def test_a_stop_is_done_when_the_axis_stands(name: str, make: Callable[..., Any]
 @pytest.mark.parametrize("refusal", ["command error", "alarm", "number alone"])
 def test_a_gripper_without_a_home_is_not_done(refusal: str, make: Callable[..., Any]) -> None:
     rig = make("esc11", home=False, refusal=refusal)
-    assert rig.finish(rig.block("absolute"), lrPosition=10.0).startswith("Error")
+    assert rig.finish(rig.block("absolute"), Position=10.0).startswith("Error")
 
 
 @pytest.mark.parametrize("refusal", ["command error", "alarm", "number alone"])
 def test_a_gripper_is_not_done_at_a_place_that_it_cannot_reach(refusal: str, make: Callable[..., Any]) -> None:
     rig = make("esc11", refusal=refusal)
-    assert rig.finish(rig.block("absolute"), lrPosition=900.0).startswith("Error")
+    assert rig.finish(rig.block("absolute"), Position=900.0).startswith("Error")
 
 
 @pytest.mark.parametrize("name", POSITIONING)

@@ -38,7 +38,7 @@ def to_a_point(rig: Any) -> str:
     """Starts a run to a point that is far away, and waits until the axis moves; gives the name of the block."""
     block: str = rig.block("point")
     rig.model.words.update({POINTS + 6 * POINT_WORDS + 1: 20000, POINTS + 6 * POINT_WORDS + 5: 2000})
-    rig.start(block, uiPointNumber=6)
+    rig.start(block, PointNumber=6)
     until_moving(rig)
     rig.run(10)
     return block

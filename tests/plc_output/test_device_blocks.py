@@ -56,6 +56,32 @@ def test_a_block_for_tia_portal_does_the_same(folder: Path) -> None:
     assert axis.rig.done(axis.absolute) == f"Error {NUMBER['alarm']}"
 
 
+def test_a_block_for_tia_portal_says_in_a_word_how_it_is(folder: Path) -> None:
+    axis = Axis("tc100", folder, "scl")
+    rig, block = axis.rig, axis.absolute
+
+    def statuses(scans: int) -> list[int]:
+        result = []
+        for _ in range(scans):
+            rig.scan()
+            result.append(rig.bench.out[block, "Status"])
+        return list(dict.fromkeys(result))
+
+    assert rig.done("Home") == "Done"
+    assert statuses(1) == [0x7000]
+    rig.bench.set(block, Execute=True)
+    assert statuses(400) == [0x7001, 0x7002, 0x0000]
+    rig.bench.set(block, Execute=False)
+    assert statuses(2) == [0x7000]
+    rig.device.alarm(3)
+    rig.bench.set(block, Execute=True)
+    assert statuses(400) == [0x7001, 0x7002, 0x8400 + NUMBER["alarm"]]
+    rig.bench.set(block, Execute=False)
+    assert statuses(2) == [0x7000]
+    rig.bench.set(block, Velocity=101, Execute=True)
+    assert statuses(1) == [0x8200 + NUMBER["request"]]
+
+
 def test_nothing_starts_in_the_first_scan_or_after_a_restart(axis: Axis) -> None:
     rig = axis.rig
     rig.bench.set(axis.absolute, Execute=True)
@@ -117,7 +143,7 @@ def test_a_stop_ends_a_motion_and_locks_the_axis_until_its_input_falls(axis: Axi
         rig.scan()
     rig.run(6)
     rig.run(1, axis.block("Stop"), Execute=True)
-    # A motion that was not seen may begin for tStart, which is 2 s.
+    # A motion that was not seen may begin for StartTime, which is 2 s.
     rig.run(300)
     assert rig.ended(axis.absolute) == "CommandAborted"
     assert (rig.ended(axis.block("Stop")), rig.device.motion.moving) == ("Done", 0)
@@ -160,7 +186,7 @@ def test_a_jog_ends_when_its_block_fails(name: str, folder: Path) -> None:
 def test_a_value_out_of_range_is_never_sent(folder: Path) -> None:
     axis = Axis("tc100", folder)
     writes = len(axis.rig.device.written)
-    assert axis.rig.done(axis.absolute, uiSpeed=101) == f"Error {NUMBER['request']}"
+    assert axis.rig.done(axis.absolute, Velocity=101) == f"Error {NUMBER['request']}"
     assert len(axis.rig.device.written) == writes
 
 
@@ -173,7 +199,7 @@ def test_a_command_that_the_device_does_not_carry_out_is_an_error(folder: Path) 
 def test_a_start_bit_that_a_failed_task_has_left_is_cleared_before_the_point_is_chosen(folder: Path) -> None:
     axis = Axis("tc100", folder)
     axis.rig.device.words[0x2040] = 1 << 3
-    assert axis.rig.done("RunPoint", xPointNumberBit1=True) == "Done"
+    assert axis.rig.done("RunPoint", PointNumberBit1=True) == "Done"
     chosen, started, *_ = [words[0] for address, words in axis.rig.device.written if address == 0x2040]
     assert (chosen, started) == (1 << 5, 1 << 5 | 1 << 3)
     assert axis.starts == ["point 2"]
@@ -215,8 +241,8 @@ def test_a_position_is_valid_while_it_is_read(name: str, folder: Path) -> None:
     if name == "esc11":
         rig.device.motion.position = 12345
         rig.run(20)
-        assert rig.bench.out[block, "lrPosition"] == pytest.approx(123.45)
-        assert rig.bench.out[block, "diPositionRaw"] == 12345
+        assert rig.bench.out[block, "Position"] == pytest.approx(123.45)
+        assert rig.bench.out[block, "PositionRaw"] == 12345
     rig.run(1, block, Enable=False)
     assert not rig.bench.out[block, "Valid"]
     assert not rig.bench.out[block, "Busy"]

@@ -102,7 +102,7 @@ class TaskRig(Rig):
         super().__init__(bench(device, ["ServoOn", "ServoOff", *tasks(device), *client], folder))
         connect(self, device, "serial" if device == "esc11" else "rtu")
         for block, name in self.bench.inputs:
-            if name in ("usiSpeed", "uiSpeed", "udiSpeed"):
+            if name == "Velocity":
                 self.bench.set(block, **{name: 50})
 
 
@@ -177,8 +177,8 @@ class TransferRig(Rig):
     def __init__(self, device: str, link: str, folder: Path) -> None:
         super().__init__(bench(device, [*transfers(device), CLIENTS[link]], folder))
         self.device = Memory(device, link)
-        self.transport = Transport(self.bench, FRAMES, self.bench.lent[CLIENTS[link], "stFrames"], delay=1)
-        self.bench.set(CLIENTS[link], usiStation=Memory.STATION)
+        self.transport = Transport(self.bench, FRAMES, self.bench.lent[CLIENTS[link], "Frames"], delay=1)
+        self.bench.set(CLIENTS[link], Station=Memory.STATION)
         self.proof = Proof(self.bench.world, self.bench.program)
 
     def lent(self, block: str) -> str:
@@ -226,14 +226,14 @@ def test_groups_of_registers_pass_through_each_client(device: str, link: str, fo
             rig.device.words = {} if way == "Write" else dict(words)
             if way == "Write":
                 rig.bench.ports[lent][name] = value
-            assert rig.done(block, uiAddress=address, iCount=count) == "Done", block
+            assert rig.done(block, Address=address, Count=count) == "Done", block
             assert rig.device.requests == [(address, count)], block
             if way == "Write":
                 assert rig.device.words == words, block
             elif register in simple:
                 (first, *_) = groups.read_out(rig.proof, group, register, rig.bench.ports[lent])
                 assert first == values[register.name][0], register.name
-            rig.run(1, block, iCount=0)
+            rig.run(1, block, Count=0)
             assert rig.done(block) == f"Error {NUMBER['request']}", block
             assert len(rig.device.requests) == 1, block
     assert {block for block in transfers(device) if "Point" not in block} <= run
@@ -257,7 +257,7 @@ def test_elements_of_tables_pass_through_a_client(device: str, folder: Path) -> 
         if block.startswith("Write"):
             rig.bench.ports[port] = [dict(struct) for _ in rig.bench.ports[port]] if several else dict(struct)
         rig.device.requests.clear()
-        numbers = {"iFirst": 1, "iLast": 2} if several else {"iNumber": 1}
+        numbers = {"First": 1, "Last": 2} if several else {"Number": 1}
         if block.startswith("Read"):
             rig.run(1)
             first = rig.done(block, **numbers)
@@ -287,14 +287,14 @@ def test_messages_are_sent_as_the_reference_encodes_them_and_answers_are_taken(d
             if block not in rig.bench.blocks:
                 continue
             run.add(block)
-            rig.transport = Transport(rig.bench, FRAMES, rig.bench.lent[block, "stFrames"], delay=1)
+            rig.transport = Transport(rig.bench, FRAMES, rig.bench.lent[block, "Frames"], delay=1)
             reference, sent = codec(layout).links[link.name], []
             request, frame = drawn_frame(layout, reference, link, message, "request", {}, dice)
             heads = {part.name: request[part.name] for part in link.request.header if part.name in request}
             same = {field.name: request[field.name] for field in message.response.fields if field.name in request}
             _, answer = drawn_frame(layout, reference, link, message, "response", {**same, **heads}, dice)
             inputs = [n for owner, n in rig.bench.inputs if owner == block and n not in ("Execute", "Abort")]
-            lent = [v for (owner, n), v in rig.bench.lent.items() if owner == block and n != "stFrames"]
+            lent = [v for (owner, n), v in rig.bench.lent.items() if owner == block and n != "Frames"]
             values = proof.asked(link, message, request)
             scalars = [value for value in values if not isinstance(value, (list, dict))]
             rig.bench.set(block, **dict(zip(inputs, scalars, strict=True)))

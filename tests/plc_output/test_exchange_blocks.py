@@ -51,9 +51,10 @@ class Line:
         sections = dict(re.findall(r"^(VAR\w*)\n(.*?)^END_VAR", without_comments(match.group(2)), re.M | re.S))
         variable = re.compile(r"^\s*(\w+) : ([^;]+?)(?: :=[^;]*)?;", re.M)
         inputs, outputs, arrays = (
-            dict(variable.findall(sections[f"VAR_{role}"])) for role in ("INPUT", "OUTPUT", "IN_OUT")
+            {f"{name[:1].upper()}{name[1:]}": kind for name, kind in variable.findall(sections[f"VAR_{role}"])}
+            for role in ("INPUT", "OUTPUT", "IN_OUT")
         )
-        del inputs["tTimeout"]
+        del inputs["Timeout"]
         self.inputs = {name: kind.lower() for name, kind in inputs.items()}
         self.outputs = {name: kind.lower() for name, kind in outputs.items()}
         self.arrays = {}
@@ -69,8 +70,8 @@ class Line:
         self.program = Compiled(whole, folder, Block("PRG_Line", encoded, read), unit)
         self.program.restart()
         self.now: dict[str, Any] = dict.fromkeys(self.inputs, 0)
-        self.now |= {"Execute": False, "Abort": False, "xReceived": False, "xFailed": False, "iRetries": 2}
-        self.now |= {"usiStation": STATION, "uiAddress": ADDRESS}
+        self.now |= {"Execute": False, "Abort": False, "Received": False, "Failed": False, "Retries": 2}
+        self.now |= {"Station": STATION, "Address": ADDRESS}
         self.held = {name: [0] * (kind[2] + 1) for name, kind in self.arrays.items()}
         self.out: dict[str, Any] = dict.fromkeys(self.outputs, False)
         self.requests: list[bytes] = []
@@ -90,18 +91,18 @@ class Line:
 
     def scan(self) -> None:
         """One scan; a request is answered in the next one."""
-        before = self.out["xSend"]
+        before = self.out["Send"]
         values = self.program.scan(100, [*self.now.values(), *self.held.values()])
         self.out = dict(zip(self.outputs, values, strict=False))
         self.held = dict(zip(self.arrays, values[len(self.outputs) :], strict=True))
-        self.now["xReceived"] = False
-        if self.out["xSend"] and not before:
-            request = bytes(self.held["aFrame"][: self.out["iSend"]])
+        self.now["Received"] = False
+        if self.out["Send"] and not before:
+            request = bytes(self.held["Frame"][: self.out["SendLength"]])
             self.requests.append(request)
             coming = self.answer(request)
             if coming:
-                self.held["aFrame"][: len(coming)] = coming
-                self.now |= {"xReceived": True, "iReceived": len(coming)}
+                self.held["Frame"][: len(coming)] = coming
+                self.now |= {"Received": True, "ReceivedLength": len(coming)}
 
     def run(self, scans: int, **inputs: Any) -> Line:
         """Sets inputs and runs some scans."""
@@ -134,10 +135,10 @@ def siemens(device: str) -> str:
 
 def asked(line: Line) -> dict[str, Any]:
     """The inputs for two words, or for the one that there is."""
-    if "aValues" in line.held:
-        line.held["aValues"][:COUNT] = [7, 8]
-    counts = {name: COUNT for name in ("uiWordCount", "iValuesCount") if name in line.inputs}
-    return counts | ({"uiValue": 7} if "uiValue" in line.inputs else {})
+    if "Values" in line.held:
+        line.held["Values"][:COUNT] = [7, 8]
+    counts = {name: COUNT for name in ("WordCount", "ValuesCount") if name in line.inputs}
+    return counts | ({"Value": 7} if "Value" in line.inputs else {})
 
 
 @pytest.fixture
@@ -161,7 +162,7 @@ def test_every_block_exchanges_its_message(device: str, link: str, message: str,
     line.run(2, **asked(line)).run(TRY, Execute=True)
     assert (line.ended, line.out["ErrorID"], len(line.requests)) == ("Done", 0, 1)
     if message == "read_registers":
-        assert line.held["aValues"][:COUNT] == [0x1234, 0x1235]
+        assert line.held["Values"][:COUNT] == [0x1234, 0x1235]
     values = line.codec.decode(line.requests[0], "request", message).values
     assert values["address"] == ADDRESS
     assert line.run(1, Execute=False).ended == ""
@@ -174,7 +175,7 @@ def test_a_block_for_tia_portal_does_the_same(message: str, folder: Path) -> Non
     assert (line.ended, len(line.requests)) == ("Done", 1)
     line.answer = lambda request: b""
     line.run(1, Execute=False).run(4 * TRY, Execute=True)
-    assert (line.ended, line.out["ErrorID"], len(line.requests)) == ("Error", ERRORS["timeout"][0], 4)
+    assert (line.ended, line.out["Status"], len(line.requests)) == ("Error", 0x8600 + ERRORS["timeout"][0], 4)
 
 
 def test_a_block_that_is_told_to_execute_in_its_first_scan_does_nothing(folder: Path) -> None:
@@ -244,7 +245,7 @@ def test_what_an_answer_to_a_write_repeats_wrongly_is_error_5(
 def test_words_of_a_wrong_answer_are_not_given(line: Line, fault: str) -> None:
     line.answer = lambda request: FAULTS[fault](line, request)
     line.run(4 * TRY, Execute=True)
-    assert (line.held["aValues"][:COUNT], line.out["iValuesCount"]) == ([7, 8], 0)
+    assert (line.held["Values"][:COUNT], line.out["ValuesCount"]) == ([7, 8], 0)
 
 
 @pytest.mark.parametrize("fault", ["timeout", "damaged", "station", "other"])
@@ -256,13 +257,13 @@ def test_a_fault_that_passes_is_repeated_and_done(line: Line, fault: str) -> Non
 
 
 def test_a_request_that_cannot_be_built_is_never_sent(line: Line) -> None:
-    line.run(TRY, uiWordCount=61, Execute=True)
+    line.run(TRY, WordCount=61, Execute=True)
     assert (line.ended, line.out["ErrorID"], line.requests) == ("Error", ERRORS["request"][0], [])
 
 
 def test_a_line_that_cannot_send_is_an_error(line: Line) -> None:
     line.answer = lambda request: b""
-    line.run(TRY, Execute=True, xFailed=True)
+    line.run(TRY, Execute=True, Failed=True)
     assert (line.ended, line.out["ErrorID"]) == ("Error", ERRORS["transport"][0])
 
 
@@ -284,10 +285,10 @@ def test_no_request_is_sent_without_an_edge_whatever_happens(line: Line) -> None
         chance = dice.random()
         if chance < 0.1:
             line.now["Execute"] = not line.now["Execute"]
-        line.now["Abort"], line.now["xFailed"] = chance > 0.995, 0.99 < chance < 0.992
+        line.now["Abort"], line.now["Failed"] = chance > 0.995, 0.99 < chance < 0.992
         if 0.985 < chance < 0.9852:
             line.program.restart()
-            line.out["xSend"], allowed, before = False, False, True
+            line.out["Send"], allowed, before = False, False, True
         allowed = allowed or (line.now["Execute"] and not before)
         before, sent = line.now["Execute"], len(line.requests)
         line.scan()

@@ -15,12 +15,13 @@ from layouts import SPECS, layouts, newest
 GENERATED = Path(__file__).parents[2] / "generated"
 TARGETS = ("st", "iec", "scl", "plcopen", "twincat")
 BARE = {
-    "an error": r"\b(?:ui(?:First)?Reason|uiRefusal|ErrorID|(?:axis|frames)\.error|uiError) (?::=|=|<>|&lt;&gt;) [1-9]",
+    "an error": r"\b(?:(?:ui|stat)(?:(?:First)?Reason|Refusal)|(?:stat)?ErrorID|(?:axis|frames)\.error|uiError)"
+    r" (?::=|=|<>|&lt;&gt;) [1-9]",
     "a state of a port": r"\.(?:iS|s)tate (?::=|=|<>|&lt;&gt;) \d",
     "an urgency": r"\.(?:iU|u)rgent (?::=|>|<|>=|<=|&gt;|&lt;) [1-9]",
     "an address": r"\.(?:uiA|a)ddress := \d",
-    "a state of an exchange": r"\b#?(?:iS|s)tate (?::=|=|<>|&lt;&gt;) \d",
-    "the code of a message": r"\busiCode (?::=|<>|&lt;&gt;) \d",
+    "a state of an exchange": r"\b#?(?:iS|statS|s)tate (?::=|=|<>|&lt;&gt;) \d",
+    "the code of a message": r"\b(?:usi|temp)Code (?::=|<>|&lt;&gt;) \d",
 }
 """Numbers that stand where a name belongs; 0 is no error and no bit."""
 MASK = r"\bD?WORD#16#0*[1-9A-F]\w*"

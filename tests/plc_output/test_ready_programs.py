@@ -52,7 +52,7 @@ class ProgramBench(Bench):
             for role in ("input", "output")
         }
         self.inputs, self.outputs = kinds["input"], kinds["output"]
-        self.initial = {key: key[1] == "xShow" if kind == "bool" else 0 for key, kind in self.inputs.items()}
+        self.initial = {key: key[1] == "Show" if kind == "bool" else 0 for key, kind in self.inputs.items()}
         port = "stAxis" if telegram else "stFrames"
         kind = f"st_{pascal.lower()}_" + (f"telegram{telegram}axis" if telegram else "frames")
         self._lent, self._kinds = [port], {port: kind}
@@ -89,7 +89,7 @@ class _Ready(ModelRig):
         self.bench.now.clear()
         self.bench.restart()
         for (_, name), of in self.bench.inputs.items():
-            kind = "velocity" if (PANEL, "xRun") in self.bench.inputs else "absolute"
+            kind = "velocity" if (PANEL, "MoveVelocity") in self.bench.inputs else "absolute"
             value = fitting(device, kind, name, of, random.Random(1)) if of != "bool" else None
             if value is not None:
                 self.put(**{name: value})
@@ -149,11 +149,11 @@ def ready(name: str, folder: Path, *inputs: str) -> Any:
     device, _, telegram = name.partition(" ")
     rig: Any = TelegramProgram(int(telegram), folder) if telegram else FrameProgram(device, folder)
     rig.pass_scans(3)
-    rig.put(xServo=True)
-    assert rig.until("xReady"), rig.show("uiErrorID")
+    rig.put(Servo=True)
+    assert rig.until("Ready"), rig.show("ErrorID")
     for item, output in zip(inputs[::2], inputs[1::2], strict=True):
         rig.put(**{item: True})
-        assert rig.until(output), rig.show("uiErrorID")
+        assert rig.until(output), rig.show("ErrorID")
         rig.put(**{item: False})
         rig.pass_scans(3)
     return rig
@@ -161,8 +161,8 @@ def ready(name: str, folder: Path, *inputs: str) -> Any:
 
 def target(rig: Any, counts: float) -> tuple[str, float]:
     """The input for the position, and counts as it has them."""
-    name = next(name for _, name in rig.bench.inputs if "osition" in name)
-    return name, counts / 100 if name.startswith("lr") else counts
+    name, kind = next((name, kind) for (_, name), kind in rig.bench.inputs.items() if "osition" in name)
+    return name, counts / 100 if kind == "lreal" else counts
 
 
 @pytest.fixture
@@ -174,52 +174,52 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_it_moves_to_a_position_and_shows_it(name: str, folder: Path) -> None:
-    rig = ready(name, folder, "xHome", "xHomed")
+    rig = ready(name, folder, "Home", "Homed")
     item, value = target(rig, 700)
-    rig.put(**{item: value}, xMove=True)
-    assert rig.until("xMoved"), rig.show("uiErrorID")
+    rig.put(**{item: value}, MoveAbsolute=True)
+    assert rig.until("Moved"), rig.show("ErrorID")
     rig.pass_scans(300)
-    output = next(name for _, name in rig.bench.outputs if "osition" in name and name != "xPositionValid")
-    assert (round(rig.model.state.position), rig.show("xPositionValid"), rig.show("xError")) == (700, True, False)
+    output = next(name for _, name in rig.bench.outputs if "osition" in name and name != "PositionValid")
+    assert (round(rig.model.state.position), rig.show("PositionValid"), rig.show("Error")) == (700, True, False)
     assert rig.show(output) == pytest.approx(value, abs=0.01)
 
 
 @pytest.mark.parametrize("name", POSITIONING)
 def test_a_move_without_power_is_refused_and_says_why(name: str, folder: Path) -> None:
-    rig = ready(name, folder, "xHome", "xHomed")
-    rig.put(xServo=False)
+    rig = ready(name, folder, "Home", "Homed")
+    rig.put(Servo=False)
     rig.pass_scans(400)
     item, value = target(rig, 700)
     before = rig.model.state.position
-    rig.put(**{item: value}, xMove=True)
-    assert rig.until("xError")
-    assert (rig.show("xMoved"), rig.show("uiErrorID") in (6, 10, 11), rig.model.state.position) == (False, True, before)
+    rig.put(**{item: value}, MoveAbsolute=True)
+    assert rig.until("Error")
+    assert (rig.show("Moved"), rig.show("ErrorID") in (6, 10, 11), rig.model.state.position) == (False, True, before)
 
 
 @pytest.mark.parametrize("name", POSITIONING)
 def test_it_stops_while_it_moves_and_is_locked_until_the_stop_is_withdrawn(name: str, folder: Path) -> None:
-    rig = ready(name, folder, "xHome", "xHomed")
+    rig = ready(name, folder, "Home", "Homed")
     item, value = target(rig, 3000)
-    rig.put(**{item: value}, xMove=True)
+    rig.put(**{item: value}, MoveAbsolute=True)
     rig.until_moving()
-    rig.put(xStop=True)
-    assert rig.until("xStopped"), rig.show("uiErrorID")
-    rig.put(xMove=False)
+    rig.put(Stop=True)
+    assert rig.until("Stopped"), rig.show("ErrorID")
+    rig.put(MoveAbsolute=False)
     rig.pass_scans(3)
-    rig.put(xMove=True)
-    assert rig.until("xError")
-    assert (rig.show("uiErrorID"), rig.model.state.velocity) == (12, 0)
+    rig.put(MoveAbsolute=True)
+    assert rig.until("Error")
+    assert (rig.show("ErrorID"), rig.model.state.velocity) == (12, 0)
 
 
 @pytest.mark.parametrize("name", SPEEDS)
 def test_it_runs_at_a_speed_and_stops(name: str, folder: Path) -> None:
-    rig = ready(name, folder, "xRun", "xAtSpeed")
+    rig = ready(name, folder, "MoveVelocity", "InVelocity")
     rig.pass_scans(500)
     assert rig.model.state.velocity == 0
-    rig.put(xRun=True)
+    rig.put(MoveVelocity=True)
     rig.until_moving()
-    rig.put(xStop=True)
-    assert rig.until("xStopped"), rig.show("uiErrorID")
+    rig.put(Stop=True)
+    assert rig.until("Stopped"), rig.show("ErrorID")
     assert rig.model.state.velocity == 0
 
 
@@ -227,24 +227,24 @@ def test_it_runs_at_a_speed_and_stops(name: str, folder: Path) -> None:
 def test_nothing_moves_where_all_inputs_are_true_in_the_first_scan(name: str, folder: Path) -> None:
     device, _, telegram = name.partition(" ")
     rig: Any = TelegramProgram(int(telegram), folder) if telegram else FrameProgram(device, folder)
-    rig.put(**{item: True for _, item in rig.bench.inputs if item in ("xServo", "xHome", "xMove", "xRun")})
+    rig.put(**{item: True for _, item in rig.bench.inputs if item in ("Servo", "Home", "MoveAbsolute", "MoveVelocity")})
     rig.pass_scans(500)
     assert (rig.model.state.velocity, rig.model.state.servo) == (0, False)
 
 
 def test_a_gripper_grips_and_releases(folder: Path) -> None:
-    rig = ready("esc11", folder, "xHome", "xHomed")
-    rig.put(usiSpeed=100, usiForce=70, xGrip=True)
-    assert rig.until("xGripped"), rig.show("uiErrorID")
+    rig = ready("esc11", folder, "Home", "Homed")
+    rig.put(Velocity=100, Force=70, Grip=True)
+    assert rig.until("Gripped"), rig.show("ErrorID")
     assert [event.about for event in rig.model.events if event.kind == "accepted"][-1] == "grip"
     assert rig.model.state.position == -END
-    rig.put(xGrip=False, xRelease=True)
-    assert rig.until("xReleased"), rig.show("uiErrorID")
-    assert (rig.model.state.position, rig.show("xGripped")) == (END, False)
+    rig.put(Grip=False, Release=True)
+    assert rig.until("Released"), rig.show("ErrorID")
+    assert (rig.model.state.position, rig.show("Gripped")) == (END, False)
 
 
 def test_a_gripper_that_is_not_at_home_does_not_grip(folder: Path) -> None:
     rig = ready("esc11", folder)
-    rig.put(usiSpeed=100, usiForce=70, xGrip=True)
-    assert rig.until("xError")
-    assert (rig.show("xGripped"), rig.show("uiErrorID"), rig.model.state.velocity) == (False, 11, 0)
+    rig.put(Velocity=100, Force=70, Grip=True)
+    assert rig.until("Error")
+    assert (rig.show("Gripped"), rig.show("ErrorID"), rig.model.state.velocity) == (False, 11, 0)

@@ -103,7 +103,7 @@ WRONG: dict[str, list[Any]] = {
 }
 """What is repeated wrongly, by the names of parts and fields."""
 BLOCK = "SendCopy"
-NEW = {"uiValueAnswered": 41, "uiReasonAnswered": 51, "iStep2": -52, "xAsked2": True, "udiOwner": 53}
+NEW = {"ValueAnswered": 41, "ReasonAnswered": 51, "StepValue": -52, "Asked": True, "Owner": 53}
 """The outputs with what the answer does not repeat: none is a variable of the block itself."""
 
 
@@ -115,18 +115,18 @@ class Copies(Rig):
     def __init__(self, root: Path, folder: Path) -> None:
         super().__init__(Bench(root, "repeater", [BLOCK], folder))
         self.codec = codec(newest(root, "repeater")).links["line"]
-        self.transport = Transport(self.bench, FRAMES, self.bench.lent[BLOCK, "stFrames"], delay=1)
+        self.transport = Transport(self.bench, FRAMES, self.bench.lent[BLOCK, "Frames"], delay=1)
         self.device = self
         self.answer = b""
         self.requests: list[bytes] = []
         self.motion = type("Still", (), {"starts": []})
-        point = self.bench.ports[self.bench.lent[BLOCK, "stPoint"]]
+        point = self.bench.ports[self.bench.lent[BLOCK, "Point"]]
         for name in point:
             point[name] = [1, 2, 3] if "marks" in name else -5
-        self.bench.ports[self.bench.lent[BLOCK, "aLabel"]] = list(b"ABCD")
-        self.bench.ports[self.bench.lent[BLOCK, "aNumbers"]] = [1, 2, 3, 0]
-        self.bench.set(BLOCK, usiReceiver=3, uiTicket=700, eMode=2, usiNumber=9, uiValue=40, uiReason2=50)
-        self.bench.set(BLOCK, iNumbersCount=3)
+        self.bench.ports[self.bench.lent[BLOCK, "Label"]] = list(b"ABCD")
+        self.bench.ports[self.bench.lent[BLOCK, "Numbers"]] = [1, 2, 3, 0]
+        self.bench.set(BLOCK, Receiver=3, Ticket=700, Mode=2, Number=9, Value=40, Reason=50)
+        self.bench.set(BLOCK, NumbersCount=3)
 
     def pass_scan(self) -> None:
         """Nothing moves."""
@@ -148,7 +148,7 @@ class Copies(Rig):
 
     def outputs(self) -> dict[str, Any]:
         """The outputs of the block with values of the answer."""
-        own = ("Done", "Busy", "CommandAborted", "Error", "ErrorID", "eStatus")
+        own = ("Done", "Busy", "CommandAborted", "Error", "ErrorID", "Diagnostics")
         return {name: value for (_, name), value in self.bench.out.items() if name not in own}
 
 
@@ -170,7 +170,7 @@ def copies(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Copies:
 def test_the_right_answer_is_done_and_gives_what_is_new_in_it(copies: Copies) -> None:
     assert copies.outcome() == "Done"
     assert copies.requests == [copies.codec.encode("request", "copy", ASKED)]
-    assert copies.outputs() == {**NEW, "usiRefused": 0, "usiCause": 0}
+    assert copies.outputs() == {**NEW, "Refused": 0, "Cause": 0}
 
 
 def test_an_answer_leaves_what_was_asked_as_it_is(copies: Copies) -> None:
@@ -209,7 +209,7 @@ def test_a_refusal_counts_where_it_is_that_of_the_request(copies: Copies, refusa
     copies.answer = head + bytes([0xFF, values["refused"], values["cause"]])
     copies.run(2)
     assert copies.done(BLOCK) == ended
-    assert copies.outputs()["usiCause"] == cause
+    assert copies.outputs()["Cause"] == cause
 
 
 def test_a_comparison_of_a_thing_with_itself_is_refused() -> None:

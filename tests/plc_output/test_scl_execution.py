@@ -119,11 +119,15 @@ def parameters(machine: Machine, name: str) -> list[tuple[str, Any, Any]]:
     return [(variable, kind, shape(machine, kind)) for variable, kind in value]
 
 
-def run(machine: Machine, name: str, values: dict[str, Any]) -> tuple[Any, Any]:
-    """What a function gives, and what it leaves in what it was lent; or that the values made it fail."""
-    value = {text: put(machine, kind, values[text]) for text, kind, _ in parameters(machine, name)}
+def run(machine: Machine, name: str, values: list[Any]) -> tuple[Any, Any]:
+    """What a function gives, and what it leaves in what it was lent; or that the values made it fail.
+
+    The values, and those left, are in the order of the parameters, which have other names in each language.
+    """
+    named_values = zip(parameters(machine, name), values, strict=True)
+    value = {text: put(machine, kind, item) for (text, kind, _), item in named_values}
     try:
-        return machine.call(name, **value), bare(value)
+        return machine.call(name, **value), bare([*value.values()])
     except MachineError as error:
         return str(error), None
 
@@ -133,15 +137,16 @@ def run(machine: Machine, name: str, values: dict[str, Any]) -> tuple[Any, Any]:
 def test_scl_does_what_structured_text_does(device: str) -> None:
     ours, theirs, dice, compared = structured(device), siemens(device), random.Random(device), 0
     for name in sorted(ours.unit.functions.keys() & theirs.unit.functions.keys()):
-        forms = {text: form for text, _, form in parameters(ours, name)}
-        if forms != {text: form for text, _, form in parameters(theirs, name)}:
+        forms = [form for _, _, form in parameters(ours, name)]
+        if forms != [form for _, _, form in parameters(theirs, name)]:
             continue
         compared += 1
         for _ in range(TRIES):
-            values = {text: drawn(form, dice) for text, form in forms.items()}
+            values = [drawn(form, dice) for form in forms]
             assert run(ours, name, values) == run(theirs, name, values), (name, values)
     # Whole numbers of 64 bits are split in two there.
-    assert compared >= len(theirs.unit.functions) - 1
+    shared = [name for name in theirs.unit.functions if not name.endswith("_statusword")]
+    assert compared >= len(shared) - 1
 
 
 @pytest.mark.proof(1)
@@ -151,9 +156,9 @@ def test_compiled_scl_does_what_interpreted_scl_does(device: str, tmp_path_facto
     dice = random.Random(device)
     succeeded = 0
     for name in sorted(ours.unit.functions):
-        forms = {text: form for text, _, form in parameters(ours, name)}
+        forms = [form for _, _, form in parameters(ours, name)]
         for _ in range(TRIES):
-            values = {text: drawn(form, dice) for text, form in forms.items()}
+            values = [drawn(form, dice) for form in forms]
             expected = run(ours, name, values)
             # What makes the interpreter fail, such as an index outside an array, is no call that a program makes.
             if expected[1] is not None:

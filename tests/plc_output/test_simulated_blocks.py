@@ -40,9 +40,9 @@ class Ck10Rig(Rig):
     def __init__(self, folder: Path) -> None:
         super().__init__(Bench(SPECS, "ck10", self.blocks, folder))
         connect(self, "ck10", "rtu")
-        self.bench.set("MoveAbsolute", diPositionCounts=2000, udiSpeedCounts=20000)
-        self.bench.set("MoveRelative", diDistanceCounts=-500, udiSpeedCounts=20000)
-        self.bench.set("Jog", udiSpeed=1000)
+        self.bench.set("MoveAbsolute", PositionCounts=2000, VelocityCounts=20000)
+        self.bench.set("MoveRelative", DistanceCounts=-500, VelocityCounts=20000)
+        self.bench.set("Jog", Velocity=1000)
 
 
 class Ck10TableRig(Rig):
@@ -111,12 +111,12 @@ class TelegramRig(HiwinRig):
         Rig.__init__(self, Bench(SPECS, "hiwin-e", self.blocks, folder, program=block_names(SPECS, "hiwin-e")))
         self.device = Simulated("hiwin-e", "cyclic", self.message)
         self.process_data = ProcessData(self.bench, self.device, self.message)
-        for block, name in self.bench.inputs:
-            if name.startswith("lr"):
+        for (block, name), kind in self.bench.inputs.items():
+            if kind == "lreal":
                 self.bench.set(block, **{name: 50.0})
         for block in self.blocks:
             if block.endswith(("MoveAbsolute", "MoveRelative")):
-                self.bench.set(block, lrSpeed=6000000.0)
+                self.bench.set(block, Velocity=6000000.0)
 
     def serve(self) -> None:
         self.process_data.lost = self.lost
@@ -177,7 +177,7 @@ def connect(rig: Any, device: str, link: str) -> None:
     rig.device = Simulated(device, link)
     rig.transport = Transport(rig.bench, FRAMES, variable, delay=1)
     for block, name in rig.bench.inputs:
-        if name in ("usiStation", "usiAddress"):
+        if name in ("Station", "Address"):
             rig.bench.set(block, **{name: 1})
 
 
@@ -207,11 +207,11 @@ def moved(rig: Any, block: str, **inputs: Any) -> float:
 @pytest.mark.parametrize(
     ("name", "form", "absolute", "relative"),
     [
-        ("ck10", "{}", {"diPositionCounts": 2000}, {"diDistanceCounts": -500}),
-        ("tc100", "{}", {"diPositionCounts": 2000}, {"diDistanceCounts": -500}),
-        ("esc11", "{}", {"lrPosition": 5.0}, {"lrDistance": -1.25}),
-        ("telegram 9", "Telegram9{}", {"diPosition": 2000}, {"diDistance": -500}),
-        ("telegram 111", "Telegram111{}", {"diPosition": 2000}, {"diDistance": -500}),
+        ("ck10", "{}", {"PositionCounts": 2000}, {"DistanceCounts": -500}),
+        ("tc100", "{}", {"PositionCounts": 2000}, {"DistanceCounts": -500}),
+        ("esc11", "{}", {"Position": 5.0}, {"Distance": -1.25}),
+        ("telegram 9", "Telegram9{}", {"Position": 2000}, {"Distance": -500}),
+        ("telegram 111", "Telegram111{}", {"Position": 2000}, {"Distance": -500}),
     ],
 )
 def test_a_device_goes_where_its_blocks_send_it(
@@ -253,25 +253,26 @@ def test_points_that_are_written_are_read_back_saved_and_run(folder: Path) -> No
     rig = Ck10TableRig(folder)
     rig.run(3)
     position = rig.bench.world.member("point", "position").lower()
-    rows = rig.bench.ports["aData"]
+    several, single = (rig.bench.lent[block, "Data"] for block in ("ReadPoints", "ReadPointsElement"))
+    rows = rig.bench.ports[several]
     for number in range(3):
         rows[number] |= point(rig, 1000 * (number + 1), number + 1 if number < 2 else 10000)
-    rig.bench.ports["stData"] |= point(rig, 4000, 10000)
-    assert rig.done("WritePoints", iFirst=0, iLast=2) == "Done"
-    assert rig.done("WritePointsElement", iNumber=3) == "Done"
-    for row in (rig.bench.ports["stData"], *rig.bench.ports["aData"]):
+    rig.bench.ports[single] |= point(rig, 4000, 10000)
+    assert rig.done("WritePoints", First=0, Last=2) == "Done"
+    assert rig.done("WritePointsElement", Number=3) == "Done"
+    for row in (rig.bench.ports[single], *rig.bench.ports[several]):
         row |= dict.fromkeys(row, 0)
-    assert rig.done("ReadPoints", iFirst=1, iLast=3) == "Done"
-    assert [row[position] for row in rig.bench.ports["aData"][:4]] == [0, 2000, 3000, 4000]
-    assert rig.done("ReadPointsElement", iNumber=0) == "Done"
-    assert rig.bench.ports["stData"][position] == 1000
+    assert rig.done("ReadPoints", First=1, Last=3) == "Done"
+    assert [row[position] for row in rig.bench.ports[several][:4]] == [0, 2000, 3000, 4000]
+    assert rig.done("ReadPointsElement", Number=0) == "Done"
+    assert rig.bench.ports[single][position] == 1000
     assert rig.done("SavePoints") == "Done"
-    assert rig.done("ReadFlashPointsElement", iNumber=3) == "Done"
-    assert rig.bench.ports["stData"][position] == 4000
+    assert rig.done("ReadFlashPointsElement", Number=3) == "Done"
+    assert rig.bench.ports[single][position] == 4000
     assert rig.done("ServoOn") == "Done"
     assert moved(rig, "RunPointTable") == 3000
     assert rig.device.motion.starts == ["absolute"] * 3
-    assert rig.done("ReadPoints", iFirst=127, iLast=128) == f"Error {NUMBER['request']}"
+    assert rig.done("ReadPoints", First=127, Last=128) == f"Error {NUMBER['request']}"
 
 
 @pytest.mark.proof(3)

@@ -24,8 +24,8 @@ def speed(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     rig = SPEEDS[request.param](programs(tmp_path_factory))
     rig.run(3)
     assert rig.done(block(rig, "ServoOn")) == "Done"
-    torque = {"lrTorqueReduction": 25.0} if request.param in TORQUES else {}
-    rig.bench.set(rig.move, lrSpeed=10.0, **torque)
+    torque = {"TorqueReduction": 25.0} if request.param in TORQUES else {}
+    rig.bench.set(rig.move, Velocity=10.0, **torque)
     return rig
 
 
@@ -57,7 +57,7 @@ def test_a_drive_follows_the_speed_while_it_is_asked_to(speed: SpeedRig) -> None
     speed.run(40)
     assert (commanded_speed(speed), speed.bench.out[speed.move, "InVelocity"]) == (pytest.approx(10.0), True)
     assert speed.device.engine.axis.speed(speed.device.unit.now) == pytest.approx(0.1 * 3000 / 60 * 10000)
-    speed.run(1, speed.move, lrSpeed=-20.0)
+    speed.run(1, speed.move, Velocity=-20.0)
     assert (commanded_speed(speed), speed.bench.out[speed.move, "InVelocity"]) == (pytest.approx(-20.0), False)
     assert speed.run(40).bench.out[speed.move, "InVelocity"]
     speed.run(3, speed.move, Execute=False)
@@ -87,7 +87,7 @@ def test_whatever_ends_a_speed_takes_its_command_away(speed: SpeedRig, end: str)
         speed.bench.set(block(speed, "ServoOff"), Execute=True)
         result = f"Error {NUMBER['servo']}"
     else:
-        speed.bench.set(speed.move, lrSpeed=250.0)
+        speed.bench.set(speed.move, Velocity=250.0)
         result = f"Error {NUMBER['request']}"
     speed.run(4)
     assert commanded_speed(speed) == 0.0
@@ -95,7 +95,7 @@ def test_whatever_ends_a_speed_takes_its_command_away(speed: SpeedRig, end: str)
     speed.lost = False
     speed.run(600)
     assert speed.ended(speed.move) == result
-    assert bool(speed.bench.out[speed.move, "eStatus"]) == (end == "refused")
+    assert bool(speed.bench.out[speed.move, "Diagnostics"]) == (end == "refused")
     starts = len(speed.device.motion.starts)
     speed.run(60)
     assert (speed.device.motion.moving, len(speed.device.motion.starts)) == (False, starts)
@@ -120,10 +120,10 @@ def test_an_alarm_is_reset_without_a_motion(speed: SpeedRig) -> None:
 @pytest.mark.parametrize("speed", TORQUES, indirect=True)
 def test_a_torque_is_reduced_without_a_motion(speed: SpeedRig) -> None:
     reduce = block(speed, "ReduceTorque")
-    assert speed.done(reduce, lrTorqueReduction=40.0) == "Done"
+    assert speed.done(reduce, TorqueReduction=40.0) == "Done"
     assert (commanded_reduction(speed), speed.device.motion.moving) == (pytest.approx(40.0, abs=0.01), False)
     for wrong in (-1.0, 120.0):
-        assert speed.done(reduce, lrTorqueReduction=wrong) == f"Error {NUMBER['request']}"
+        assert speed.done(reduce, TorqueReduction=wrong) == f"Error {NUMBER['request']}"
         assert commanded_reduction(speed) == pytest.approx(40.0, abs=0.01)
 
 
@@ -131,7 +131,7 @@ def test_a_torque_is_reduced_without_a_motion(speed: SpeedRig) -> None:
 def test_a_reduction_of_torque_goes_with_the_speed_and_stays_after_it(speed: SpeedRig) -> None:
     speed.run(3, speed.move, Execute=True)
     assert commanded_reduction(speed) == pytest.approx(25.0)
-    speed.run(2, speed.move, lrTorqueReduction=120.0)
+    speed.run(2, speed.move, TorqueReduction=120.0)
     assert commanded_speed(speed) == 0.0
     assert speed.run(600).ended(speed.move) == f"Error {NUMBER['request']}"
     assert commanded_reduction(speed) == pytest.approx(25.0)
@@ -151,15 +151,15 @@ def test_torques_are_limited_in_both_directions(tmp_path_factory: pytest.TempPat
     def limits() -> list[float]:
         return [commanded(rig, f"{direction}_torque_limit", 2**14) for direction in ("positive", "negative")]
 
-    rig.run(5, limit, Execute=True, lrPositiveTorqueLimit=60.0, lrNegativeTorqueLimit=-30.0)
+    rig.run(5, limit, Execute=True, PositiveTorqueLimit=60.0, NegativeTorqueLimit=-30.0)
     assert limits() == [0.0, 0.0], "no edge has been seen"
     assert rig.done(limit) == "Done"
     assert limits() == pytest.approx([60.0, -30.0], abs=0.01)
-    for wrong in ({"lrPositiveTorqueLimit": 250.0}, {"lrNegativeTorqueLimit": -250.0}):
-        assert rig.done(limit, **{"lrPositiveTorqueLimit": 10.0, "lrNegativeTorqueLimit": -10.0, **wrong}) == (
+    for wrong in ({"PositiveTorqueLimit": 250.0}, {"NegativeTorqueLimit": -250.0}):
+        assert rig.done(limit, **{"PositiveTorqueLimit": 10.0, "NegativeTorqueLimit": -10.0, **wrong}) == (
             f"Error {NUMBER['request']}"
         )
         assert limits() == pytest.approx([60.0, -30.0], abs=0.01)
     rig.lost = True
-    assert rig.done(limit, lrPositiveTorqueLimit=10.0, lrNegativeTorqueLimit=-10.0) == f"Error {NUMBER['transport']}"
+    assert rig.done(limit, PositiveTorqueLimit=10.0, NegativeTorqueLimit=-10.0) == f"Error {NUMBER['transport']}"
     assert limits() == pytest.approx([60.0, -30.0], abs=0.01)

@@ -229,7 +229,7 @@ def timing(name: str) -> int:
 
 def test_an_answer_that_the_adapter_for_twincat_awaits_may_begin_as_late_as_the_manual_says() -> None:
     longest = on_the_line("esc11", "serial")
-    begin = milliseconds("tTimeout", STRUCTURED["FB_Esc11SerialPort"])
+    begin = milliseconds("Timeout", STRUCTURED["FB_Esc11SerialPort"])
     assert begin >= longest + timing("response_timeout")
 
 
@@ -254,7 +254,7 @@ def test_a_read_of_codesys_lasts_longer_than_a_cycle_and_the_gap_longer_than_a_r
     assert f"interval {cycle} ms" in page("plc-codesys.md")
     read = int(micros) / 1000
     # A read, a cycle in which its input falls, the cycle of its next edge, and that in which it has bytes.
-    assert (read > cycle, milliseconds("tGap", block) > read + 3 * cycle) == (True, True)
+    assert (read > cycle, milliseconds("Gap", block) > read + 3 * cycle) == (True, True)
 
 
 def test_a_write_of_codesys_may_be_the_longest_at_the_lowest_rate() -> None:

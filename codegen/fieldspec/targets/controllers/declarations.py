@@ -126,6 +126,7 @@ class _Declaring:
             self._enums,
             self._enum_members,
             Status(status, self.status_members),
+            dialect.has_status,
         )
         self.world = World(layout, names)
 

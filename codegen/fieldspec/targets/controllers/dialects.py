@@ -17,6 +17,7 @@ from fieldspec.targets.controllers.statements.routine import SECTIONS
 class Spelling:
     """What differs between dialects where a routine is written.
 
+    With `siemens_names` variables are called as Siemens calls them: `names` has those of the routine that is written.
     `variable` and `routine` hold a name, `shift` holds the function, the value and the number of bits. `member` holds
     an enum, a member and its number; where `enums` is false, the dialect has none, and a variable has the type of the
     numbers. `struct` holds the name of a declared type. `array` is the form of the names of array types, which the
@@ -25,6 +26,8 @@ class Spelling:
     """
 
     variable: str = "{}"
+    siemens_names: bool = False
+    names: Mapping[str, str] = field(default_factory=dict)
     routine: str = "{}"
     shift: str = "{}({}, {})"
     member: str = "{0}.{1}"
@@ -46,6 +49,7 @@ STRUCTURED_TEXT = Spelling(array="T_{}_{}")
 STANDARD = Spelling(member="{2}", array="T_{}_{}", all_named=True, enums=False, comment="(* {} *)")
 SCL = Spelling(
     variable="#{}",
+    siemens_names=True,
     routine='"{}"',
     shift="{}(IN := {}, N := {})",
     member="{2}",
@@ -78,7 +82,8 @@ class Dialect:
     arrays, `wide_texts` that texts of codes may have other characters than those of ASCII. `bits` says whether words of
     flags lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images,
     and `longest_image` the most bytes of process data. `packs` says that a struct can be told to have no gaps; `texts`
-    is empty where constants cannot be texts of codes. `foreign` is what tools of others lose of it, empty for nothing.
+    is empty where constants cannot be texts of codes. `has_status` says that blocks have a WORD that says how they are,
+    in place of the number of an error. `foreign` is what tools of others lose of it, empty for nothing.
 
     `comment` is the form of a comment, `byte_order_mark` what its files begin with, `line_end` how lines end there.
     """
@@ -105,6 +110,7 @@ class Dialect:
     longest_image: int
     spelling: Spelling
     packs: bool = True
+    has_status: bool = False
     foreign: str = ""
     comment: str = "// {}"
     byte_order_mark: str = ""
@@ -184,6 +190,7 @@ SIEMENS = Dialect(
     target="s7",
     longest_image=1440,
     spelling=SCL,
+    has_status=True,
     byte_order_mark="\ufeff",
     line_end="\r\n",
 )

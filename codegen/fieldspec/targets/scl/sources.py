@@ -177,7 +177,7 @@ def _block_values(project: Project, telegram: TelegramBlock) -> list[str]:
         members.append(f"      {bytes_name} : ARRAY[0..{(image.size or 0) - 1}] OF BYTE;")
         call = world.routine("pack" if member == "toDevice" else "unpack", struct.key, "bytes")
         whole = f'"{telegram.values}"'
-        use.append(f'#result := "{call}"(stData := {whole}.{member}, aBytes := {whole}.{bytes_name});')
+        use.append(f'#result := "{call}"(data := {whole}.{member}, bytes := {whole}.{bytes_name});')
     read_first = [*_calls(telegram.values, telegram, "bytes")]
     order = [read_first[0], *reversed(use), *read_first[1:]]
     return [

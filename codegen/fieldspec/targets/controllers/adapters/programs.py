@@ -13,9 +13,10 @@ from fieldspec.targets.controllers.adapters.settings import Settings, lines, set
 from fieldspec.targets.controllers.dialects import Spelling
 from fieldspec.targets.controllers.routines.blocks.kinds import port_constants
 from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, axis_key, cyclic, own_links
-from fieldspec.targets.controllers.routines.printer import constants_section, type_text
+from fieldspec.targets.controllers.routines.printer import constants_section, parameter, type_text
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import BYTE, StructType, sequence
+from fieldspec.targets.controllers.statements.interfaces import camel
 from fieldspec.targets.controllers.statements.routine import Routine, sorted_constants
 from fieldspec.targets.templates import fill
 
@@ -192,7 +193,7 @@ def _filled(
     names, lent = world.names, station.panel.of_role("in_out")
     siemens = spelling.variable.startswith("#")
     # TIA Portal has local names without prefixes.
-    local = {item.variable.name: _bare(item.variable.name) if siemens else item.variable.name for item in lent}
+    local = {name: camel(name) if siemens else f"st{name}" for name in (item.variable.name for item in lent)}
     view: dict[str, object] = {
         "device": names.device,
         "name": names.device,
@@ -203,16 +204,18 @@ def _filled(
         "telegram": "",
         "adapter": adapter,
         "frames": "" if station.telegram is not None else names.structs.get(FRAMES, ""),
-        "lent": ", ".join(f"{text} := {spelling.variable.format(local[text])}" for text in local),
+        "lent": ", ".join(
+            f"{parameter(name, spelling)} := {spelling.variable.format(text)}" for name, text in local.items()
+        ),
         "axes": "".join(
             f"    {local[item.variable.name]} : {type_text(item.variable.type, spelling)};\n"
             for item in lent
-            if not item.variable.name.endswith("Frames")
+            if item.variable.name != "Frames"
         ),
         "last": world.frame.high,
         "length_first": station.link is not None and station.link.request.parts[0].role == "length",
         "rate_code": SIEMENS_RATES.get(station.settings.rate, 0) if station.settings is not None else 0,
-        "port": next((text for text in local if text.endswith("Frames")), "stFrames" if station.client else "stAxis"),
+        "port": "stFrames" if "Frames" in local or station.client else "stAxis",
         **linking,
     }
     if station.telegram is not None:
@@ -227,11 +230,6 @@ def _declared(block: re.Match[str]) -> str:
     names = {item.name: item for item in port_constants() if re.search(rf"\b{item.name}\b", text)}
     section = "".join(f"{line}\n" for line in constants_section(sorted_constants(names.values())))
     return _BODY.sub(lambda match: match[0] + section, text, count=1)
-
-
-def _bare(name: str) -> str:
-    """A name without the letters of its type: `axis` for `stAxis`"""
-    return name.removeprefix("st")[:1].lower() + name.removeprefix("st")[1:]
 
 
 def _telegram(world: World, spelling: Spelling, message: MessageLayout) -> dict[str, object]:

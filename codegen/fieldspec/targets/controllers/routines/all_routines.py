@@ -15,6 +15,7 @@ from fieldspec.targets.controllers.routines.messages import message_routines
 from fieldspec.targets.controllers.routines.reals import real_routines
 from fieldspec.targets.controllers.routines.registers import group_routines, table_routines
 from fieldspec.targets.controllers.routines.scaling import scaling_routines
+from fieldspec.targets.controllers.routines.status_words import status_word
 from fieldspec.targets.controllers.routines.telegrams import telegram_routines
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import framed
@@ -51,6 +52,8 @@ def _all(world: World) -> Iterator[Routine]:
     checks = (part.algorithm for link in links for shape in (link.request, link.response) for part in shape.parts)
     for algorithm in dict.fromkeys(algorithm for algorithm in checks if algorithm):
         yield checksum(world, algorithm)
+    if world.names.has_status:
+        yield status_word(world)
     for link in links:
         yield from frame_routines(world, link)
         messages = list(message_routines(world, link))

@@ -10,15 +10,16 @@ from typing import Any
 
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
-from fieldspec.foundation.classes import replace
 from fieldspec.targets.controllers.routines.answers import Received, judged, received
 from fieldspec.targets.controllers.routines.named_numbers import named
 from fieldspec.targets.controllers.routines.parameters import FRAME
+from fieldspec.targets.controllers.routines.status_words import status_word
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import framed, link_words
 from fieldspec.targets.controllers.sources.expansion import Expansion, source
 from fieldspec.targets.controllers.statements.expressions import UINT, Expression, Variable, Whole
-from fieldspec.targets.controllers.statements.routine import STATUSES, Declared, Routine, Variables
+from fieldspec.targets.controllers.statements.interfaces import BlockVariables
+from fieldspec.targets.controllers.statements.routine import STATUSES, Declared, Routine
 
 ERRORS = {
     "request": (1, "a value is refused"),
@@ -37,9 +38,10 @@ def reasons(errors: Mapping[str, tuple[int, str]]) -> dict[str, Whole]:
     return {key: named(code, UINT, "error", key) for key, (code, _) in errors.items()}
 
 
-def meanings(errors: Mapping[str, tuple[int, str]]) -> str:
+def meanings(world: World, errors: Mapping[str, tuple[int, str]]) -> str:
     """A line of a comment that says what the numbers of ErrorID mean."""
-    return "ErrorID: " + ", ".join(f"{code} {text}" for code, text in errors.values()) + "."
+    subject = "status, low byte" if world.names.has_status else "ErrorID"
+    return f"{subject}: " + ", ".join(f"{code} {text}" for code, text in errors.values()) + "."
 
 
 def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine]) -> Iterator[Routine]:
@@ -58,8 +60,11 @@ def judging_slots(world: World) -> dict[str, Any]:
     """What every source may name that judges answers."""
     return {
         "StatusType": world.status.type,
-        "Status": {name: world.status.of(name) for name, _ in STATUSES},
+        "Codec": {name: world.status.of(name) for name, _ in STATUSES},
         "Reason": reasons(ERRORS),
+        "has_status": world.names.has_status,
+        "status_word": lambda: status_word(world),
+        "has_number": not world.names.has_status,
     }
 
 
@@ -67,21 +72,23 @@ def _block(
     world: World, link: LinkLayout, message: MessageLayout, build: Routine, parse: Routine, name: str
 ) -> Routine:
     """The block that exchanges a message: the slots of `exchange.st`."""
-    request_values: dict[str, Expression] = {
-        declared.variable.name: declared.variable for declared in (*build.of_role("input"), *build.of_role("in_out"))
-    }
-    parameters = [declared for declared in (*build.declared, *parse.declared) if declared.role != "local"]
-    variables = Variables(*(declared.variable.name for declared in parameters))
-    frame = "what is sent, and then what was received"
+    request_values: dict[str, Expression] = {}
+    variables = BlockVariables()
     answer: list[Received] = []
+
+    def request_part(role: str) -> Sequence[Declared]:
+        """Declares what the request needs."""
+        for declared in build.of_role(role):
+            name, kind = declared.variable.name, declared.variable.type
+            own, remark = (name, declared.remark) if name != FRAME else ("Frame", "what is sent, and then received")
+            request_values[name] = variables.declare(own, kind, role, remark)
+        return ()
 
     def output(declared: Declared) -> Variable:
         """Declares an output for a part of the response; where the request has the name, another one."""
-        variable = declared.variable
-        if variable.name in request_values:
-            return variables.declare(f"{variable.name}Answered", variable.type, declared.role, declared.remark)
-        variables.declared.append(declared)
-        return variable
+        name = declared.variable.name
+        text = f"{name}Answered" if name in request_values else name
+        return variables.declare(text, declared.variable.type, declared.role, declared.remark)
 
     def outputs() -> Sequence[Declared]:
         answer.append(received(world, link, message, parse, variables, output))
@@ -92,22 +99,19 @@ def _block(
         "link": link.name,
         "title": message.message.title or message.name.replace("_", " "),
         "comment": world.comment(message.message, None),
-        "errors": meanings(ERRORS),
+        "errors": meanings(world, ERRORS),
         "build": build,
         "parse": parse,
-        "inputs": build.of_role("input"),
-        "lent": [
-            replace(item, remark=frame if item.variable.name == FRAME else item.remark)
-            for item in build.of_role("in_out")
-        ],
+        "inputs": lambda: request_part("input"),
+        "lent": lambda: request_part("in_out"),
         "outputs": outputs,
         "asked": request_values,
     }
     expansion = Expansion(source("exchange"), variables, slots, {})
-    response, own = answer[0], {item.variable.name: item.variable for item in parse.of_role("in_out")}
-    status = expansion.scope["eStatus"]
+    response = answer[0]
+    status = expansion.scope["Diagnostics"]
     expansion.scope |= {
-        "answered": {**own, **response.answered},
+        "answered": {FRAME: request_values[FRAME], **response.answered},
         "taken": response.taken,
         "refused": response.refused,
         "answer": judged(world, link, message, status, request_values, response.answered, variables),

@@ -89,11 +89,11 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     )
     if not wrapped(link):
         return draft.finished(closed)
-    status, count = draft.local("eStatus", world.status.type), draft.local("iBytes")
+    status, count = draft.local("eStatus", world.status.type), draft.local("iByteCount")
     draft.add([Assignment(status, closed), draft.status.passed_on(draft.result, status), Assignment(count, length)])
     wrap = Call(
         world.routine("wrap", *link_words(world, link)),
-        (("iBytes", count), ("aBytes", target), ("aFrame", frame)),
+        (("iByteCount", count), ("aBytes", target), ("aFrame", frame)),
         ((LENGTH, length),),
         world.status.type,
     )
@@ -168,11 +168,11 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     if fields.count is not None:
         draft.add([Assignment(fields.count, number(0))])
     if wrapped(link):
-        source, received = draft.declare("aBytes", world.frame, "local"), draft.local("iBytes")
+        source, received = draft.declare("aBytes", world.frame, "local"), draft.local("iByteCount")
         unwrap = Call(
             world.routine("unwrap", *link_words(world, link)),
             ((LENGTH, length), ("aFrame", frame), ("aBytes", source)),
-            (("iBytes", received),),
+            (("iByteCount", received),),
             world.status.type,
         )
         draft.add([Assignment(status, unwrap), draft.status.passed_on(draft.result, status)])

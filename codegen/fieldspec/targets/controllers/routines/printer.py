@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+from fieldspec.foundation.classes import replace
 from fieldspec.targets.controllers.dialects import Spelling
 from fieldspec.targets.controllers.literals import fraction, initial, whole
 from fieldspec.targets.controllers.statements.expressions import (
@@ -21,12 +22,14 @@ from fieldspec.targets.controllers.statements.expressions import (
     Member,
     Negation,
     Operation,
+    Output,
     Shift,
     Truth,
     Type,
     Variable,
     Whole,
 )
+from fieldspec.targets.controllers.statements.interfaces import camel, siemens_names
 from fieldspec.targets.controllers.statements.routine import (
     Assignment,
     Body,
@@ -94,6 +97,7 @@ def type_text(kind: Type, spelling: Spelling) -> str:
 
 def declaration(routine: Routine, spelling: Spelling) -> list[str]:
     """The head of a routine: its comment, its name, its variables."""
+    spelling = named(routine, spelling)
     form = spelling.comment
     lines = [line for paragraph in routine.remarks for line in comment(paragraph, form=form)]
     if routine.example:
@@ -113,7 +117,9 @@ def declaration(routine: Routine, spelling: Spelling) -> list[str]:
         for variable in declared:
             remark = f" {form.format(comment_text(variable.remark))}" if variable.remark else ""
             kind = type_text(variable.variable.type, spelling) + (f" := {variable.initial}" if variable.initial else "")
-            lines.append(f"{_STEP}{variable.variable.name} : {kind};{remark}")
+            lines.append(
+                f"{_STEP}{spelling.names.get(variable.variable.name, variable.variable.name)} : {kind};{remark}"
+            )
         lines.append("END_VAR")
     return [*lines, *constants_section(routine.constants)]
 
@@ -127,7 +133,22 @@ def constants_section(constants: Sequence[Whole]) -> list[str]:
 
 def implementation(routine: Routine, spelling: Spelling) -> list[str]:
     """The lines of the statements of a routine."""
-    return _body(routine.body, spelling, "")
+    return _body(routine.body, named(routine, spelling), "")
+
+
+def named(routine: Routine, spelling: Spelling) -> Spelling:
+    """A spelling with the names of the variables of a routine, where these are others in text."""
+    return replace(spelling, names=siemens_names(routine)) if spelling.siemens_names else spelling
+
+
+def parameter(name: str, spelling: Spelling) -> str:
+    """The name of a parameter where a routine is called, or of an output where it is looked at."""
+    return camel(name) if spelling.siemens_names else name
+
+
+def variable_text(name: str, spelling: Spelling) -> str:
+    """A variable in a statement."""
+    return spelling.variable.format(spelling.names.get(name, name))
 
 
 def routine_text(routine: Routine, spelling: Spelling) -> list[str]:
@@ -145,7 +166,7 @@ def call_lines(routine: Routine, spelling: Spelling, **arguments_by_name: Expres
     }
     assert routine.returns is not None
     result = Variable("eStatus", routine.returns)
-    return _body((Assignment(result, routine.called(**arguments)),), spelling, "")
+    return _body((Assignment(result, routine.called(**arguments)),), named(routine, spelling), "")
 
 
 def _body(body: Body, spelling: Spelling, indent: str) -> list[str]:
@@ -204,10 +225,10 @@ def _invoked(
     block: Variable, arguments: Sequence[tuple[str, Expression]], spelling: Spelling, indent: str
 ) -> Iterator[str]:
     """The lines of a call of a block, filled with as many arguments as fit."""
-    line = f"{indent}{spelling.variable.format(block.name)}("
+    line = f"{indent}{variable_text(block.name, spelling)}("
     for position, (name, value) in enumerate(arguments, 1):
         end = ");" if position == len(arguments) else ", "
-        text = f"{name} := {_expression_text(value, spelling)}{end}"
+        text = f"{parameter(name, spelling)} := {_expression_text(value, spelling)}{end}"
         if len(line) + len(text.rstrip()) > _WIDTH:
             yield line.rstrip()
             line = indent + _STEP
@@ -285,8 +306,8 @@ def _operand(operand: Expression, operator: str, spelling: Spelling) -> str:
 
 def _arguments(call: Call, spelling: Spelling) -> list[str]:
     return [
-        *(f"{name} := {_expression_text(value, spelling)}" for name, value in call.inputs),
-        *(f"{name} => {_expression_text(value, spelling)}" for name, value in call.outputs),
+        *(f"{parameter(name, spelling)} := {_expression_text(value, spelling)}" for name, value in call.inputs),
+        *(f"{parameter(name, spelling)} => {_expression_text(value, spelling)}" for name, value in call.outputs),
     ]
 
 
@@ -333,9 +354,10 @@ _TEXTS: Mapping[type[Expression], Callable[[Any, Spelling], str]] = {
     Whole: lambda literal, spelling: spelling.variable.format(literal.name) if literal.name else whole(literal),
     Fraction: lambda literal, spelling: fraction(literal),
     Truth: lambda expression, spelling: "TRUE" if expression.value else "FALSE",
-    Variable: lambda expression, spelling: spelling.variable.format(expression.name),
+    Variable: lambda expression, spelling: variable_text(expression.name, spelling),
     EnumMemberExpression: _member_text,
     Member: _member,
+    Output: lambda output, spelling: f"{_expression_text(output.of, spelling)}.{parameter(output.name, spelling)}",
     Element: _element,
     Operation: _operation,
     Negation: _negation,

@@ -65,6 +65,7 @@ class Names:
 
     `structs` are known by the names of records, of groups of registers and of the data of telegrams, `members` by those
     and the names of fields and registers. An enum that is missing in `enums` is no type; its values are numbers.
+    `has_status` says that blocks have a WORD that says how they are, in place of the number of an error.
     """
 
     device: str
@@ -73,6 +74,7 @@ class Names:
     enums: Mapping[str, EnumType]
     enum_members: Mapping[str, Mapping[str, str]]
     status: Status
+    has_status: bool = False
 
 
 @dataclass(frozen=True, slots=True)

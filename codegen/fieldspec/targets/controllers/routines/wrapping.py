@@ -61,7 +61,7 @@ def wrap_routine(world: World, link: LinkLayout) -> Routine:
         world.status,
         f"Writes bytes as they are sent on {link.name}: {_marks(link, link.request)}.",
     )
-    count = draft.declare("iBytes", INT, "input", "how many bytes there are")
+    count = draft.declare("iByteCount", INT, "input", "how many bytes there are")
     source = draft.declare("aBytes", world.frame, "in_out", "is read only")
     frame = draft.declare("aFrame", world.frame, "in_out", "receives what is sent")
     length = draft.declare(LENGTH, INT, "output", "how much of aFrame is sent")
@@ -140,7 +140,7 @@ def unwrap_routine(world: World, link: LinkLayout) -> Routine:
     length = draft.declare(LENGTH, INT, "input", "how much of aFrame is received")
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
     target = draft.declare("aBytes", world.frame, "in_out", "receives the bytes")
-    count = draft.declare("iBytes", INT, "output", "how many bytes there are")
+    count = draft.declare("iByteCount", INT, "output", "how many bytes there are")
     marks = len(start) + len(end)
     draft.add([Assignment(count, number(0))])
     draft.refuse(compared(length, "<", number(marks)), "wrong_mark")

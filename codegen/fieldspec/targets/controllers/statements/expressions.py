@@ -143,6 +143,12 @@ class Member:
     type: Type
 
 
+class Output(Member):
+    """An output of a block, by the variable that is its instance."""
+
+    __slots__ = ()
+
+
 @dataclass(frozen=True, slots=True)
 class Element:
     """An element of an array."""

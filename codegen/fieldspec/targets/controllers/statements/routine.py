@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import TypeAlias
 
@@ -272,21 +273,35 @@ def _names(body: Body) -> tuple[set[str], set[str], list[Whole]]:
     return routines, variables, numbers
 
 
+_PREFIX = re.compile("^(?:x|by|w|dw|lw|usi|ui|udi|uli|si|i|di|li|r|lr|a|e|st|t|fb)(?=[A-Z0-9])")
+
+
+def bare(name: str) -> str:
+    """A name without the letters of its type: `Speed` for `uiSpeed`"""
+    return _PREFIX.sub("", name)
+
+
 class Variables:
-    """The variables of a routine while it is being made. Names are compared without their case, as all dialects do."""
+    """The variables of a routine while it is being made. Names are compared without their case, as all dialects do.
+
+    Those of parameters differ without the letters of their types as well, as some dialects have them.
+    """
 
     def __init__(self, *reserved: str) -> None:
         self.declared: list[Declared] = []
         self._names = {name.lower() for name in reserved}
+        self._parameters: set[str] = set()
         self._shared: dict[tuple[str, Type, str], Variable] = {}
 
     def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
         """A new variable; where its name is taken, a number stands behind it."""
         number, tried = 1, name
-        while tried.lower() in self._names:
+        while tried.lower() in self._names or (role != "local" and bare(tried).lower() in self._parameters):
             number += 1
             tried = f"{name}{number}"
         self._names.add(tried.lower())
+        if role != "local":
+            self._parameters.add(bare(tried).lower())
         variable = Variable(tried, kind)
         self.declared.append(Declared(variable, role, remark, initial))
         return variable

@@ -12,12 +12,12 @@ from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.targets.controllers.declarations import Declarations
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS
+from fieldspec.targets.controllers.routines.printer import parameter
 from fieldspec.targets.controllers.routines.records import is_user_field
 from fieldspec.targets.controllers.routines.registers import registers_of
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import World
-
-_CALL = "{block}(Execute := {execute}, {arguments}, stAxis := {axis}, stData := {data});\n"
+from fieldspec.targets.controllers.statements.routine import bare
 
 
 class StructuredUsage(NamedTuple):
@@ -82,7 +82,9 @@ class _Usages:
                 blocks = [("read", reads and readable(fact.access)), ("write", writable(fact.access) or fact.trigger)]
                 ways = [direction for direction, is_possible in blocks if is_possible]
                 if ways:
-                    arguments = f"uiAddress := {constant}, iCount := {register.words}"
+                    arguments = (
+                        f"{self._parameter('Address')} := {constant}, {self._parameter('Count')} := {register.words}"
+                    )
                     yield self._usage(fact.place.path, ways, group.name, group.name, arguments, register.name)
 
     def tables(self) -> Iterator[StructuredUsage]:
@@ -100,7 +102,7 @@ class _Usages:
             for field in table.record.fields:
                 if is_user_field(field) and field.value is not None and not field.is_list:
                     ways = ["read", *(["write"] if writable(table.access(field.field)) and table.writable else [])]
-                    arguments = f"iNumber := {table.table.index_from}"
+                    arguments = f"{self._parameter('Number')} := {table.table.index_from}"
                     yield self._usage(field.field.place.path, ways, name, record, arguments, field.name)
 
     def telegrams(self) -> Iterator[StructuredUsage]:
@@ -111,28 +113,37 @@ class _Usages:
                 if record.name not in self.world.names.structs:
                     continue
                 function = spelling.routine.format(self.world.routine(deed, record.name, "bytes"))
-                variable = spelling.variable.format("stData")
+                variable = self._variable("stData")
                 kind = spelling.struct.format(self.world.struct(record.name).name)
                 for field in record.fields:
                     if not is_user_field(field) or field.value is None or field.is_list:
                         continue
                     member = f"{variable}.@2@"
                     if deed == "pack":
-                        text = f"// stData : @0@;\n{member} := value;\n// then @1@ makes the bytes that are sent\n"
+                        text = f"// {variable} : @0@;\n{member} := value;\n// then @1@ makes the bytes that are sent\n"
                     else:
-                        text = f"// stData : @0@; @1@ has filled it from the bytes received\nvalue := {member};\n"
+                        text = f"// {variable} : @0@; @1@ has filled it from the bytes received\nvalue := {member};\n"
                     text = text.replace("value", spelling.variable.format("value"), 1)
                     name = self.world.member(record.name, field.name)
                     yield StructuredUsage(field.field.place.path, text, (kind, function, name))
 
     def parameters(self) -> Iterator[StructuredUsage]:
         """The code for the numbers of parameters."""
-        variable = self.declared.dialect.spelling.variable.format("uiNumber")
+        variable = self._variable("uiNumber")
         for parameter_set in self.layout.device.parameters.values():
             for row in parameter_set.parameters:
                 constant = self.constants.get(row.place.path)
                 if constant is not None and not row.reserved:
                     yield StructuredUsage(row.place.path, f"{variable} := @0@;\n", (constant,))
+
+    def _parameter(self, name: str) -> str:
+        return parameter(name, self.declared.dialect.spelling)
+
+    def _variable(self, name: str) -> str:
+        """A variable of the program: `stData`, or `#data` for Siemens, where an instance is `#instRead`."""
+        spelling = self.declared.dialect.spelling
+        is_instance = spelling.siemens_names and name.startswith("fb")
+        return spelling.variable.format(f"inst{bare(name)}" if is_instance else parameter(name, spelling))
 
     def _groups(self) -> Iterator[RegisterGroup]:
         device = self.layout.device
@@ -146,7 +157,7 @@ class _Usages:
     ) -> StructuredUsage:
         """The calls of the blocks that read and write, and the member of the struct that they transfer."""
         spelling, world = self.declared.dialect.spelling, self.world
-        data = spelling.variable.format("stData")
+        axis, data = self._variable("stAxis"), self._variable("stData")
         text = ""
         names: list[str] = [
             arguments,
@@ -156,20 +167,15 @@ class _Usages:
         ]
         for direction in ways:
             names.append(spelling.struct.format(world.block(direction, block)))
-            text += f"// fb{direction.title()} : @{len(names) - 1}@;\n"
-        text += "// stAxis : @2@; a client block serves it in each scan\n// stData : @3@;\n"
+            text += f"// {self._variable(f'fb{direction.title()}')} : @{len(names) - 1}@;\n"
+        text += f"// {axis} : @2@; a client block serves it in each scan\n// {data} : @3@;\n"
         for direction in ways:
             if direction == "write":
                 text += f"{data}.@1@ := {spelling.variable.format('value')};\n"
-            text += _CALL.format(
-                block=spelling.variable.format(f"fb{direction.title()}"),
-                execute=spelling.variable.format(f"x{direction.title()}"),
-                arguments="@0@",
-                axis=spelling.variable.format("stAxis"),
-                data=data,
-            )
+            block, execute = (self._variable(f"{prefix}{direction.title()}") for prefix in ("fb", "x"))
+            lent = f"{self._parameter('Axis')} := {axis}, {self._parameter('Data')} := {data}"
+            text += f"{block}({self._parameter('Execute')} := {execute}, @0@, {lent});\n"
             if direction == "read":
-                done = spelling.variable.format("fbRead")
                 value = spelling.variable.format("value")
-                text += f"IF {done}.Done THEN\n    {value} := {data}.@1@;\nEND_IF;\n"
+                text += f"IF {block}.{self._parameter('Done')} THEN\n    {value} := {data}.@1@;\nEND_IF;\n"
         return StructuredUsage(path, text, tuple(names))

@@ -201,8 +201,8 @@ _HIDDEN = (
     "Error 11. A motion of its own it halts first."
 )
 _AGAIN = (
-    "The stop is sent again where the device moves for longer than tStart. What was accepted and not seen to begin may "
-    "begin in spite of it: then the block is Busy until the device has stood for tStart."
+    "The stop is sent again where the device moves for longer than StartTime. What was accepted and not seen to begin "
+    "may begin in spite of it: then the block is Busy until the device has stood for StartTime."
 )
 
 

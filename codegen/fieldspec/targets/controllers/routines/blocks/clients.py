@@ -11,8 +11,7 @@ from fieldspec.targets.controllers.routines.answers import judged
 from fieldspec.targets.controllers.routines.blocks.frames import Exchange, exchange_of
 from fieldspec.targets.controllers.routines.blocks.kinds import handshake_slots
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS, FRAMES, member, port_members
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
-from fieldspec.targets.controllers.routines.exchanges import meanings
+from fieldspec.targets.controllers.routines.exchanges import ERRORS, meanings
 from fieldspec.targets.controllers.routines.named_numbers import named
 from fieldspec.targets.controllers.routines.parameters import FRAME, parameters_of
 from fieldspec.targets.controllers.routines.records import is_user_field
@@ -30,7 +29,8 @@ from fieldspec.targets.controllers.statements.expressions import (
     converted,
     number,
 )
-from fieldspec.targets.controllers.statements.routine import Routine, Variables
+from fieldspec.targets.controllers.statements.interfaces import BlockVariables
+from fieldspec.targets.controllers.statements.routine import Routine
 
 
 def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine]) -> Routine | None:
@@ -67,14 +67,14 @@ def _block(world: World, link: LinkLayout, exchanges: Mapping[str, Exchange | No
     """The slots of `client.st`."""
     slots = {
         **handshake_slots(world),
-        **{name: StructType(world.names.structs[key]) for name, key in (("Axis", AXIS), ("Frames", FRAMES))},
+        **{name: StructType(world.names.structs[key]) for name, key in (("AxisType", AXIS), ("FramesType", FRAMES))},
         "Words": world.words,
         "room": named(world.words.high + 1, INT, "most", "words"),
         "has": {name: exchanges[name] is not None for name in ("single", "several")},
         "link": link.name,
-        "errors": meanings(ERRORS),
+        "errors": meanings(world, ERRORS),
     }
-    expansion = Expansion(source("client"), Variables(), slots, port_members(world))
+    expansion = Expansion(source("client"), BlockVariables(), slots, port_members(world))
     for name, exchange in exchanges.items():
         if exchange is not None:
             expansion.scope[name] = _access(world, expansion, exchange)
@@ -90,7 +90,7 @@ def _access(world: World, expansion: Expansion, exchange: Exchange) -> dict[str,
             response_values[variable.name] = expansion.scope["aWordsAnswered"]
         elif variable.name != FRAME:
             response_values[variable.name] = expansion.variables.local(f"{variable.name}Answered", variable.type)
-    status = expansion.scope["eStatus"]
+    status = expansion.scope["Diagnostics"]
     judgement = judged(
         world, exchange.link, exchange.message, status, request_values, response_values, expansion.variables
     )
@@ -108,7 +108,7 @@ def _arguments(world: World, expansion: Expansion, exchange: Exchange) -> dict[s
     access = exchange.message.message.accesses
     assert access is not None
     words, count, address = (
-        member(world, AXIS, name, expansion.scope["stAxis"]) for name in ("words", "count", "address")
+        member(world, AXIS, name, expansion.scope["Axis"]) for name in ("words", "count", "address")
     )
     asks, _ = parameters_of(world, exchange.link, exchange.message)
     arguments: dict[str, Expression] = {}

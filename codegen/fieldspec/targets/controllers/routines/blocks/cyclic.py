@@ -340,7 +340,7 @@ class CyclicTask:
         if len(reached) == 1:
             steady = draft.flag("xSteady", "the command has not changed")
             remark = "how long a commanded speed stands before it may count as reached"
-            settled = draft.timer("fbSteady", steady, "tSettle", _SETTLE, remark)
+            settled = draft.timer("fbSteady", steady, "SettlingTime", _SETTLE, remark)
             at_speed = draft.declare("InVelocity", steady.type, "output", "the commanded speed is reached")
             place, _ = self.places.place(reached[0])
             same = every([compared(target, "=", raw) for target, raw in self.setpoints])

@@ -19,7 +19,7 @@ from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, constant
 from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, own_links, port_members
 from fieldspec.targets.controllers.routines.blocks.progress import Seen
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS
+from fieldspec.targets.controllers.routines.blocks.standard import TRANSFER_ERRORS
 from fieldspec.targets.controllers.routines.exchanges import meanings
 from fieldspec.targets.controllers.routines.parameters import FRAME, parameters_of
 from fieldspec.targets.controllers.routines.world import World
@@ -62,7 +62,7 @@ def add_exchange(
     judgement = judged(block.world, exchange.link, exchange.message, status, request_values, response_values, block)
     slots = {
         **handshake_slots(block.world),
-        "eStatus": status,
+        "Diagnostics": status,
         "uiReason": block.reason,
         "stPort": block.port,
         "ask": block.ask(),
@@ -106,7 +106,7 @@ def message_block(world: World, exchange: Exchange) -> Routine:
     block.remarks += [
         f"Sends a message and takes the response: {title}. {world.comment(message, None)}".strip(),
         message.doc,
-        meanings(ERRORS),
+        meanings(world, TRANSFER_ERRORS),
     ]
     return block.block()
 

@@ -98,7 +98,7 @@ class Kind:
     def limit(self) -> None:
         """Ends the block with an error, or its motion, when its time is over."""
         running = self.draft.expansion.property("Limited")
-        self.late = self.draft.timer("fbLimit", running, "tLimit", "T#60s", "the longest time until Done")
+        self.late = self.draft.timer("fbLimit", running, "TimeLimit", "T#60s", "the longest time until Done")
 
     def forget_first(self, flag: Expression) -> None:
         """Adds the reset of a flag to what the block does where it starts."""
@@ -112,7 +112,7 @@ class Executed(Kind):
     sources = ("executed",)
 
     def __init__(self, draft: BlockDraft, abort: bool) -> None:
-        super().__init__(draft, is_abortable=abort)
+        super().__init__(draft, is_abortable=abort, has_axis=False)
 
 
 class Reading(Kind):
@@ -133,7 +133,7 @@ class Stopping(Kind):
 
     def __init__(self, draft: BlockDraft) -> None:
         self.stop = 0
-        super().__init__(draft, is_abortable=False)
+        super().__init__(draft, is_abortable=False, has_axis=True)
 
     def known(self) -> dict[str, Any]:
         """See `Kind`."""
@@ -156,7 +156,7 @@ class Moving(Kind):
 
     def __init__(self, draft: BlockDraft, halts: bool = False, **slots: Any) -> None:
         self.halts = halts
-        super().__init__(draft, is_abortable=True, halts=halts, remembers=self.remembers, **slots)
+        super().__init__(draft, is_abortable=True, has_axis=True, halts=halts, remembers=self.remembers, **slots)
         draft.refusal = draft.variable("uiRefusal")
         self.look = self.ending = self.stop = 0
         self.commands: list[int] = []

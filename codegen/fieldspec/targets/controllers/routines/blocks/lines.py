@@ -21,7 +21,7 @@ class LineDraft(BlockDraft):
     def __init__(self, world: World, name: str, group: str, port: str) -> None:
         super().__init__(world, name, group)
         self.key = port
-        port_name = "axis" if port.startswith("axis") else "frames"
+        port_name = "Axis" if port.startswith("axis") else "Frames"
         self.port = self.struct(port_name, port, "call the block that serves it in each scan")
         self.slots = {"stPort": self.port, "is_asked_for": True}
 
@@ -34,8 +34,8 @@ class LineDraft(BlockDraft):
 
     def lend_axis(self) -> Variable:
         """See `BlockDraft`."""
-        axis = self.port if self.key == AXIS else self.struct("axis", AXIS, "the same for all blocks of the device")
-        self.slots["stAxis"] = axis
+        axis = self.port if self.key == AXIS else self.struct("Axis", AXIS, "the same for all blocks of the device")
+        self.slots["Axis"] = axis
         return axis
 
     def limit(self) -> None:

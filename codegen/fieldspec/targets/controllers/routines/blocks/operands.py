@@ -37,7 +37,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     converted,
     outside,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Statement, bare, when
 
 _MEASURED = frozenset(
     {
@@ -46,6 +46,10 @@ _MEASURED = frozenset(
     }
 )
 """The roles of what has a unit by its nature. Where a manual prints none, the name of the variable says Counts."""
+
+
+_WORDS = {"speed": "velocity"}
+"""Arguments of tasks that PLCopen calls by another word."""
 
 
 class NoBlock(Exception):
@@ -94,11 +98,12 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
     The raw number is made at the start, so that an input may change afterwards.
     """
     world = block.world
+    name = _WORDS.get(name, name)
     kind = kind_of(world, operand, value)
     quantity = scaled(world, operand.holder) if operand.bit is None else None
     raw_name = f"{PREFIXES[kind.name] if isinstance(kind, Elementary) else 'e'}{Name.of(name).pascal()}Raw"
     for declared in block.declared:
-        if declared.variable == Variable(raw_name, kind):
+        if declared.variable == Variable(bare(raw_name), kind):
             return declared.variable
     remark = of_value(value) if operand.bit is None else ""
     if quantity is not None:
@@ -143,7 +148,7 @@ def _refusing(block: BlockDraft, call: Call, refuse: Statement) -> list[Statemen
 
 
 def _unless_refused(block: BlockDraft, statements: list[Statement]) -> list[Statement]:
-    """What converts a further argument: left out once one is refused, so that eStatus remains that of the refusal."""
+    """What converts a further argument: left out once one is refused, so that its status is what Diagnostics shows."""
     if not any(isinstance(statement, Condition) for statement in block.at_start) or not statements:
         return statements
     return [when(block.unrefused(), statements)]

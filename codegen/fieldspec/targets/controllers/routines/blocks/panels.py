@@ -10,41 +10,41 @@ from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     UINT,
+    WORD,
     Expression,
-    Member,
     Negation,
+    Output,
     StructType,
     Variable,
     Whole,
     either,
     every,
 )
+from fieldspec.targets.controllers.statements.interfaces import OWN, BlockVariables
 from fieldspec.targets.controllers.statements.routine import (
     Assignment,
     Condition,
     Invocation,
     Routine,
     Statement,
-    Variables,
 )
 
 _TASKS: Mapping[str, tuple[str, str, str]] = {
-    "servo_on": ("xServo", "energizes the axis; FALSE takes the energy away", "xReady"),
+    "servo_on": ("Servo", "energizes the axis; FALSE takes the energy away", "Ready"),
     "servo_off": ("", "", ""),
-    "reset_alarm": ("xReset", "a rising edge resets an alarm, once its cause is removed", ""),
-    "home": ("xHome", "a rising edge searches the home position", "xHomed"),
-    "move_absolute": ("xMove", "a rising edge moves to the position", "xMoved"),
-    "move_velocity": ("xRun", "moves at the speed while it is TRUE", "xAtSpeed"),
-    "grip": ("xGrip", "a rising edge closes and grips", "xGripped"),
-    "release": ("xRelease", "a rising edge opens", "xReleased"),
+    "reset_alarm": ("Reset", "a rising edge resets an alarm, once its cause is removed", ""),
+    "home": ("Home", "a rising edge searches the home position", "Homed"),
+    "move_absolute": ("MoveAbsolute", "a rising edge moves to the position", "Moved"),
+    "move_velocity": ("MoveVelocity", "moves at the speed while it is TRUE", "InVelocity"),
+    "grip": ("Grip", "a rising edge closes and grips", "Gripped"),
+    "release": ("Release", "a rising edge opens", "Released"),
     "jog": ("", "", ""),
-    "read_position": ("", "", "xPositionValid"),
-    "read_alarm": ("", "", "xAlarmValid"),
-    "stop": ("xStop", "a rising edge stops; the axis is locked while it is TRUE", "xStopped"),
+    "read_position": ("", "", "PositionValid"),
+    "read_alarm": ("", "", "AlarmValid"),
+    "stop": ("Stop", "a rising edge stops; the axis is locked while it is TRUE", "Stopped"),
 }
 """The kinds of tasks that a panel has, in the order of the calls: its input, what that does, and its output."""
 _STARTS = ("Execute", "Abort", "Enable", "JogForward", "JogBackward")
-_ENDS = frozenset({"Done", "Valid", "Busy", "CommandAborted", "Error", "ErrorID", "eStatus", "uiLastError"})
 _RESTS = "; not while something moves, which would have to wait for the line"
 _JOGS = {"JogForward": "moves forward while it is TRUE", "JogBackward": "moves backward while it is TRUE"}
 
@@ -67,10 +67,11 @@ class _Panel:
     """A ready program while it is being made."""
 
     def __init__(self, world: World, message: str, blocks: Mapping[str, Routine]) -> None:
+        self.has_status = world.names.has_status
         self.name = world.block(*filter(None, (message,)), "panel")
         self.group = f"telegram {message}" if message else "ready program"
         self.blocks = {kind: blocks[kind] for kind in _TASKS if kind in blocks}
-        self.variables = Variables(self.name)
+        self.variables = BlockVariables(self.name)
         self.rests: list[Variable] = []
         self.body: list[Statement] = []
 
@@ -82,7 +83,7 @@ class _Panel:
             if done:
                 ends = self._outputs(kind)
                 end = next(end for end in ("InVelocity", "Done", "Valid") if end in ends)
-                self._gives(done, Member(instance, end, BOOL))
+                self._gives(done, Output(instance, end, BOOL))
             if kind.startswith("read_"):
                 self._read_values(kind, instance)
         self._errors(instances.values())
@@ -101,7 +102,7 @@ class _Panel:
                 arguments.append((variable.name, self._lent(variable, declared.remark)))
             elif declared.role == "input" and (variable.name in _STARTS or not declared.initial):
                 arguments.append((variable.name, self._argument(kind, variable, declared.remark)))
-        if kind in MOVING and any(name == "stFrames" for name, _ in arguments):
+        if kind in MOVING and any(name == "Frames" for name, _ in arguments):
             self.rests.append(instance)
         self.body.append(Invocation(instance, tuple(sorted(arguments, key=lambda item: item[0] not in _STARTS))))
         return instance
@@ -113,10 +114,10 @@ class _Panel:
         """What an input of a block is set to."""
         if variable.name == "Enable":
             remark_text = f"reads position and alarm again and again{_RESTS if self.rests else ''}"
-            shows = self.variables.declared_once("xShow", BOOL, "input", remark_text, "TRUE")
-            return every([shows, *(Negation(Member(block, "Busy", BOOL)) for block in self.rests)])
+            shows = self.variables.declared_once("Show", BOOL, "input", remark_text, "TRUE")
+            return every([shows, *(Negation(Output(block, "Busy", BOOL)) for block in self.rests)])
         if variable.name in _JOGS:
-            return self.variables.declared_once(f"x{variable.name}", BOOL, "input", _JOGS[variable.name])
+            return self.variables.declared_once(variable.name, BOOL, "input", _JOGS[variable.name])
         if variable.name != "Execute":
             return self.variables.declared_once(variable.name, variable.type, "input", remark)
         if kind == "servo_off":
@@ -125,31 +126,32 @@ class _Panel:
         name, remark_text, _ = _TASKS[kind]
         return self.variables.declared_once(name, BOOL, "input", remark_text)
 
-    def _gives(self, name: str, value: Member) -> None:
+    def _gives(self, name: str, value: Output) -> None:
         self.body.append(Assignment(self.variables.declare(name, BOOL, "output"), value))
 
     def _read_values(self, kind: str, instance: Variable) -> None:
         """Adds the values that a block has read."""
         for declared in self.blocks[kind].of_role("output"):
             variable = declared.variable
-            if variable.name not in _ENDS:
+            if variable.name not in OWN:
                 taken_names = {item.variable.name for item in self.variables.declared}
                 name = f"{variable.name}Read" if variable.name in taken_names else variable.name
                 output = self.variables.declare(name, variable.type, "output", declared.remark)
-                self.body.append(Assignment(output, Member(instance, variable.name, variable.type)))
+                self.body.append(Assignment(output, Output(instance, variable.name, variable.type)))
 
     def _errors(self, instances: Iterable[Variable]) -> None:
         """Adds the error of the first block that has one."""
-        error = self.variables.declare("xError", BOOL, "output", "a block has an error; it stays as long as its input")
-        number = self.variables.declare("uiErrorID", UINT, "output", "0, or the reason of that error")
+        error = self.variables.declare("Error", BOOL, "output", "a block has an error; it stays as long as its input")
+        name, kind = ("Status", WORD) if self.has_status else ("ErrorID", UINT)
+        number = self.variables.declare(name, kind, "output", "0, or the reason of that error")
         called = list(instances)
         first = [
-            (Member(instance, "Error", BOOL), (Assignment(number, Member(instance, "ErrorID", UINT)),))
+            (Output(instance, "Error", BOOL), (Assignment(number, Output(instance, name, kind)),))
             for instance in called
         ]
         self.body += [
             Assignment(error, either([test for test, _ in first])),
-            Assignment(number, Whole(0, UINT)),
+            Assignment(number, Whole(0, kind, self.has_status)),
             Condition(tuple(first)),
         ]
 

@@ -70,7 +70,7 @@ class Conditions:
 
     def _at_start(self, step: Step, raw: Expression) -> Variable:
         fact = self.operand(step).fact.name
-        name = f"{self.world.variable(fact, raw.type)}AtStart"
+        name = f"{self.world.variable(fact, raw.type)}AStartTime"
         return self.draft.declared_once(name, raw.type, "local", "what it was before the command")
 
     def _raw(self, step: Step, value_of: Seen) -> Expression:
@@ -112,7 +112,7 @@ class Conditions:
             remark = f"how far from its target the device may be at the end, in {unit_of(operand)}"
             digits = f"{step.within:f}"
             initial = digits if "." in digits else f"{digits}.0"
-            self.windows[step.argument] = self.draft.declare("lrWindow", LREAL, "input", remark, initial)
+            self.windows[step.argument] = self.draft.declare("Window", LREAL, "input", remark, initial)
         return self.windows[step.argument]
 
     def has(self, operand: Operand, values: Sequence[ScalarValue], raw: Expression) -> Expression:
@@ -153,7 +153,7 @@ class Conditions:
         draft = self.draft
         standing = draft.flag("xStanding", "the device stands")
         moved = draft.flag("xMoved", "the device was seen to move")
-        idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
         for flag in (standing, moved):
             kind.forget_first(flag)
         moves = when(Negation(standing), [assigned(moved, True), *draft.action("SeeMotion")])
@@ -177,7 +177,7 @@ class Conditions:
         is_standing = self.stands(value_of)
         reached_flag = draft.flag("xReached", "all that is waited for is there, in one look")
         standing = draft.flag("xStanding", "the device stands")
-        idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
         body = [
             *computed,
             Assignment(reached_flag, reached),
@@ -221,10 +221,10 @@ class Conditions:
         computed, is_standing = self.all_of(steps, value_of)
         standing = draft.flag("xStanding", "the device stands")
         kind.forget_first(standing)
-        idle = draft.timer("fbStanding", standing, "tStart", "T#2s", _START)
+        idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
         moving = draft.flag("xMoving", "the device moves although it was told to stop")
         kind.forget_first(moving)
-        long = draft.timer("fbMoving", moving, "tStart", "T#2s", _START)
+        long = draft.timer("fbMoving", moving, "StartTime", "T#2s", _START)
         unseen = draft.of_axis("unseen")
         may_begin: list[Expression] = [unseen, Negation(idle)]
         if isinstance(kind, Moving):

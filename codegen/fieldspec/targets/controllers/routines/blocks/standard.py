@@ -27,6 +27,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     every,
     number,
 )
+from fieldspec.targets.controllers.statements.interfaces import BlockVariables
 from fieldspec.targets.controllers.statements.routine import (
     Assignment,
     Body,
@@ -35,7 +36,6 @@ from fieldspec.targets.controllers.statements.routine import (
     Routine,
     Statement,
     Timing,
-    Variables,
     when,
 )
 
@@ -50,6 +50,8 @@ ERRORS = {
     "short": (14, "ended before its target"),
 }
 """The numbers of ErrorID, and what they mean."""
+TRANSFER_ERRORS = {**EXCHANGE_ERRORS, "late": ERRORS["late"]}
+"""Those of blocks that move nothing."""
 REASONS = reasons(ERRORS)
 
 
@@ -65,7 +67,7 @@ class Section:
 Branches: TypeAlias = tuple[tuple[tuple[tuple[int, int], ...], tuple[Statement, ...]], ...]
 
 
-class BlockDraft(Variables):
+class BlockDraft(BlockVariables):
     """A block while it is being made. Its steps are numbered from 1 on; the step 0 is behind the last one.
 
     `carrier` is the source of what carries its requests, `slots` is what the sources may name.
@@ -90,7 +92,7 @@ class BlockDraft(Variables):
     def expand(self, expansion: Expansion) -> None:
         """Takes the source of the block, which has declared its variables."""
         self.expansion, self.action = expansion, expansion.action
-        self.result, self.step = self.variable("eStatus"), self.variable("iStep")
+        self.result, self.step = self.variable("Diagnostics"), self.variable("iStep")
         self.reason = self.refusal = self.variable("uiReason")
         self.good = compared(self.result, "=", self.status.of("ok"))
 
@@ -107,11 +109,11 @@ class BlockDraft(Variables):
     def struct(self, name: str, key: str, remark: str = "") -> Variable:
         """A struct that the block has as VAR_IN_OUT, by its key."""
         kind = StructType(self.world.names.structs[key])
-        return self.declared_once(self.world.variable(name, kind), kind, "in_out", remark)
+        return self.declared_once(name, kind, "in_out", remark)
 
     def lend_axis(self) -> Variable:
         """The struct that says who moves the axis."""
-        axis = self.slots["stAxis"]
+        axis = self.slots["Axis"]
         assert isinstance(axis, Variable)
         return axis
 
@@ -164,7 +166,7 @@ class BlockDraft(Variables):
         self.settling.append(step)
         timer = self.declared_once("fbSettle", TIMER, "local")
         remark = "how long the device has to see what it was sent, before that changes or is looked at"
-        self.declared_once("tSettle", TIME, "input", remark, initial)
+        self.declared_once("SettlingTime", TIME, "input", remark, initial)
         self.add([when(Member(timer, "Q", BOOL), [self.go(step + 1)])], remark="the device sees what was sent")
 
     def timers(self) -> list[Statement]:
@@ -176,7 +178,7 @@ class BlockDraft(Variables):
         if not self.settling:
             return []
         running = either([compared(self.step, "=", number(step)) for step in self.settling])
-        return [Timing(Variable("fbSettle", TIMER), running, Variable("tSettle", TIME))]
+        return [Timing(Variable("fbSettle", TIMER), running, Variable("SettlingTime", TIME))]
 
     def between(self, first: int, last: int) -> Expression:
         """Whether the step lies between two steps, both included; FALSE where there is no last one."""

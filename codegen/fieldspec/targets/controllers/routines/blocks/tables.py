@@ -10,7 +10,7 @@ from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.ports import AXIS
-from fieldspec.targets.controllers.routines.blocks.standard import ERRORS, chain
+from fieldspec.targets.controllers.routines.blocks.standard import TRANSFER_ERRORS, chain
 from fieldspec.targets.controllers.routines.exchanges import meanings
 from fieldspec.targets.controllers.routines.registers import count_text, group_order, table_order
 from fieldspec.targets.controllers.routines.world import World
@@ -47,10 +47,10 @@ def group_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routi
 
 def _group_block(world: World, group: RegisterGroup, direction: str, routine: Routine) -> Routine:
     block = LineDraft.executed(world, world.block(direction, group.name), f"registers {group.name}", AXIS)
-    address = block.declare("uiAddress", UINT, "input", "of the first register")
-    count = block.declare("iCount", INT, "input", f"how many words, 1..{world.words.high + 1}")
+    address = block.declare("Address", UINT, "input", "of the first register")
+    count = block.declare("Count", INT, "input", f"how many words, 1..{world.words.high + 1}")
     kind = world.struct(group.name)
-    data = block.declare(world.variable("data", kind), kind, "in_out")
+    data = block.declare("Data", kind, "in_out")
     block.limit()
     port = block.of_port
     call = routine.called(uiAddress=address, iCount=count, aWords=port("words"), stData=data)
@@ -63,7 +63,7 @@ def _group_block(world: World, group: RegisterGroup, direction: str, routine: Ro
     title = group.title or Name.of(group.name).title()
     block.remarks += [
         f"{direction.title()}s registers: {title}. {world.comment(group, None)}".strip(),
-        meanings(ERRORS),
+        meanings(world, TRANSFER_ERRORS),
     ]
     return block.block()
 
@@ -116,8 +116,8 @@ def _element_block(
     """The block that reads or writes one element of a table."""
     block = LineDraft.executed(world, world.block(direction, name), f"table {table.name}", AXIS)
     kind = world.struct(table.record.name)
-    index = block.declare("iNumber", INT, "input", _numbers(table))
-    data = block.declare(world.variable("data", kind), kind, "in_out")
+    index = block.declare("Number", INT, "input", _numbers(table))
+    data = block.declare("Data", kind, "in_out")
     block.limit()
     _transfer(block, table, direction, routine, by_name, index, data, [block.end()])
     _about(block, world, table, f"{direction.title()}s one element of {table.name}.")
@@ -132,11 +132,11 @@ def _table_block(
     last = first + table.table.count - 1
     block = LineDraft.executed(world, world.block(direction, table.name), f"table {table.name}", AXIS)
     kind = world.struct(table.record.name)
-    low = block.declare("iFirst", INT, "input", f"first element: {_numbers(table)}", str(first))
-    high = block.declare("iLast", INT, "input", "last element", str(last))
+    low = block.declare("First", INT, "input", f"first element: {_numbers(table)}", str(first))
+    high = block.declare("Last", INT, "input", "last element", str(last))
     array = ArrayType(first, last, kind)
-    data = block.declare("aData", array, "in_out")
-    index = block.declare("iNumber", INT, "output", "the element that is being transferred, or was last")
+    data = block.declare("Data", array, "in_out")
+    index = block.declare("Number", INT, "output", "the element that is being transferred, or was last")
     copied = block.declare(world.variable("element", kind), kind, "local")
     block.limit()
     block.at_start.append(Assignment(index, low))
@@ -155,7 +155,10 @@ def _numbers(table: TableLayout) -> str:
 
 
 def _about(block: LineDraft, world: World, table: TableLayout, text: str) -> None:
-    block.remarks += [f"{text} {count_text(table.table)}{world.comment(table.table, None)}".strip(), meanings(ERRORS)]
+    block.remarks += [
+        f"{text} {count_text(table.table)}{world.comment(table.table, None)}".strip(),
+        meanings(world, TRANSFER_ERRORS),
+    ]
 
 
 def _transfer(

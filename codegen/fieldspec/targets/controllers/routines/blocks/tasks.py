@@ -40,7 +40,7 @@ def describe(block: BlockDraft, tasks: Sequence[Task], title: str, *further_rema
     notes = dict.fromkeys(note for task in tasks for note in task.notes)
     block.remarks += [f"Note: {note}" for note in notes]
     block.remarks += [text for text in further_remarks if text]
-    block.remarks.append(meanings(ERRORS))
+    block.remarks.append(meanings(block.world, ERRORS))
     if tasks[0].kind in MOVING:
         block.remarks.append(
             "It takes the axis over when the device has accepted its command, and the block before it ends with "

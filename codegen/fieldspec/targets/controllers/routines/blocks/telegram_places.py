@@ -39,8 +39,8 @@ class TelegramPlaces:
 
     def __init__(self, world: World, operands: Operands, draft: BlockDraft, message: MessageLayout) -> None:
         self.world, self.operands, self.message = world, operands, message
-        self.axis = draft.struct("axis", axis_key(message), "the same for all blocks of the telegram")
-        draft.slots["stAxis"] = self.axis
+        self.axis = draft.struct("Axis", axis_key(message), "the same for all blocks of the telegram")
+        draft.slots["Axis"] = self.axis
         self.valid = self._member("valid")
 
     def _member(self, name: str) -> Member:
