@@ -22,12 +22,14 @@ WATCH = (
     "has changed; half of that is the documentation with its audit, which is one piece of work."
 )
 LARGE_SAVE = (
-    "Seventy checks look at every register again, which is 0.8 s; the rest is to move what stands behind the change, "
-    "to lay out and identify the device, and to join the pieces of its outputs. Checks are not kept by item yet."
+    "Seventy checks look at every register again, which takes a third of the time. The rest moves the text after the "
+    "change, lays out and identifies the device, and joins the pieces of its outputs. Checks are not kept by item: no "
+    "check takes more than 8 us for a register, and a look-up takes 2 us."
 )
 MANY_VERSIONS = (
-    "All versions are read, checked, laid out and joined again; only what they share is printed once. Most registers "
-    "of a version are those of the version before, but each version is judged on its own."
+    "All versions are read, checked, laid out and joined again, and only what they share is printed once. Most "
+    "registers of a version are equal to the registers of the version before it, but each version is judged on its "
+    "own, which takes a third of the time."
 )
 ALL = (
     "Nearly 4 s of work are shared by two processors, but not evenly: one has the largest device, the other the "

@@ -129,6 +129,16 @@ def test_the_second_call_reads_no_spec(cache: Path, monkeypatch: pytest.MonkeyPa
     assert len(list(cache.iterdir())) == 1
 
 
+def test_an_item_is_shown_without_those_that_are_not(cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
+    arguments = ["show", "tc100", "registers/motion_command", "--specs", str(SPECS)]
+    assert main(arguments) == 0
+    first, rebuilt, parse = capsys.readouterr().out, [], layout_cache._parse_line
+    monkeypatch.setattr(layout_cache, "_parse_line", lambda line: rebuilt.append(line) or parse(line))
+    assert main(arguments) == 0
+    assert capsys.readouterr().out == first
+    assert len(rebuilt) < 300
+
+
 def test_a_spec_that_has_changed_is_read_again(cache: Path, folder: Path, capsys: Any) -> None:
     assert show(folder) == 0
     before = capsys.readouterr().out

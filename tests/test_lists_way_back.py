@@ -14,20 +14,10 @@ from command_line import SPECS, TEST_SPECS, CommandLine
 DEVICES = [
     (folder, path.parent.name) for folder in (SPECS, TEST_SPECS) for path in sorted(folder.glob("*/device.yaml"))
 ]
-WITHOUT = [
-    "beacon",
-    "courier",
-    "gateway",
-    "grinder",
-    "lever",
-    "pedal",
-    "scanner",
-    "sealer",
-    "sequencer",
-    "sorter",
-    "stamper",
-    "tariff",
-]
+WITHOUT = (
+    *("beacon", "courier", "gateway", "grinder", "herald", "lever", "pedal", "scanner", "sealer", "sequencer"),
+    *("sorter", "stamper", "tariff"),
+)
 """Devices without registers and parameters."""
 
 

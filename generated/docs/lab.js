@@ -2932,7 +2932,7 @@ class ExplainedFrame {
   addressValue(read) {
     const { addresses } = this.link;
     if (!addresses?.ranges) return read;
-    if (read.number === addresses.broadcast) {
+    if (addresses.broadcast !== undefined && read.number == addresses.broadcast) {
       return { ...read, meanings: [meaningOf("broadcast", "", "for all stations")], verdict: "", reason: "" };
     }
     if (isWithin(addresses.ranges, read.number)) return read;
@@ -3283,7 +3283,7 @@ function mismatchesOf(device, request, response) {
         const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
         texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }
-    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
+    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have != want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
     }
   }
@@ -3737,7 +3737,7 @@ class LogReader {
     if (reading.chosen === "likeliest" && !link.response.code && !link.request.code) return null;
     const { unitAddress } = link.request;
     const { broadcast } = link.addresses ?? {};
-    if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) === broadcast) return null;
+    if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) == broadcast) return null;
     return request;
   }
 }

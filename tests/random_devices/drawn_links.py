@@ -88,7 +88,8 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     if coded:
         before.append(_part(draft, "code", **_number(draft, kind, (1 << draft.code_bits) - 1)))
     if draft.chance(45):
-        before.append(_part(draft, "unit_address", **_number(draft, _count(draft, "u8", "u8", "u16"), 99)))
+        widths = ("u32", "u40", "u48", "u56", "u64") if draft.chance(20) else ("u8", "u8", "u16")
+        before.append(_part(draft, "unit_address", **_number(draft, _count(draft, *widths), 99)))
     before += [_argument(draft) for _ in range(draft.number(0, 2))]
     for _ in range(draft.number(0, 2)):
         (before if draft.chance(50) else behind).append(_constant(draft))

@@ -137,11 +137,11 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
     if form in ("measured", "inner"):
         if form == "inner" and draft.differing and draft.chance(30):
             fields = [*fields, _differing(draft)]
-        is_counted = form == "measured" or draft.chance(70)
+        has_count = form == "measured" or draft.chance(70)
         behind = [fixed_field(draft)[0] for _ in range(draft.number(1, 3))] if form == "inner" else []
-        if behind and is_counted and draft.differing and draft.chance(20):
+        if behind and has_count and draft.differing and draft.chance(20):
             return [*fields, _differing(draft), *behind]
-        return [*(_measured(draft, fields) if is_counted else [*fields, _repeated(draft, fields)]), *behind]
+        return [*(_measured(draft, fields) if has_count else [*fields, _repeated(draft, fields)]), *behind]
     if form == "lists":
         return _lists(draft, fields)
     if form == "choice":

@@ -15,7 +15,8 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import Value
 
 Result = TypeVar("Result")
-RequestedNames = tuple[tuple[Hashable, str], ...]
+RequestedNames = tuple[dict[Hashable, str], dict[Hashable, str]]
+"""The names that a piece asked for: those that were given before, and those that were given to it first."""
 
 MOST = 100_000
 """The most pieces that are remembered; the oldest ones go first."""
@@ -27,11 +28,11 @@ class Names(Protocol):
     key: str
 
     @contextmanager
-    def noting(self) -> Iterator[dict[Hashable, str]]:
-        """Meanwhile, notes what is asked for, in order, and the names that are given."""
+    def noting(self) -> Iterator[RequestedNames]:
+        """Meanwhile, notes what is asked for, and the names that are given."""
 
     def gives(self, requested_names: RequestedNames) -> bool:
-        """Asks for names in order, up to one that is not given as it was."""
+        """Gives the same names again, all or none."""
 
 
 class Pieces:
@@ -54,14 +55,15 @@ class Pieces:
         remembered = self._pieces.get(key)
         if remembered is not None and (names is None or names.gives(remembered[1])):
             return cast("Result", remembered[2])
+        requested_names: RequestedNames = {}, {}
         if names is None:
-            result, requested_names = make(), {}
+            result = make()
         else:
             with names.noting() as requested_names:
                 result = make()
         if remembered is None and len(self._pieces) >= MOST:
             del self._pieces[next(iter(self._pieces))]
-        self._pieces[key] = facts, tuple(requested_names.items()), result
+        self._pieces[key] = facts, requested_names, result
         return result
 
 

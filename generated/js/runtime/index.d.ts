@@ -137,11 +137,11 @@ export interface ExceptionFrame<M, H, E> {
   readonly data: E;
 }
 
-/** A link: its header in requests `Q` and in responses `R`, its messages `M`, and the data of an exception response `E`. */
-export interface Link<Q, R, M, E> {
+/** A link: its header in requests `Q` and in responses `R`, its messages `M`, the data of an exception response `E`, and its unit addresses `A`. */
+export interface Link<Q, R, M, E, A = number> {
   readonly name: string;
   readonly messages: readonly M[];
-  readonly unitAddresses: { readonly ranges: readonly (readonly [number, number])[] | null; readonly broadcast: number | null } | null;
+  readonly unitAddresses: { readonly ranges: readonly (readonly [A, A])[] | null; readonly broadcast: A | null } | null;
   encodeRequest<K extends M>(header: Q, message: K, data: DataOf<K, "request">): Uint8Array;
   encodeResponse<K extends M>(header: R, message: K, data: DataOf<K, "response">): Uint8Array;
   /** The exception response in place of the usual response with a code; null where frames carry none. Throws CodecError. */

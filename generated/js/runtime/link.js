@@ -363,7 +363,7 @@ function complete(shape, data, ofSent) {
 
 function refuseBroadcast({ unitAddresses }, shape, header, message) {
   const part = shape.header.find(({ role }) => role === "unit_address");
-  if (header[part.key] === unitAddresses.broadcast) {
+  if (header[part.key] == unitAddresses.broadcast) {
     throw new CodecError("out_of_range", `${part.name} is ${header[part.key]}: ${message} cannot be broadcast`);
   }
 }
@@ -373,10 +373,10 @@ function partValue({ unitAddresses, exception }, part, header, code, marks) {
   if (part.role === "code") return code;
   const number = header[part.key];
   const address = part.role === "unit_address" ? unitAddresses : null;
-  if (address !== null && number === address.broadcast && number !== null) return number;
   const isMark = marks !== undefined && exception?.part === part.name;
   const ranges = isMark ? marks : (address?.ranges ?? part.ranges);
   const whole = part.wide ? typeof number === "bigint" : Number.isInteger(number);
+  if (whole && address !== null && number == address.broadcast) return number;
   if (!whole || number < part.low || number > part.high || (ranges !== null && !within(ranges, number))) {
     throw refusedNumber(part.name, number, part.low, part.high, rangesText(ranges ?? [[part.low, part.high]]));
   }

@@ -46,8 +46,13 @@ def reason_field(record: RecordLayout) -> FieldLayout | None:
     return next((field for field in free if field.value is not None and field.value.enum), free[0] if free else None)
 
 
+def word_order_of(field: FieldLayout) -> str:
+    """The order of the words of a field: that of the bytes in each, or the opposite one."""
+    return {"big": "little", "little": "big"}[field.order] if field.swapped else field.order
+
+
 def exception_mark(exception: ExceptionResponse | None, record: RecordLayout | None) -> ExceptionMark | None:
     """The mark in the data of exception responses; None where they are marked before the body, or not at all."""
     field = record.named(exception.field) if exception is not None and record is not None else None
-    constant = constant_at(field.field, field.offset, field.order, field.word_order) if field is not None else None
+    constant = constant_at(field.field, field.offset, field.order, word_order_of(field)) if field is not None else None
     return ExceptionMark(*constant[0], constant[1]) if constant is not None else None

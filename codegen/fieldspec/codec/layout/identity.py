@@ -11,13 +11,14 @@ import hashlib
 from collections.abc import Iterator, Mapping
 from itertools import chain
 from operator import attrgetter
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.identity_words import Words, bounding, order_of, orders_in, shortest, value_words
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import attributes
 from fieldspec.language.model.address_space import WHOLE, WORD
 from fieldspec.language.model.attributes import descendants
@@ -335,20 +336,23 @@ _ASKED = ("trigger", "atomic", "applies_to", "messages", "supplements")
 def _operation(device: Device) -> Iterator[tuple[str, ...]]:
     """What is to be known of facts and of the device besides its frames: limits, and when a value counts and stays."""
     for item in descendants(device):
-        if isinstance(item, Limit):
-            yield "limit", item.name, *map(str, (item.value, item.low, item.high)), item.text, item.unit
-        stated = [(key, value) for key in _ASKED if (value := getattr(item, key, None)) not in (None, False, ())]
-        restart = getattr(item, "restart", None)
-        stated += [("restart", restart)] if restart is not None else []
-        stated += [("access", item.access)] if isinstance(item, Field) and item.access else []
-        handling = getattr(item, "handling", UNSPECIFIED)
-        if (stated or handling != UNSPECIFIED) and not getattr(item, "reserved", False):
-            yield (
-                type(item).__name__,
-                item.place.path,
-                str(stated),
-                *(str(getattr(handling, key)) for key in HANDLING_KEYS),
-            )
+        yield from _USES.get_or_compute(item, lambda item: tuple(_uses(item)))
+
+
+_USES: ByIdentity[Any, tuple[tuple[str, ...], ...]] = ByIdentity(limit=50_000)
+"""What is to be known of objects of the model, which versions share, and most of them the next build too."""
+
+
+def _uses(item: Any) -> Iterator[tuple[str, ...]]:
+    if isinstance(item, Limit):
+        yield "limit", item.name, *map(str, (item.value, item.low, item.high)), item.text, item.unit
+    stated = [(key, value) for key in _ASKED if (value := getattr(item, key, None)) not in (None, False, ())]
+    restart = getattr(item, "restart", None)
+    stated += [("restart", restart)] if restart is not None else []
+    stated += [("access", item.access)] if isinstance(item, Field) and item.access else []
+    handling = getattr(item, "handling", UNSPECIFIED)
+    if (stated or handling != UNSPECIFIED) and not getattr(item, "reserved", False):
+        yield type(item).__name__, item.place.path, str(stated), *(str(getattr(handling, key)) for key in HANDLING_KEYS)
 
 
 def _by_name(items: Mapping[str, T]) -> list[T]:

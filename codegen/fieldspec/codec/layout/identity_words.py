@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_exact
@@ -23,10 +24,16 @@ def _last(sentinel: Sentinel) -> Words:
     return () if sentinel.last is None else (sentinel.last,)
 
 
+_WORDS: ByIdentity[Value, Words] = ByIdentity(limit=20_000)
+"""The words of values, which versions share, and most of them the next build too."""
+
+
 def value_words(value: Value | None) -> Words:
     """All of a value, empty for none."""
-    if value is None:
-        return ()
+    return _WORDS.get_or_compute(value, _value_words) if value is not None else ()
+
+
+def _value_words(value: Value) -> Words:
     sentinels = sorted((sentinel.value, sentinel.name, *_last(sentinel)) for sentinel in value.sentinels)
     scaled = (shortest(value.scale), shortest(value.offset), value.unit)
     ranges, write_ranges = (

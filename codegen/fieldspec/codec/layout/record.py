@@ -65,11 +65,6 @@ class FieldLayout:
         return part is not None and part.part == "value" and is_octets(self.primitive.encoding) and not self.is_list
 
     @property
-    def word_order(self) -> str:
-        """The order of its words: that of the bytes in each, or the opposite one."""
-        return {"big": "little", "little": "big"}[self.order] if self.swapped else self.order
-
-    @property
     def primitive(self) -> Primitive:
         """The type of the value of a field that has one."""
         assert self.value is not None
@@ -83,14 +78,13 @@ class FieldLayout:
     @property
     def varies(self) -> bool:
         """Whether its bytes differ from data to data."""
-        is_record = self.record is not None and self.record.size is None
-        return self.count is None or is_record or (self.value is not None and self.value.width > 0)
+        size = self.record.size if self.record is not None else self.size
+        return self.count is None or size is None or (self.value is not None and self.value.width > 0)
 
     @property
     def bounds(self) -> tuple[int, int]:
         """How many elements it has, at least and at most."""
-        repeat = self.field.repeat
-        return (repeat.low, repeat.high) if repeat is not None else (self.count or 1, self.count or 1)
+        return (repeat.low, repeat.high) if (repeat := self.field.repeat) is not None else (self.count or 1,) * 2
 
     @property
     def end(self) -> int | None:
@@ -282,8 +276,8 @@ def _fixed(
     differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if field.repeat is not None or field.name in differing]
     is_inner = any(field is not record.fields[-1] for field in lists) or bool(differing)
-    others = [field for field in record.fields if field not in lists]
-    for field in (*others, *lists) if is_inner else record.fields:
+    remaining_fields = [field for field in record.fields if field not in lists]
+    for field in (*remaining_fields, *lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
         size = field.value.size if field.value else (nested.most or 0) if nested else 0
         count = None if field.repeat else field.count or 1
@@ -312,11 +306,10 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
     """
     by_name = {field.name: field for field in record.fields}
     sent_fields = [by_name[field.name] for field in record.record.fields]
-    varying = [field for field in sent_fields if field.varies]
+    last = [field for field in sent_fields if field.varies][-1]
     fixed = sum(field.size * (field.count or 0) for field in record.fields if not field.varies)
     first, room = 0, fixed
-    lists: list[InnerList] = []
-    places: dict[str, int] = {}
+    lists, places = list[InnerList](), dict[str, int]()
     for field in sent_fields:
         if not field.varies:
             places[field.name] = first
@@ -326,9 +319,9 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
         element = 1 if is_text else field.size
         low, high = (0, field.size) if is_text else field.bounds
         inner = InnerList(field.name, first, room, element, low * element, high * element)
-        if is_element or field is not varying[-1]:
-            count = text_count(record.record, field.field) if is_text else list_count(record.record, field.field)
-            if count is not None:
+        if is_element or field is not last:
+            find_count = text_count if is_text else list_count
+            if (count := find_count(record.record, field.field)) is not None:
                 inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:
             inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from fieldspec.codec.layout.exception_mark import word_order_of
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.ranges import merged
@@ -76,7 +77,7 @@ def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None
 
 def _places(record: RecordLayout) -> dict[Place, Numbers]:
     places = (
-        numbers_at(field.field, field.offset, field.order, field.word_order)
+        numbers_at(field.field, field.offset, field.order, word_order_of(field))
         for field in record.fields
         if not field.cases and record.has_place(field)
     )

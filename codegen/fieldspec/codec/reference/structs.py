@@ -26,8 +26,8 @@ def record_struct(record: RecordLayout) -> construct.Struct:
 def is_sequence(record: RecordLayout) -> bool:
     """Whether a struct can read a record: nothing in it differs in size, and no end is told by the data alone."""
     measured = {other.field.measures.field for other in record.fields if other.field.measures is not None}
-    is_told = all(not field.varies or field.name in measured for field in record.sent_fields[:-1])
-    return is_told and not record.has_differing
+    has_ends = all(not field.varies or field.name in measured for field in record.sent_fields[:-1])
+    return has_ends and not record.has_differing
 
 
 def _struct(record: RecordLayout) -> construct.Struct:

@@ -20,13 +20,14 @@ from fieldspec.foundation.source import SourceFile, Span
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable
-    from typing import Any
+    from typing import Any, TypeAlias
 
     from fieldspec.codec.layout.device import DeviceLayout
 
+    Index: TypeAlias = tuple[list[list[str]], dict[str, list[str]]]
 
 KIND = "devices"
-USERS = "users"
+INDEXES = "indexes"
 MARK = b"\xef\xbb\xbf"
 """The byte order mark that some editors write before UTF-8."""
 
@@ -62,23 +63,26 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
     return new_layout
 
 
-def users(specs_option: str | None, text: str, anew: bool = False) -> dict[str, list[str]]:
-    """The paths of what refers to each fact of `DEVICE` or `DEVICE@VERSION`, by its path. Raises UsageError."""
+def index(specs_option: str | None, text: str, anew: bool, names: Callable[[], list[list[str]]]) -> Index:
+    """The `names` of the items of `DEVICE` or `DEVICE@VERSION`, and the paths of what refers to each fact, by its path.
+
+    They tell which objects of a layout are wanted before any is rebuilt. Raises UsageError.
+    """
     name, version = spec_files.split(text)
     _, files = _files(specs_option, name)
     key = "" if anew else _key(text, files)
-    content = cache_folder.cached(USERS, key) if key else None
+    content = cache_folder.cached(INDEXES, key) if key else None
     if content is None:
         from fieldspec.command.sources.specs import picked
         from fieldspec.language.reading.project import read
         from fieldspec.language.reading.references import used_by
 
         spec = read(files, frozenset([name])).devices[name]
-        content = json.dumps(used_by(spec.tree_at(picked(spec, version)))).encode()
+        content = json.dumps([names(), used_by(spec.tree_at(picked(spec, version)))]).encode()
         if key:
-            cache_folder.store(USERS, key, content)
-    users: dict[str, list[str]] = json.loads(content)
-    return users
+            cache_folder.store(INDEXES, key, content)
+    item_names, users = json.loads(content)
+    return item_names, users
 
 
 def _files(specs_option: str | None, device: str) -> tuple[str, dict[str, bytes]]:

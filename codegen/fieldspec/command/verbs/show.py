@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from itertools import islice
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.command.console.streams import print_line
@@ -24,8 +25,13 @@ def run(arguments: argparse.Namespace) -> int:
         print_blocks(overview(layout))
         return 0
     number = number_of(arguments.item)
-    users = layout_cache.users(arguments.specs, arguments.device, arguments.no_cache)
-    for index, item in enumerate(_meant(layout, arguments.item, number)):
+    names, users = layout_cache.index(
+        arguments.specs, arguments.device, arguments.no_cache, lambda: [_names(item) for item in items(layout)]
+    )
+    places = _named(names, arguments.item)
+    first_items = list(islice(items(layout), places[-1] + 1)) if places else []
+    chosen_items = [first_items[place] for place in places] or _numbered(layout, arguments.item, number)
+    for index, item in enumerate(chosen_items):
         if index:
             print_line("")
         path = fact_of(item).place.path
@@ -33,20 +39,23 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _meant(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
-    """The item at a path, else those with a name, else those with an address or a number.
+def _names(item: Item) -> list[str]:
+    """The path of an item and its handles."""
+    return [fact_of(item).place.path, *handles(item)]
 
-    Names of the spec come before printed ones.
-    """
+
+def _named(names: list[list[str]], text: str) -> list[int]:
+    """The places of the items with a path, else of those with a name. Names of the spec come before printed ones."""
+    for exact, kind in ((True, 0), *((exact, kind) for exact in (True, False) for kind in (1, 2, 3))):
+        matches = [place for place, own in enumerate(names) if text and _called(own, text, kind, exact)]
+        if matches:
+            return matches
+    return []
+
+
+def _numbered(layout: DeviceLayout, text: str, number: int | None) -> list[Item]:
+    """The items with an address or a number. Raises UsageError where there is none."""
     known = list(items(layout))
-    matches = [item for item in known if fact_of(item).place.path == text]
-    if matches:
-        return matches
-    for exact in (True, False):
-        for place in range(3):
-            matches = [item for item in known if text and _called(item, text, place, exact)]
-            if matches:
-                return matches
     matches = [item for item in known if number is not None and numbered(item, number)]
     matches = matches or [item for item in known if _printed_address(layout, item, number) is not None]
     matches = matches or list(unnamed(layout, text, number))
@@ -86,7 +95,7 @@ def _printed_address(layout: DeviceLayout, item: Item, number: int | None) -> in
     return address if address is not None and numbered(item, address) else None
 
 
-def _called(item: Item, text: str, place: int, exact: bool) -> bool:
-    """Whether a text is one of the handles of an item; upper and lower case differ only where it is `exact`."""
-    handle = "".join(handles(item)[place : place + 1])
-    return handle == text if exact else handle.lower() == text.lower()
+def _called(names: list[str], text: str, kind: int, exact: bool) -> bool:
+    """Whether a text is one of the names of an item; upper and lower case differ only where it is `exact`."""
+    name = "".join(names[kind : kind + 1])
+    return name == text if exact else name.lower() == text.lower()

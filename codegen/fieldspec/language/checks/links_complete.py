@@ -30,7 +30,7 @@ from fieldspec.language.model.value import Value
 
 _CODE = "links_complete"
 _NUMBERS = ("unit_address", "code", "length")
-_GREATEST_SIZE = 4
+_GREATEST_SIZES = {"unit_address": 8, "code": 4, "length": 4}
 
 
 def links_complete(device: Device) -> Iterator[Diagnostic]:
@@ -161,9 +161,10 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
     elif not is_count(kind.encoding):
         text = f"the {role} {part.name} is {kind.name}, which is not a number"
         yield finding(_CODE, part.place, "type", text, "use an integer type")
-    elif is_signed(kind.encoding) or kind.size > _GREATEST_SIZE:
-        text = f"the {role} {part.name} is {kind.name}; it must be unsigned, with at most {_GREATEST_SIZE} bytes"
-        yield finding(_CODE, part.place, "type", text, "use an integer type from `u8` to `u32`")
+    elif is_signed(kind.encoding) or kind.size > _GREATEST_SIZES[part.role]:
+        greatest = _GREATEST_SIZES[part.role]
+        text = f"the {role} {part.name} is {kind.name}; it must be unsigned, with at most {greatest} bytes"
+        yield finding(_CODE, part.place, "type", text, f"use an integer type from `u8` to `u{8 * greatest}`")
 
 
 def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> str:

@@ -40,8 +40,8 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
     sizes = RecordSizes(device)
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
-    counted = [own for name, own in device.records.items() if sizes.tells_size(name) and name not in refusing]
-    parts = {id(field) for record in counted for field in record.fields}
+    counting = [own for name, own in device.records.items() if sizes.tells_size(name) and name not in refusing]
+    parts = {id(field) for record in counting for field in record.fields}
     for fact, value in values(device):
         if not value.width:
             continue
@@ -57,7 +57,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         for body in _bodies(message):
             yield from _of_message(sizes, message, body)
-    for record in counted:
+    for record in counting:
         yield from _of_record(record)
 
 

@@ -90,9 +90,9 @@ class RecordSizes:
         for field in record.fields:
             if self.is_fixed(field):
                 continue
-            is_told = field.repeat is None or list_count(record, field) is not None
-            is_told &= self.element(field) is not None or self.tells_size(field.record)
-            if not (text_count(record, field) is not None and not field.is_list if has_texts else is_told):
+            has_end = field.repeat is None or list_count(record, field) is not None
+            has_end &= self.element(field) is not None or self.tells_size(field.record)
+            if not (text_count(record, field) is not None and not field.is_list if has_texts else has_end):
                 return field
         return None
 

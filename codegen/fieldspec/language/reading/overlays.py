@@ -210,7 +210,7 @@ class _Application:
             assert isinstance(fact, Mapping)
             self._put([*node_keys], fact.with_value("name", fact.values["name"]))  # it is no longer that of an alias
         targets = {id(node_at(self.tree, [*node_keys])): new.name for node_keys, new in self.new_names.items()}
-        named = [
+        pairs = [
             (reference, targets[id(reference.target)].text)
             for reference in references(self.tree)
             if id(reference.target) in targets
@@ -221,7 +221,7 @@ class _Application:
         ]
         paths = RenamedPaths(self.tree, {new.path: new.name.text for new in self.new_names.values()})
         # What follows in a text, and what is below a key, has its place by what comes before it.
-        for reference, name in sorted(named, key=lambda pair: _place_of(pair[0]), reverse=True):
+        for reference, name in sorted(pairs, key=lambda pair: _place_of(pair[0]), reverse=True):
             self._refer_by(reference, name)
         sections = {name: paths.renamed(node, name == "behaviour") for name, node in self.tree.values.items()}
         self.tree = Mapping(self.tree.file, self.tree.start, self.tree.end, sections, self.tree.keys)

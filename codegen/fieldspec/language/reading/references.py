@@ -243,12 +243,14 @@ class _Search:
 
     def _of_cases(self, node: Mapping, holder: str, fact: Mapping | None, keys: Keys) -> Iterator[Reference]:
         """The members that select a case, of the field that a node names as the one that decides."""
-        by, cases = node.values.get("by"), node.values.get("cases")
-        decider = _part(fact, by.text, holder.split("/")[2:3]) if fact is not None and isinstance(by, Scalar) else None
-        for number, case in enumerate(cases.items if decider is not None and isinstance(cases, Sequence) else ()):
-            if isinstance(case, Mapping) and "when" in case.values:
-                own_keys = (*keys, "cases", number, "when")
-                yield from self._of_values(case.values["when"], "when", [decider] if decider else [], holder, own_keys)
+        selector, cases = node.values.get("by"), node.values.get("cases")
+        if fact is None or not isinstance(selector, Scalar) or not isinstance(cases, Sequence):
+            return
+        decider = _part(fact, selector.text, holder.split("/")[2:3])
+        for number, case in enumerate(cases.items if decider is not None else ()):
+            members = value_of(case, "when")
+            if members is not None and decider is not None:
+                yield from self._of_values(members, "when", [decider], holder, (*keys, "cases", number, "when"))
 
     def _of_segments(self, segments: Mapping, holder: str, fact: Mapping, keys: Keys) -> Iterator[Reference]:
         """The members that say how a value is sent in pieces, and why a transfer is aborted."""
@@ -261,8 +263,10 @@ class _Search:
                 yield from self._of_values(segments.values[key], key, known, holder, (*keys, key))
         abort = segments.values.get("abort")
         message, reason = value_of(abort, "message"), value_of(abort, "reason")
-        told = self.names["messages"].get(message.text) if isinstance(message, Scalar) else None
-        field = _part(told, reason.text, []) if told is not None and isinstance(reason, Scalar) else None
+        abort_message = self.names["messages"].get(message.text) if isinstance(message, Scalar) else None
+        field = (
+            _part(abort_message, reason.text, []) if abort_message is not None and isinstance(reason, Scalar) else None
+        )
         for key in ("counter", "size"):
             node = value_of(abort, key)
             if node is not None and field is not None:

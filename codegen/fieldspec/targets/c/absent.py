@@ -4,7 +4,7 @@ range, from others.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from fieldspec.codec.layout.accepted import Condition, range_conditions
 from fieldspec.codec.layout.device import DeviceLayout
@@ -73,34 +73,38 @@ class AbsentValue:
 
 def absent_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
     """All values with sentinels: signals, fields and their cases, registers, parameters."""
-    return (absent for absent in _every_value(layout) if absent.value.sentinels)
+    return _values(layout, lambda value: bool(value.sentinels))
 
 
 def ranged_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
     """All values of which a range is stated, in the same places: they may be out of it where they are read."""
-    return (ranged for ranged in _every_value(layout) if ranged.value.ranges is not None or ranged.value.flags)
+    return _values(layout, lambda value: value.ranges is not None or bool(value.flags))
 
 
-def _every_value(layout: DeviceLayout) -> Iterator[AbsentValue]:
+def _values(layout: DeviceLayout, holds: Callable[[Value], bool]) -> Iterator[AbsentValue]:
+    """The values of which something holds."""
     for signal in layout.device.signals.values():
-        yield AbsentValue("signal", (signal.name,), signal.value)
+        if holds(signal.value):
+            yield AbsentValue("signal", (signal.name,), signal.value)
     for record in all_records(layout):
         for field in record.fields:
-            if field.value is not None and not field.field.reserved:
+            if field.value is not None and not field.field.reserved and holds(field.value):
                 yield AbsentValue("record", (record.name, field.name), field.value)
             for case in field.cases:
-                yield AbsentValue("record", (record.name, field.name, case.name), case.value)
+                if holds(case.value):
+                    yield AbsentValue("record", (record.name, field.name, case.name), case.value)
     for row in layout.registers:
-        if not is_bit(row) and not row.register.reserved:
+        if holds(row.register.value) and not is_bit(row) and not row.register.reserved:
             yield AbsentValue("register", (row.name,), row.register.value, True, row.register.trigger)
     for parameters in layout.device.parameters.values():
         for parameter in parameters.parameters:
-            if not parameter.reserved:
-                names = (parameters.name, parameter.name)
-                yield AbsentValue("parameter", names, parameter.value, True, parameter.trigger)
-                for inner in parameter.subindices:
-                    if not inner.reserved:
-                        yield AbsentValue("parameter", (*names, inner.name), inner.value, True, parameter.trigger)
+            if parameter.reserved:
+                continue
+            names = (parameters.name, parameter.name)
+            inner_values = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
+            for full_names, value in ((names, parameter.value), *inner_values):
+                if holds(value):
+                    yield AbsentValue("parameter", full_names, value, True, parameter.trigger)
 
 
 def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:

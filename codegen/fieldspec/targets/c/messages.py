@@ -30,6 +30,7 @@ from fieldspec.targets.c.fields import members, return_error
 from fieldspec.targets.c.frames import CODE_TYPE, DIRECTIONS, OUTPUT_PARAMETERS, header_parameters
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, argument
+from fieldspec.targets.c.parts import address_literal
 from fieldspec.targets.c.statements import Body, Return, Variable
 from fieldspec.targets.c.values import refuse, status_type
 
@@ -121,7 +122,7 @@ def _refuse_broadcast(naming: Naming, frame: FrameLayout, address: int) -> Body:
     """`if (unit_address == 0) { return ERR_OUT_OF_RANGE; }`"""
     part = frame.role("unit_address")
     assert part is not None
-    return refuse(naming, equal(Identifier(argument(part)), decimal(address)), "err_out_of_range")
+    return refuse(naming, equal(Identifier(argument(part)), address_literal(address)), "err_out_of_range")
 
 
 def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:

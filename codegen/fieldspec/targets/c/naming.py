@@ -60,33 +60,34 @@ class Naming:
     def __init__(self, device: str) -> None:
         self.device = Name.of(device)
         self._taken = {word for name in _TAKEN for word in (name, name.upper())}
-        self._given: dict[tuple[bool, Noun, tuple[str, ...]], str] = {}
+        self._given: dict[Hashable, str] = {}
         self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
         self._statuses: dict[str, Identifier] = {}
         self._status_variable: Local | None = None
-        self._noted: dict[Hashable, str] | None = None
+        self._noted: RequestedNames | None = None
         self.key = device
 
     @contextmanager
-    def noting(self) -> Iterator[dict[Hashable, str]]:
-        """Meanwhile, notes what is asked for, in order, and the names that are given."""
-        noted: dict[Hashable, str] = {}
-        self._noted = noted
+    def noting(self) -> Iterator[RequestedNames]:
+        """Meanwhile, notes what is asked for, and the names that are given. A piece has no pieces."""
+        assert self._noted is None
+        self._noted = {}, {}
         try:
-            yield noted
+            yield self._noted
         finally:
             self._noted = None
 
     def gives(self, requested_names: RequestedNames) -> bool:
-        """Asks for names in order, up to one that is not given as it was."""
-        known_names, taken_names = self._given, self._taken
-        for key, name in requested_names:
-            known = known_names.get(key)  # type: ignore[call-overload]
-            if known is None and name not in taken_names and name not in _NUMBERED:
-                known_names[key] = name  # type: ignore[index]
-                taken_names.add(name)
-            elif (known or self._name(*key)) != name:  # type: ignore[misc]
-                return False
+        """Gives the same names again, all or none."""
+        assert self._noted is None
+        earlier, new = requested_names
+        names = new.values()
+        if not (earlier.items() <= self._given.items() and self._taken.isdisjoint(names)) or not _NUMBERED.isdisjoint(
+            names
+        ):
+            return False
+        self._given.update(new)
+        self._taken.update(names)
         return True
 
     def type(self, noun: Noun, *parts: str) -> str:
@@ -125,10 +126,11 @@ class Naming:
     def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
         key = (upper, noun, parts)
         name = self._given.get(key)
+        is_new = name is None
         if name is None:
             name = self._given[key] = self._free(self._words(noun, parts), upper)
-        if self._noted is not None:
-            self._noted[key] = name
+        if self._noted is not None and key not in self._noted[1]:
+            self._noted[is_new][key] = name
         return name
 
     def _words(self, noun: Noun, parts: tuple[str, ...]) -> Name:

@@ -8,7 +8,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
+from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, number_of
 from fieldspec.targets.c.digits import digits_test
 from fieldspec.targets.c.expressions import (
     IN,
@@ -30,7 +30,8 @@ from fieldspec.targets.c.expressions import (
     less,
     negate,
 )
-from fieldspec.targets.c.literals import ZERO, decimal, unsigned
+from fieldspec.targets.c.literals import UINT64, ZERO, decimal, integer, unsigned
+from fieldspec.targets.c.machine import machine_whole
 from fieldspec.targets.c.naming import Naming, argument
 from fieldspec.targets.c.statements import Body, CompileIf, Statement
 from fieldspec.targets.c.values import WireValue, check_stored, refuse, store_constant, store_number, store_whole
@@ -113,17 +114,24 @@ def _store_part(naming: Naming, wire: WireValue, target: Expression, number: Exp
             assert_never(wire.encoding)
 
 
+def address_literal(address: int) -> Expression:
+    """`16`, or `UINT64_C(1099511627775)`: older compilers take no wide number without a type."""
+    return integer(address, UINT64) if address >> 32 else decimal(address)
+
+
 def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:
     """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is none of the link's."""
     addresses = link.link.unit_addresses
     if addresses is None or addresses.ranges is None:
         return None
-    minimum, maximum = bounds_of(wire.encoding)
+    whole = number_of(wire.encoding)
+    assert whole is not None, "a check sees to it that an address is a whole number"
+    minimum, maximum = machine_whole(whole).bounds
     tests: list[Expression] = []
     for low, high in addresses.ranges.intervals:
-        bounds: list[Expression] = [at_least(address, decimal(low))] if low > minimum else []
-        bounds += [at_most(address, decimal(high))] if high < maximum else []
+        bounds: list[Expression] = [at_least(address, address_literal(low))] if low > minimum else []
+        bounds += [at_most(address, address_literal(high))] if high < maximum else []
         tests.append(Group(all_of(bounds) if bounds else decimal(1)))
     if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
-        tests.append(Group(equal(address, decimal(addresses.broadcast))))
+        tests.append(Group(equal(address, address_literal(addresses.broadcast))))
     return negate(Group(tests[0]) if len(tests) == 1 else any_of(tests))

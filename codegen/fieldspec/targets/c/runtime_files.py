@@ -7,7 +7,7 @@ The names in these files begin with `device_` and `DEVICE_`. A file has parts wh
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -23,6 +23,7 @@ from fieldspec.targets.c.literals import hexadecimal
 from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.values import WireValue, access_name
+from fieldspec.targets.pieces import piece
 from fieldspec.targets.templates import text
 
 _FOLDER = "targets/c/runtime"
@@ -33,6 +34,11 @@ _STATUS = re.compile(r"^    DEVICE_(\w+) = ", re.MULTILINE)
 
 def copy_runtime(naming: Naming, file: str, part: str = "", words: Mapping[str, str] | None = None) -> Source:
     """A file, or a part of it, with the names of a device. `words` replace the words of a form."""
+    replaced = tuple(words.items()) if words else ()
+    return piece("c runtime", (), (file, part, replaced), lambda: _copied(naming, file, part, words), naming)
+
+
+def _copied(naming: Naming, file: str, part: str, words: Mapping[str, str] | None) -> Source:
     content = _parts(file)[part] if part else text(f"{_FOLDER}/{file}")
     if words:
         content = re.sub(r"\b(device_)?(" + "|".join(words) + r")\b", lambda m: (m[1] or "") + words[m[2]], content)
@@ -70,14 +76,15 @@ def runtime_macros() -> list[str]:
 
 def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     """The functions for the numbers, texts and characters that the device has."""
-    encodings = {wire.encoding for wire in _wire_values(layout)} | {value.encoding for value in _part_values(layout)}
+    wires = list(_wire_values(layout))
+    encodings = {wire.encoding for wire in wires} | {value.encoding for value in _part_values(layout)}
     # The functions for absent values take those of signals that no record places, too.
     encodings |= {signal.value.encoding for signal in layout.device.signals.values() if signal.value.sentinels}
     functions = {machine(encoding).from_bits for encoding in encodings}
-    usual_texts = any(is_text(wire.encoding) and wire.value.text_form is None for wire in _wire_values(layout))
+    usual_texts = any(is_text(wire.encoding) and wire.value.text_form is None for wire in wires)
     characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
     parts = [
-        *_accesses(layout),
+        *_accesses(layout, wires),
         *(["bits"] if has_bits(layout) else []),
         "signed",
         *(["float"] if functions & {"float_of", "float_of_half"} else []),
@@ -85,7 +92,7 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
         *(["text"] if usual_texts else []),
         *(["hexadecimal"] if characters else []),
     ]
-    odd_parts = _odd_accesses(layout) | functions
+    odd_parts = _odd_accesses(layout, wires) | functions
     odd = [
         [copy_runtime(naming, "odd_numbers.h", part)] for part in runtime_parts("odd_numbers.h") if part in odd_parts
     ]
@@ -95,9 +102,9 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
         for bits in range(8, 65, 8)
         if f"of_magnitude_{bits}" in functions
     ]
-    numbers = [wire.value for wire in _wire_values(layout)] + list(_part_values(layout))
+    numbers = [*(wire.value for wire in wires), *_part_values(layout)]
     digits = digits_parts([value for value in numbers if value.digits])
-    encoded = any(wire.value.text_form is not None for wire in _wire_values(layout))
+    encoded = any(wire.value.text_form is not None for wire in wires)
     odd += [[copy_runtime(naming, "encoded_texts.h", "encoded_texts")]] * encoded
     odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
     inner = any(record.inner_lists is not None for record in all_records(layout))
@@ -106,9 +113,9 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + additional
 
 
-def _accesses(layout: DeviceLayout) -> list[str]:
+def _accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> list[str]:
     """The widths and orders of the device's numbers, as in the names of the functions that load and store them."""
-    used = {wire.access for wire in _wire_values(layout) if not wire.is_array and not wire.value.has_characters}
+    used = {wire.access for wire in wires if not wire.is_array and not wire.value.has_characters}
     for link in layout.links.values():
         for frame in (link.request, link.response):
             used |= {access_name(part.size, part.order, False) for part in frame.parts if not part.form}
@@ -118,11 +125,11 @@ def _accesses(layout: DeviceLayout) -> list[str]:
     return [name for name in runtime_parts("numbers.h") if name in used]
 
 
-def _odd_accesses(layout: DeviceLayout) -> set[str]:
+def _odd_accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
     """The functions that load and store numbers of odd sizes or in BCD."""
-    wires = (wire for wire in _wire_values(layout) if is_odd(wire.encoding) or wire.value.digits == BCD)
+    odd = (wire for wire in wires if is_odd(wire.encoding) or wire.value.digits == BCD)
     parts = (part for part in _parts_of_frames(layout) if part.value is not None and is_odd(part.value.encoding))
-    return {wire.access for wire in wires} | {access_name(part.size, part.order, False) for part in parts}
+    return {wire.access for wire in odd} | {access_name(part.size, part.order, False) for part in parts}
 
 
 def _magnitude_words(bits: int) -> dict[str, str]:

@@ -83,8 +83,11 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
             f"    escapeStop: {escape_stop},",
             "  },",
         ]
-    ranges = _intervals(addresses.ranges) if addresses is not None else "null"
-    broadcast = "null" if addresses is None or addresses.broadcast is None else str(addresses.broadcast)
+    units = [part for frame in (link.request, link.response) for part in frame.header if part.role == "unit_address"]
+    wide = any(map(_is_wide, units))
+    ranges = _intervals(addresses.ranges, wide) if addresses is not None else "null"
+    stated = addresses.broadcast if addresses is not None else None
+    broadcast = "null" if stated is None else _integer_literal(stated, wide)
     code.append(
         f"  unitAddresses: {'null' if addresses is None else f'{{ ranges: {ranges}, broadcast: {broadcast} }}'},"
     )
@@ -101,9 +104,10 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"
     messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"
+    arguments = [messages, record, *(["bigint"] if wide else [])]
     types = [
         *comment(described(link.link.title or Name.of(link.name).title(), link.link)),
-        f"export declare const {name}: Link<{headers['request']}, {headers['response']}, {messages}, {record}>;",
+        f"export declare const {name}: Link<{', '.join([*headers.values(), *arguments])}>;",
         "",
     ]
     for direction in ("request", "response"):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
+
 from fieldspec.foundation.classes import dataclass
-from fieldspec.targets.python.parts import words_of
+from fieldspec.targets.python.parts import all_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,11 +17,10 @@ class ImportsView:
     tables: list[str]
 
 
-def imports_view(body: str) -> ImportsView:
-    """What the text of a module needs; the tables are defined from names that are imported too."""
-    used = _private_names(body)
-    tables = [line for names, line in _TABLES if not used.isdisjoint(names)]
-    used |= _private_names("\n".join(tables))
+def imports_view(words: AbstractSet[str]) -> ImportsView:
+    """What a module with some words needs; the tables are defined from names that are imported too."""
+    tables = [line for names, line in _TABLES if not words.isdisjoint(names)]
+    used = words | all_words("\n".join(tables))
     shared = [
         f"from ..{module} import {name} as _{name}"
         for module, names in _SHARED.items()
@@ -30,19 +31,14 @@ def imports_view(body: str) -> ImportsView:
     return ImportsView(standard, shared, tables)
 
 
-def client_imports(body: str) -> list[str]:
-    """The lines that import what the text of a client needs from the shared modules."""
-    used = _private_names(body)
+def client_imports(words: AbstractSet[str]) -> list[str]:
+    """The lines that import what a client with some words needs from the shared modules."""
     return [
         f"from ..{module} import {name} as _{name}"
         for module, names in _CLIENT.items()
         for name in sorted(names.split())
-        if f"_{name}" in used
+        if f"_{name}" in words
     ]
-
-
-def _private_names(text: str) -> set[str]:
-    return {word for word in words_of(text) if word.startswith("_")}
 
 
 _STANDARD = (

@@ -40,10 +40,13 @@ def defined_names(text: str) -> tuple[str, ...]:
     return tuple(sorted({match[1] or match[2] for match in _DEFINED.finditer(text)}))
 
 
-@lru_cache(maxsize=128)
-def words_of(text: str) -> frozenset[str]:
+def all_words(text: str) -> frozenset[str]:
     """The words of a text, among which are all names that it uses."""
     return frozenset(_WORDS.findall(text))
+
+
+words_of = lru_cache(maxsize=128)(all_words)
+"""The words of a part."""
 
 
 def part_imports(places: Mapping[str, str], words: AbstractSet[str]) -> list[str]:

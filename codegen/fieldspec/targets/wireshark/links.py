@@ -25,6 +25,8 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
     """A link with its frames in both directions."""
     own = link.link
     addresses, exception = own.unit_addresses, own.exception_response
+    heads = [part for shape in (link.request, link.response) for part in shape.header]
+    wide = any(is_wide(part.value) for part in heads if part.role == "unit_address")
     is_coded = link.request.role("code") is not None
     messages = [name for name, message in link.messages.items() if not is_coded or message.message.code is not None]
     shapes = {direction: _shape(filters, layout, link, direction) for direction in ("request", "response")}
@@ -42,7 +44,10 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
         "exception": None if exception is None else _exception(link, exception),
         "units": None
         if addresses is None
-        else {"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast},
+        else {
+            "ranges": intervals(addresses.ranges, wide),
+            "broadcast": bound(addresses.broadcast, wide) if addresses.broadcast is not None else None,
+        },
         **({"ports": {protocol: str(port) for protocol, port in own.ports}} if own.ports else {}),
         **shapes,
     }

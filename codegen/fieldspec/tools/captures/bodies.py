@@ -109,8 +109,8 @@ def deepened(record: RecordLayout, image: bytes) -> bytes:
         parts, room = inner_lists_of(field.record, is_element=True), record.room_of(field)
         stop = len(image) if room is None else field.offset + (room.size_in(image) or 0)
         for place in range(field.offset, min(stop, len(image)), field.size):
-            sent = parts.sent_bytes(image[place : place + field.size])
-            element = _element_image(field.record, parts, sent)
+            sent_bytes = parts.sent_bytes(image[place : place + field.size])
+            element = _element_image(field.record, parts, sent_bytes)
             result[place : place + len(element)] = element
     return bytes(result)
 

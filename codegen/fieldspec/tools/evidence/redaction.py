@@ -148,8 +148,8 @@ class Redaction:
                 own = offset + index * field.size
                 piece = data[own : own + field.size]
                 if field.record is not None and field.record.size is None:
-                    sent = inner_lists_of(field.record, is_element=True).sent_bytes(piece)
-                    result[own : own + len(sent)] = self._sent(field.record, sent, values, None)
+                    sent_bytes = inner_lists_of(field.record, is_element=True).sent_bytes(piece)
+                    result[own : own + len(sent_bytes)] = self._sent(field.record, sent_bytes, values, None)
                 elif field.record is not None:
                     self._record(field.record, data, result, own, values, None)
                 elif own + field.size <= len(data):

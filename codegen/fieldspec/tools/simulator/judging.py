@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.codec.layout.accepted import accepted, passes
+from fieldspec.codec.layout.accepted import passes, range_conditions
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.frames import FrameCodec
 from fieldspec.codec.reference.records import CodecError
@@ -47,7 +47,7 @@ def _out_of_range(device: Device, field: FieldLayout, values: Mapping[str, Any])
     value, raw = field.value, values.get(field.name)
     if value is None or not isinstance(raw, int) or isinstance(raw, bool):
         return ""
-    return "" if all(passes(own.test, raw) for own in accepted(device, value).remarked) else field.name
+    return "" if all(passes(own.test, raw) for own in range_conditions(device, value)) else field.name
 
 
 def recognised_message(frames: FrameCodec, frame: bytes) -> str:

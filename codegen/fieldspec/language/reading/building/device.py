@@ -82,8 +82,8 @@ def _with_row(tree: Mapping, erratum: Erratum) -> Erratum:
 
 def _with_rows(tree: Mapping, note: Note) -> Note:
     """A note about rows that it may name by a cell."""
-    about = tuple(with_number_of_row(tree, path) for path in note.about)
-    return note if about == note.about else replace(note, about=about)
+    paths = tuple(with_number_of_row(tree, path) for path in note.about)
+    return note if paths == note.about else replace(note, about=paths)
 
 
 def _by_name(

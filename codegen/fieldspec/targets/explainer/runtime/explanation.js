@@ -261,7 +261,7 @@ class ExplainedFrame {
   addressValue(read) {
     const { addresses } = this.link;
     if (!addresses?.ranges) return read;
-    if (read.number === addresses.broadcast) {
+    if (addresses.broadcast !== undefined && read.number == addresses.broadcast) {
       return { ...read, meanings: [meaningOf("broadcast", "", "for all stations")], verdict: "", reason: "" };
     }
     if (isWithin(addresses.ranges, read.number)) return read;

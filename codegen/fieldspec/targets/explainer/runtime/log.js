@@ -88,7 +88,7 @@ export class LogReader {
     if (reading.chosen === "likeliest" && !link.response.code && !link.request.code) return null;
     const { unitAddress } = link.request;
     const { broadcast } = link.addresses ?? {};
-    if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) === broadcast) return null;
+    if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) == broadcast) return null;
     return request;
   }
 }

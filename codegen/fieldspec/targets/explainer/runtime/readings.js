@@ -222,7 +222,7 @@ function mismatchesOf(device, request, response) {
         const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
         texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }
-    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have !== want) {
+    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have != want) {
       texts.push(`${ours.name} is ${have}, but ${want} in the request`);
     }
   }

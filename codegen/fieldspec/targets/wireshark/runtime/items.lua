@@ -66,9 +66,9 @@ local function show_part(context, part, at)
     elseif part.role == "unit_address" then
         context.unit = number
         local addresses = link.units
-        if addresses and number == addresses.broadcast then
+        if addresses and number == numbers.bound(addresses.broadcast, part.value) then
             item:append_text(", for all stations")
-        elseif addresses and addresses.ranges and not values.is_within(number, addresses.ranges) then
+        elseif addresses and addresses.ranges and not values.is_within(number, addresses.ranges, part.value) then
             values.report(item, "out_of_range", part.name .. " is no address of this device")
         end
     elseif part.same_as and context.asked and not reason then
