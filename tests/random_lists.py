@@ -41,6 +41,8 @@ def list_devices(draw: Any) -> str:
         spec["registers"].append({"group": f"of_{space}", "space": space, "order": "as_listed", "rows": rows})
     if draw(st.integers(0, 3)) == 0:
         _table(draw, spec)
+    if draw(st.integers(0, 3)) == 0:
+        _parameters(draw, spec)
     return str(yaml.safe_dump({key: part for key, part in spec.items() if part}, sort_keys=False, allow_unicode=True))
 
 
@@ -54,6 +56,30 @@ def _table(draw: Any, spec: dict[str, Any]) -> None:
     spec["records"] = [{"name": "point", "source": "1 L5", "fields": fields}]
     place = {"base": 50000, "stride": 40, "count": draw(st.integers(2, 4)), "index_from": draw(st.integers(0, 1))}
     spec["tables"] = [{"name": "points", "record": "point", "source": "1 L5", **place}]
+
+
+def _parameters(draw: Any, spec: dict[str, Any]) -> None:
+    """A set of numbered parameters, some of them lists, or objects whose elements have meanings of their own."""
+    rows, number = [], draw(st.sampled_from((0, 1, 0x100, 0x2000)))
+    for place in range(draw(st.integers(1, 4))):
+        row = {"number": number, **_register(draw, spec, False, 90 + place)[0], "source": "1 L6"}
+        words = row.pop("words")
+        row.pop("word_order", None)
+        row |= {"length": 2 * words} if row["type"] == "text" else {}
+        meaning = draw(st.sampled_from(("one", "one", "list", "object")))
+        if meaning != "one" and row["type"] != "text":
+            row = {key: row[key] for key in ("number", "name", "type", "access", "source")}
+            row["elements"] = draw(st.integers(3, 5))
+        if meaning == "object" and "elements" in row:
+            indices = [0, draw(st.sampled_from((1, 2)))]
+            names = ("highest_subindex", "first_value")
+            row["subindices"] = [
+                {"index": index, "name": name, "source": "1 L7"} for index, name in zip(indices, names, strict=True)
+            ]
+        rows.append(row)
+        number += draw(st.sampled_from((1, 1, 2, 16)))
+    numbers = f"{rows[0]['number']}..{rows[-1]['number']}"
+    spec["parameters"] = [{"name": "settings", "source": "1 L6", "numbers": numbers, "rows": rows}]
 
 
 def _register(draw: Any, spec: dict[str, Any], in_bits: bool, number: int) -> tuple[dict[str, Any], int]:

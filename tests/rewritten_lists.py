@@ -64,6 +64,7 @@ HEADINGS = {
     "count": ("Count", "Elements"),
     "stride": ("Stride",),
     "first": ("First",),
+    "subindex": ("Subindex", "Sub-Index", "Sub"),
 }
 TYPES = {
     "u16": ("u16", "UINT16", "WORD", "Unsigned 16", "uint16_t", "USHORT"),
@@ -103,6 +104,7 @@ class Rewritten:
     places: dict[int, int] = field(default_factory=dict)
     bits: dict[int, list[int]] = field(default_factory=dict)
     cells: dict[int, dict[str, str]] = field(default_factory=dict)
+    is_own: bool = False
 
 
 def _number(value: object, comma: bool) -> str:
@@ -117,6 +119,8 @@ def rewritten(draw: Any, rows: Sequence[Mapping[str, Any]]) -> Rewritten:
     """A list with the columns of an export renamed, shuffled, split, joined and re-typed."""
     form = draw(st.sampled_from(("csv", "csv", "xlsx", "json")))
     separator = draw(st.sampled_from((",", ";", "\t"))) if form == "csv" else ";"
+    if draw(st.integers(0, 9)) == 0:
+        return _shuffled(draw, rows, form, separator)
     comma = separator != "," and form != "json" and draw(st.booleans())
     cell_rows = [{key: value for key, value in row.items() if value is not None} for row in rows]
     for row in cell_rows:
@@ -143,6 +147,20 @@ def rewritten(draw: Any, rows: Sequence[Mapping[str, Any]]) -> Rewritten:
             result.cells[number] = {key: _number(value, comma) for key, value in row.items()}
         else:
             result.bits.setdefault(max(result.places), []).append(number)
+    return result
+
+
+def _shuffled(draw: Any, rows: Sequence[Mapping[str, Any]], form: str, separator: str) -> Rewritten:
+    """An export with all its columns, whose columns and rows stand in another order."""
+    keys = list(draw(st.permutations(list(rows[0]))))
+    places = list(draw(st.permutations(range(len(rows)))))
+    cells = [["" if rows[place][key] is None else _number(rows[place][key], False) for key in keys] for place in places]
+    content = _bytes(form, separator, [], keys, cells)
+    if form == "json":
+        content = json.dumps([{key: rows[place][key] for key in keys} for place in places]).encode()
+    result = Rewritten(content, {key: key for key in keys}, is_own=True)
+    result.places = dict(enumerate(places, 2))
+    result.cells = {number: dict(zip(keys, texts, strict=True)) for number, texts in enumerate(cells, 2)}
     return result
 
 
@@ -269,6 +287,7 @@ def judged(
     outcome = Outcome()
     by_line: dict[int, Mapping[str, Any]] = {}
     counts = Counter(row["line"] for row in again)
+    places = {(row["space"], row["address"], row["name"]): row for row in again}
     for row in again:
         by_line.setdefault(row["line"], row)
     refused = {int(number) for number in re.findall(r"(?:not used: |# )row (\d+)", report + spec)}
@@ -277,18 +296,21 @@ def judged(
     for number, place in file.places.items():
         before = rows[place]
         after = by_line.get(number)
+        if file.is_own:
+            after = places.get((before["space"], before["address"], before["name"]))
         if after is None:
             (outcome.noted if number in refused else outcome.silent).append(f"row {number} is missing")
             continue
         cells = file.cells[number]
-        if after["count"] is None and counts[number] != (before["count"] or 1):
+        if not file.is_own and after["count"] is None and counts[number] != (before["count"] or 1):
             outcome.silent.append(f"row {number} count: {before['count']} became {counts[number]}")
-        for fact in (*FACTS, *TEXTS, "name"):
+        for fact in before if file.is_own else (*FACTS, *TEXTS, "name"):
             if _same(fact, before, after, cells):
                 outcome.right += 1
                 continue
             columns = [key for key in CELLS.get(fact, (fact,)) if key in cells]
-            own = [line for line in notes.splitlines() if re.search(rf"\bL{number}\b", line)]
+            mark = rf"\bname: {before['name']}\b" if file.is_own else rf"\bL{number}\b"
+            own = [line for line in notes.splitlines() if re.search(mark, line)]
             has_message = (
                 number in refused
                 or (fact == "bits" and not refused.isdisjoint(file.bits.get(number, ())))
@@ -303,7 +325,7 @@ def judged(
 
 def _same(fact: str, before: Mapping[str, Any], after: Mapping[str, Any], cells: Mapping[str, str]) -> bool:
     ours, theirs = before.get(fact), after.get(fact)
-    if fact == "name":
+    if fact == "name" and ours != theirs:
         number = f"_{before['first'] or 0}" if before["count"] else ""
         is_named = after["name"] == before["name"].replace(".", "_") + number
         return is_named or cells["name"] in (after["printed_name"], after["label"])

@@ -55,12 +55,15 @@ def test_an_export_does_not_differ_from_its_device(device: str, form: str, run: 
     path = tmp_path / f"list.{form}"
     ran = run("export", device, "--to", form, "--out", str(path))
     assert (ran.code, ran.out) == (0, "")
-    assert re.fullmatch(
-        rf"not in the list: the frames of \d+ links? and \d+ messages; `fieldspec facts {device}` .*\n", ran.err
+    layout = newest(SPECS, device)
+    links, messages = (f"{len(names)} {{}} ({', '.join(names)})" for names in (layout.links, layout.messages))
+    absent = f"the frames of {links.format('links')}, and {messages.format('messages')}"
+    assert ran.err.replace("1 link ", "1 links ") == (
+        f"not in the list: {absent}; `fieldspec facts {device}` has everything\n"
     )
     ran = run("compare", device, str(path))
     assert ran.code == 0, ran.out
-    count = len(items(newest(SPECS, device)))
+    count = len(items(layout))
     assert ran.lines[-1] == f"{count} agree, 0 differ, 0 only in the list, 0 only in the device"
 
 
@@ -82,22 +85,25 @@ def test_messages_are_exported_compared_and_refused_by_name(
 ) -> None:
     run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     path = tmp_path / "list.csv"
-    assert "message" not in run("export", device, "--messages", "--out", str(path)).err
+    absent = run("export", device, "--messages", "--out", str(path)).err
     rows = list(csv.DictReader(io.StringIO(path.read_text("utf-8"))))
     fields = [number for number, row in enumerate(rows, 2) if row["space"] == "messages"]
     names = {rows[number - 2]["name"].rsplit(".")[0] for number in fields}
     own = newest(TEST_SPECS, device)
-    with_data = [m.name for m in own.messages.values() for d in m.message.directions if m.data(d).fields]
+    with_data = [m.name for m in own.messages.values() if any(m.data(d).fields for d in m.message.directions)]
     assert names == {*with_data}
+    without_data = [name for name in own.messages if name not in names]
+    assert re.findall(r"messages? \((.*?)\)", absent) == ([", ".join(without_data)] if without_data else [])
     assert run("compare", device, str(path)).code == 0
     ran = run("import", str(path), "--to", str(tmp_path / "again.yaml"), "--protocol", "none")
     if len(fields) == len(rows):
-        assert (ran.code, "is a field of a message" in ran.err) == (2, True)
+        assert (ran.code, f"is a field of the message {with_data[0]}" in ran.err) == (2, True)
         return
     assert ran.code == 0
     spec = (tmp_path / "again.yaml").read_text("utf-8")
-    refused = re.findall(r"^# row (\d+): is a field of a message", spec, re.MULTILINE)
+    refused = re.findall(r"^# row (\d+): is a field of the message ", spec, re.MULTILINE)
     assert [int(number) for number in refused] == fields
+    assert f" ({', '.join(with_data)}): a list has no frames for them" in ran.out
 
 
 def test_documentation_describes_every_column_in_order() -> None:

@@ -11,9 +11,6 @@ import pytest
 
 from command_line import SPECS, TEST_SPECS, CommandLine
 
-OF_THE_FILE = ("section", "line", "unverified")
-"""Columns about the place where a fact is printed, which is the list itself after it was imported."""
-
 DEVICES = [
     (folder, path.parent.name) for folder in (SPECS, TEST_SPECS) for path in sorted(folder.glob("*/device.yaml"))
 ]
@@ -41,7 +38,6 @@ def facts(text: str) -> dict[tuple[str, int, str], dict[str, Any]]:
             if isinstance(value, str)
             else value
             for key, value in row.items()
-            if key not in OF_THE_FILE
         }
         for row in rows
     }
@@ -68,8 +64,36 @@ def test_an_export_comes_back_with_the_same_facts(
     ran = run("import", str(path), "--to", str(own / "again" / "device.yaml"))
     assert ran.code == 0, ran.err
     after = facts(run("export", "again", "--to", "json").out)
-    assert "\nnot used: " not in ran.out
+    assert "not used: " not in ran.out
     assert after == before
+
+
+def test_what_nobody_has_compared_with_the_manual_comes_back_so(run: CommandLine, tmp_path: Path) -> None:
+    device = run.folder / "first" / "device.yaml"
+    run("import", "-", "--to", str(device), stdin=b"Address,Name,Values\n7,Speed,\n9,Mode,0 off; 1 on\n")
+    lines = device.read_text("utf-8").splitlines()
+    lines = [line.replace("L2, unverified: true", "3.4 L17").replace("lines: 3", "lines: 17") for line in lines]
+    device.write_text("\n".join(lines), "utf-8")
+    path = tmp_path / "list.csv"
+    path.write_text(run("export", "first", "--to", "csv").out, "utf-8")
+    run("import", str(path), "--to", str(run.folder / "again" / "device.yaml"))
+    rows = json.loads(run("export", "again", "--to", "json").out)
+    assert [(row["section"], row["line"], row["unverified"]) for row in rows] == [("3.4", 17, None), ("1", 3, "yes")]
+
+
+def test_a_row_of_an_export_without_a_place_in_the_manual_says_so(run: CommandLine, tmp_path: Path) -> None:
+    own, run.folder = run.folder, SPECS
+    lines = run("export", "tc100", "--to", "csv").out.splitlines()
+    run.folder = own
+    cells = lines[1].split(",")
+    lines[1] = ",".join([*cells[:-3], "see above", "", ""])
+    path = tmp_path / "list.csv"
+    path.write_text("\n".join(lines), "utf-8")
+    device = run.folder / "again" / "device.yaml"
+    ran = run("import", str(path), "--to", str(device))
+    assert "rows with cells that are only noted: 1" in ran.out
+    line = next(line for line in device.read_text("utf-8").splitlines() if f"name: {cells[3]}," in line)
+    assert line.endswith('notes: ["Section in the list: see above."], source: L2, unverified: true}')
 
 
 def seconds_of(run: CommandLine, rows: list[str]) -> float:

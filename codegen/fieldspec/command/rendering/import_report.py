@@ -31,6 +31,10 @@ def lines(name: str, result: Imported, noted: Sequence[int]) -> Iterator[str]:
     total = used + len({refusal.row for refusal in result.refused}) + len(result.skipped)
     share = f"{100 * used // max(total, 1)} %"
     yield f"rows: {used} of {total} used ({share}){_skipped(result.skipped)}"
+    if messages := dict.fromkeys(row.message for row in result.rows if row.message):
+        count = "1 message" if len(messages) == 1 else f"{len(messages)} messages"
+        reason = "a list has no frames for them; take them from a protocol, or write them"
+        yield f"not used: {count} ({', '.join(messages)}): {reason}"
     if noted:
         yield f"rows with cells that are only noted: {len(noted)}; see `notes`"
     yield from _limited([f"not used: {refusal.text()}" for refusal in result.refused])
@@ -77,7 +81,9 @@ def _columns(result: Imported) -> Iterator[str]:
     columns = result.listing.columns
     used_columns = [(role, columns.heading(role)) for role in columns.places if role not in (NOTE, *_IDLE)]
     used_columns += [
-        (role, columns.heading_at(place)) for role in ("address", "name") for place in columns.more.get(role, ())
+        (role, columns.heading_at(place))
+        for role in ("address", "name", "values")
+        for place in columns.more.get(role, ())
     ]
     yield "columns used: " + ", ".join(
         role if folded(heading) == folded(role) else f"{role} from {heading}" for role, heading in used_columns
@@ -96,7 +102,8 @@ def _columns(result: Imported) -> Iterator[str]:
 
 def _unused(result: Imported) -> Sequence[str]:
     columns = result.listing.columns
-    idle = [columns.places[role] for role in _IDLE if role in columns.places]
+    used = columns.more.get("values", ())
+    idle = [columns.places[role] for role in _IDLE if role in columns.places and columns.places[role] not in used]
     return [columns.heading_at(place) for place in sorted([*columns.unused(), *idle])]
 
 

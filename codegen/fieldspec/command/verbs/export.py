@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from fieldspec.codec.layout.bases import base_refusals
@@ -15,12 +16,12 @@ from fieldspec.command.files.storage import write
 from fieldspec.command.sources import layout_cache
 from fieldspec.foundation.classes import replace
 from fieldspec.language.checks.finding import plural
+from fieldspec.tools.lists.item import MESSAGES, Item, items
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Writes the list to a file or to standard output, and what it leaves out to standard error. Raises UsageError."""
     from fieldspec.tools.lists.export import as_csv, as_json, as_xlsx
-    from fieldspec.tools.lists.item import items
 
     stated = layout_cache.requested_layout(arguments)
     remaining = expressed(stated, base_refusals(stated, "a list"))
@@ -46,13 +47,19 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("a workbook cannot be printed; name a file with --out")
     else:
         sys.stdout.buffer.write(data)
-    if absent := _left_out(layout, arguments.messages):
+    if absent := _left_out(layout, entries):
         print_note(f"not in the list: {absent}; `fieldspec facts {layout.device.id}` has everything")
     return 0
 
 
-def _left_out(layout: DeviceLayout, with_messages: bool) -> str:
-    """What of a device its list does not have, in words; empty if it has all."""
-    absent = [f"the frames of {plural(len(layout.links), 'link')}"] if layout.links else []
-    absent += [plural(len(layout.messages), "message")] if layout.messages and not with_messages else []
-    return " and ".join(absent)
+def _left_out(layout: DeviceLayout, entries: Sequence[Item]) -> str:
+    """What of a device its list does not have, by name; empty if it has all."""
+    absent = [f"the frames of {_named('link', layout.links)}"] if layout.links else []
+    exported = {item.name.partition(".")[0] for item in entries if item.space == MESSAGES}
+    messages = [name for name in layout.messages if name not in exported]
+    absent += [_named("message", messages)] if messages else []
+    return ", and ".join(absent)
+
+
+def _named(noun: str, names: Collection[str]) -> str:
+    return f"{plural(len(names), noun)} ({', '.join(names)})"

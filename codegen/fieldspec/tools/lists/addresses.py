@@ -31,6 +31,12 @@ _SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|\bto\b|\bbis\b)\s*", re.I
 _SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
 _BREAK = re.compile(r"\s*<br\s*/?>\s*", re.IGNORECASE)
 _NAMED = re.compile(r"(?:%?([a-z]{1,3})\.?\s?|reg(?:ister)?\.?\s?|addr?(?:ess)?\.?\s?)(?=[0-9])", re.IGNORECASE)
+_OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
+"""Places in the memory of a controller that are not counted in words, and not alike by all controllers."""
+
+_HALF = re.compile(
+    r"(.*[0-9a-f]h?)(?:_(l|h|lo|hi|low|high)|[\s_(\[]*(?:(lo|low|hi|high)[\s_-]*byte|([lm]sb)))\s*[)\]]?", re.IGNORECASE
+)
 _LETTERED = re.compile(r"[a-z]?([0-9]{1,10})", re.IGNORECASE)
 _PAIR = re.compile(r"(.+?)\s*[(\[/=|]\s*([^()\[\]]+?)\s*[)\]]?")
 _BITS = re.compile(
@@ -112,6 +118,8 @@ def address_text(text: str) -> AddressText | None:
             return AddressText(halves[1] + halves[2], HEXADECIMAL)
         if table := _TABLE.fullmatch(text):
             return AddressText(table[2] or table[4], REFERENCE, TABLES[table[1] or table[3]])
+        if _OF_BYTES.match(text):
+            return None
         if prefix := _NAMED.match(text):
             letters = (prefix[1] or "").casefold()
             space = "" if letters in _NO_SPACE else meaning("spaces", letters)
@@ -134,6 +142,8 @@ def place(text: str) -> Place | None:
         pointless = _POINTLESS.fullmatch(normalized) is not None
         pointed = _POINTED.fullmatch(normalized) is not None
         return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless, pointed=pointed)
+    if (half := _HALF.fullmatch(normalized)) and (address := address_text(half[1])):
+        return Place(address, bits=(0, 7) if half[half.lastindex or 2][0] in "lL" else (8, 15))
     for separator in (_SPAN, _SEVERAL):
         ends = [address_text(part) for part in separator.split(normalized)]
         addresses = [end for end in ends if end is not None]

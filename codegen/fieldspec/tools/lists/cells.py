@@ -25,6 +25,7 @@ _RANGE = re.compile(
     r"\s*(?:\.\.+|~|\u2013|\u2014|至|…|(?<=[\w.,%°\s])\bto\b|(?<=[\w.,%°\s])\bbis\b|(?<=[\w.])\s?- ?(?=[-+0-9.]))\s*",
     re.IGNORECASE,
 )
+_CLOSED = re.compile(r"\[[^\[\],;]+,[^\[\],;]+\]")
 _TRAILING = re.compile(r"(?<=[0-9])\s*[^\s0-9.,eExX()+*/^-][^0-9]*$")
 _THOUSANDS = re.compile(r"[-+]?[0-9]{1,3}([,.' ])[0-9]{3}(?:\1[0-9]{3})*")
 _COMMA = re.compile(r"(?<![0-9,.])[-+]?[0-9]+,(?:[0-9]{1,2}|0[0-9]{2,}|[0-9]{4,})(?![0-9,])")
@@ -128,6 +129,12 @@ def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
     return (POINT, point) if point and not comma else ("", "")
 
 
+def number_in_unit(text: str, decimal: str = POINT) -> Decimal | None:
+    """An exact number, perhaps with a unit behind it: `5 s`."""
+    value = number(text, decimal)
+    return value if value is not None else number(_TRAILING.sub("", text.strip()), decimal)
+
+
 def whole(text: str, decimal: str = POINT) -> int | None:
     """A whole number, None if the text is none."""
     value = number(text, decimal)
@@ -137,11 +144,8 @@ def whole(text: str, decimal: str = POINT) -> int | None:
 def bounds(text: str, decimal: str = POINT) -> tuple[Decimal, Decimal] | None:
     """The ends of a range such as `0~100`, `0-100 V`, `[-5, 5]`, `0..0FFh`; None if the text is none."""
     number_text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`[]").strip()
-    parts = _RANGE.split(number_text)
-    ends = [
-        end if (end := number(part, decimal)) is not None else number(_TRAILING.sub("", part), decimal)
-        for part in parts
-    ]
+    parts = number_text.split(",") if _CLOSED.fullmatch(text.strip()) else _RANGE.split(number_text)
+    ends = [number_in_unit(part, decimal) for part in parts]
     if len(ends) != 2 or ends[0] is None or ends[1] is None or ends[0] > ends[1]:
         return None
     return ends[0], ends[1]

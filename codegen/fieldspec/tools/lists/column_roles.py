@@ -9,7 +9,9 @@ from functools import cache, reduce
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text, place
+from fieldspec.tools.lists.row_quantity import decimal_places
 from fieldspec.tools.lists.sheet import CellError, ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import bit_names
 from fieldspec.tools.lists.words import folded, words
 
@@ -92,6 +94,8 @@ def _with_further_tables(first: Columns) -> Columns:
     for index, row in enumerate(first.rows):
         roles = [_whole_words().get(folded(cell)) for cell in row.cells if cell]
         is_heading = "address" in roles and roles.count(None) * 2 <= len(roles) and row.cells != tables[-1][2]
+        text = row.cell(tables[-1][0].places["address"])
+        is_heading = is_heading and (folded(text) in _whole_words() or address_text(text) is None)
         if is_heading and len(tables) < _MOST_TABLES:
             sample = first.rows[index + 1 : index + 1 + _LOOKED_AT]
             further = _guessed([[cell] if cell else [] for cell in row.cells], {}, sample)
@@ -180,9 +184,11 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     for role, role_words in words("headings").items():
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         fits = _ranked(heads, role_words, used_columns)
-        if role == "address" and not fits:
-            fits = _ranked(heads, words("fallbacks")["address"], used_columns)
-        columns = [column for column in fits if _holds(role, [text for row in sample if (text := row.cell(column))])]
+        is_fallback = not fits
+        if is_fallback:
+            fits = _ranked(heads, words("fallbacks").get(role, ()), used_columns)
+        texts = {column: [text for row in sample if (text := row.cell(column))] for column in fits}
+        columns = [column for column in fits if _holds(role, texts[column], is_fallback)]
         if role in _NOTED and not columns:
             columns = [column for column in fits if not {*heads[column]}.isdisjoint(role_words)]
         if role == "address" and "address" not in places:
@@ -198,9 +204,37 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
             columns = columns[1:]
         if role in ("address", "name", NOTE) and columns and not (role == "address" and "address" in names):
             further[role] = tuple(columns)
+    codes = _ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())
+    if codes and "printed_name" not in places:
+        places["printed_name"] = further["address"][codes[0]]
+        further["address"] = tuple(column for column in further["address"] if column != places["printed_name"])
+    if byte_columns := _byte_columns(heads, {*places.values()}):
+        rows, headings = _with_addresses_of_bytes(rows, headings, byte_columns)
+        further |= {"bytes of addresses": byte_columns}
+        if "address" in places:
+            further["address"] = (*further.get("address", ()), len(headings) - 1)
+        places.setdefault("address", len(headings) - 1)
     if "address" not in places:
         return None
     return Columns(places, headings, rows, further)
+
+
+def _byte_columns(heads: Sequence[tuple[str, ...]], used_columns: set[int]) -> tuple[int, ...]:
+    """The columns with the high and the low byte of addresses; empty if the list has none."""
+    halves = [_ranked(heads, words("address_bytes")[half], used_columns)[:1] for half in ("high", "low")]
+    return (*halves[0], *halves[1]) if all(halves) else ()
+
+
+def _with_addresses_of_bytes(
+    rows: tuple[SheetRow, ...], headings: tuple[str, ...], byte_columns: tuple[int, ...]
+) -> tuple[tuple[SheetRow, ...], tuple[str, ...]]:
+    """The rows with a further column of addresses, made of two bytes: `01 56`."""
+    joined = []
+    for row in rows:
+        cells = [row.cell(column) for column in range(len(headings))]
+        digits = [cells[column].zfill(2) if cells[column] else "" for column in byte_columns]
+        joined.append(SheetRow(row.number, (*cells, " ".join(filter(None, digits)))))
+    return tuple(joined), (*headings, " ".join(headings[column] for column in byte_columns))
 
 
 def _variants(texts: Sequence[str]) -> Iterator[str]:
@@ -268,10 +302,14 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
         r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?)?\.?", text, re.IGNORECASE
     ),
     "bits": lambda text: bit_names(text) is not None,
+    "last": address_text,
     "access": cells.access,
+    "readable": lambda text: cells.answer(text) is not None,
     "writable": lambda text: cells.answer(text) is not None or cells.access(text),
     "function": cells.functions,
-    "places": lambda text: cells.whole(text) is not None,
+    "function_write": cells.functions,
+    "places": lambda text: decimal_places(text) is not None,
+    "exponent": lambda text: cells.whole(text) is not None,
     "value_offset": lambda text: cells.number(text, cells.COMMA) is not None,
     "count": lambda text: cells.whole(text) is not None,
     "stride": lambda text: cells.whole(text) is not None,
@@ -284,12 +322,18 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
 
+_FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
+    "type": typed,
+    "places": lambda text: not text.isdecimal() and decimal_places(text) is not None,
+}
+"""The same for roles whose own headings are enough, and others are not."""
+
 _NOTED = ("access", "unit", "writable", "word_order")
 """Roles whose heading, if it is a whole word, is enough: cells that are none become notes."""
 
 
-def _holds(role: str, texts: Sequence[str]) -> bool:
-    check = _CONTENTS.get(role)
+def _holds(role: str, texts: Sequence[str], is_fallback: bool) -> bool:
+    check = (_FALLBACK_CONTENTS.get(role) if is_fallback else None) or _CONTENTS.get(role)
     if check is None or not texts:
         return check is None or role != "address"
     return sum(bool(check(text)) for text in texts) * 3 >= len(texts)

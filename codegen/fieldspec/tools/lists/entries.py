@@ -94,7 +94,7 @@ def _space(row: ListRow) -> str:
 
 def _as_readable(row: ListRow) -> ListRow:
     """A row without the access to write where its space has none."""
-    if row.is_own or row.access not in ("rw", "wo") or _space(row) not in _ONLY_READ:
+    if row.access not in ("rw", "wo") or _space(row) not in _ONLY_READ:
         return row
     text = row.texts.get("access") or row.texts.get("writable") or row.access
     return replace(row, access="ro", doubts=(*row.doubts, f"The list says {text}, and {row.space} are only read."))
@@ -205,9 +205,7 @@ def _stated(rows: Sequence[ListRow], refused: list[Refusal]) -> list[Entry]:
         kind = PRIMITIVES.get(name)
         place = _space(row), row.address, row.subindices
         if place[0] == MESSAGES:
-            reason = (
-                "is a field of a message, which a list has no frames for; take messages from a protocol, or write them"
-            )
+            reason = f"is a field of the message {row.message}, and a list has no frames for messages"
         elif kind is None or (not kind.size and not row.texts.get("bytes")):
             reason = f"has the type {row.texts.get('type', name)}, of which the list does not say how it is sent"
         elif row.subindices is not None and (*place[:2], None) not in numbers:

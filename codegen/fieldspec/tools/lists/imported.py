@@ -8,6 +8,7 @@ from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists.addresses import REFERENCE
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.entries import SPACES, Entry, entries
+from fieldspec.tools.lists.halves import with_halves_joined
 from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.message_entries import message_entries
 from fieldspec.tools.lists.numbering import chosen
@@ -58,7 +59,8 @@ class Imported:
 
     def used_rows(self) -> set[int]:
         """The numbers of the rows that are registers or bits."""
-        register_rows = {row.row for entry in self.registers if entry.is_own for row in entry.rows or (entry.row,)}
+        rows = [row for entry in self.registers if entry.is_own for row in entry.rows or (entry.row,)]
+        register_rows = {row.row for row in rows} | {number for row in rows for number in row.parts}
         return register_rows | {bit.row.row for entry in self.registers for bit in entry.bits if bit.row is not None}
 
 
@@ -71,6 +73,7 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
     base, assumption = chosen(register_list.places, register_list.bases, register_list.columns, spaces)
     rows, refused, further = register_list.numbered(base)
     assumptions = [*([assumption] if assumption else []), *further, *register_list.assumptions]
+    rows = with_halves_joined(rows, assumptions)
     if not any(row.space for row in rows) and base != REFERENCE:
         assumptions.append(Assumption("address space", "registers", "the list does not say it", "--space"))
     if sheet.encoding:

@@ -18,11 +18,13 @@ from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, shortened_bits, wire_number
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import FACTORS, Cells, ListRow, exported_row, read_row
+from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS, unread_scales
+from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row
 from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
+from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import folded, meaning
 
-_NUMERIC = (*FACTORS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
+_NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
 _SHORTEST_TITLE = 8
 """The letters of a title that names a space: shorter ones, such as `Inputs`, are those of groups."""
@@ -91,6 +93,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     places = placed(columns_of_sheet)
     ways = bases(places, options.base, columns_of_sheet.heading("address"))
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
+    if own:
+        cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
+        columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
     assumptions = list(shortened_bits(places))
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]
@@ -104,6 +109,10 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             for role in columns_of_sheet.places
             if (text := columns_of_sheet.cell(sheet_row, role)) and (text not in _EMPTY or role == "address")
         }
+        if "readable" in columns_of_sheet.places and "writable" in texts:
+            texts.setdefault("readable", "no")
+        if "function_write" in texts:
+            texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
         row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, options.order)
         read.append(
             replace(
@@ -117,6 +126,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     if own:
         read = [exported_row(row) for row in read]
     else:
+        columns_of_sheet, read = with_values_beneath(columns_of_sheet, read, places.skipped)
         read = _decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
     return Listing(
         columns_of_sheet,
@@ -255,8 +265,7 @@ def _with_length(row: ListRow, unit: str) -> ListRow:
 def _scaled(row: ListRow, direction: str) -> ListRow:
     """A row with its scale; a factor beside another scale has to be the same, or is a doubt."""
     if row.factor is None:
-        texts = {role: row.texts[role] for role in FACTORS if role in row.texts}
-        unread = [f"Scale in the list: {text}." for text in texts.values()] if row.scale is None else []
+        unread = [f"Scale in the list: {text}." for text in unread_scales(row.texts)] if row.scale is None else []
         return replace(row, doubts=(*row.doubts, *unread))
     own_way = DIVIDE if "divisor" in row.texts and "scale" not in row.texts and "gain" not in row.texts else direction
     scale = 1 / row.factor if own_way == DIVIDE else row.factor
@@ -325,9 +334,9 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
         list_row = read_row(cells, POINT, "")
         if list_row.bits is not None and "bit" in texts and cells.names:
             yield replace(list_row, address=-1)
-        elif match and match[3]:
+        elif match and (names := tuple(filter(None, (match[3], *(name for name in cells.names if name != match[0]))))):
             low, high = int(match[1]), int(match[2] or match[1])
-            yield replace(list_row, address=-1, bits=(min(low, high), max(low, high)), names=(match[3], *cells.names))
+            yield replace(list_row, address=-1, bits=(min(low, high), max(low, high)), names=names)
 
 
 def _with_gaps(rows: list[ListRow]) -> list[ListRow]:

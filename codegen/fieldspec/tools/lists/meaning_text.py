@@ -54,7 +54,8 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
             return Meant(doubts=doubt)
         flags_name = fresh(name.replace(".", "_"), "bits", used_names)
         bit_texts, enum_lines = bit_lines(bits, enums, used_names)
-        line = f"  - {{name: {quoted(flags_name)}, type: {unsigned}, bits: [{', '.join(bit_texts)}], {_source(entry)}}}"
+        source = ", ".join(entry.row.source())
+        line = f"  - {{name: {quoted(flags_name)}, type: {unsigned}, bits: [{', '.join(bit_texts)}], {source}}}"
         return Meant(enum_lines, line, (f"flags: {quoted(flags_name)}",), unsigned, doubts)
     own_states: tuple[str, ...] = ()
     if entry.row.special:
@@ -75,11 +76,13 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     states = (f"sentinels: [{', '.join(_members(special))}]",) if special else own_states
     if not members:
         return Meant(keys=states, type=own_type)
-    enum_name, line = enum_of(members, name.replace(".", "_"), entry.row.row, enums, used_names)
+    enum_name, line = enum_of(members, name.replace(".", "_"), entry.row, enums, used_names)
     return Meant((line,) if line else (), "", (f"enum: {quoted(enum_name)}", *states), own_type)
 
 
-def enum_of(members: Members, name: str, row: int, enums: dict[object, str], used_names: set[str]) -> tuple[str, str]:
+def enum_of(
+    members: Members, name: str, row: ListRow, enums: dict[object, str], used_names: set[str]
+) -> tuple[str, str]:
     """The name of the enum with some members, and its line, which is empty where another value has the same one."""
     known_name = enums.get(members)
     if known_name:
@@ -88,7 +91,7 @@ def enum_of(members: Members, name: str, row: int, enums: dict[object, str], use
     ordered = sorted(members)
     sparse = ", sparse: true" if ordered[-1][0] - ordered[0][0] >= len(ordered) else ""
     texts = ", ".join(_members(ordered))
-    source = f"source: 1 L{row}, unverified: true"
+    source = ", ".join(row.source())
     return enum_name, f"  - {{name: {quoted(enum_name)}, open: true{sparse}, members: [{texts}], {source}}}"
 
 
@@ -98,10 +101,6 @@ def _within(row: ListRow, members: Members) -> tuple[Members, Members]:
         return members, ()
     members_within = tuple(member for member in members if row.low <= member[0] <= row.high)
     return members_within, tuple(member for member in members if member not in members_within)
-
-
-def _source(entry: Entry) -> str:
-    return f"source: 1 L{entry.row.row}, unverified: true"
 
 
 def _members(members: Sequence[tuple[int, str]]) -> list[str]:
@@ -144,7 +143,7 @@ def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str
                 facts = "".join(_number(bit, bit.row, doubts))
                 members = _named_members(bit)
                 if members:
-                    enum_name, line = enum_of(members, name, bit.row.row, enums, used_names)
+                    enum_name, line = enum_of(members, name, bit.row, enums, used_names)
                     lines += [line] if line else []
                     facts += f", enum: {quoted(enum_name)}"
             facts += f", source: 1 L{bit.row.row}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists.addresses import (
     DECIMAL,
     HEXADECIMAL,
@@ -13,6 +13,7 @@ from fieldspec.tools.lists.addresses import (
     REFERENCE,
     AddressText,
     Place,
+    address_text,
     base_of_heading,
     place,
 )
@@ -49,7 +50,9 @@ def placed(columns: Columns) -> Placed:
             refused.append(Refusal(row.number, heading, text, str(error)))
             continue
         if row_place is not None:
-            rows.append((row, row_place))
+            last = address_text(columns.cell(row, "last"))
+            is_span = last is not None and row_place.last is None and row_place.bits is None
+            rows.append((row, replace(row_place, last=last) if is_span else row_place))
         elif text and sum(map(bool, row.cells)) > 1 and row.cells != columns.headings:
             refused.append(Refusal(row.number, heading, text, "is no address"))
         else:

@@ -43,8 +43,8 @@ def tables(entries: Sequence[Entry], fact: Callable[[int], str], used_records: S
         numbers = f"base: 0x{base:04X}, stride: {first.stride or width}, count: {first.count}"
         index = f", index_from: {first.texts['first']}" if first.texts.get("first") else ""
         area = f"{own_space}{numbers}{index}"
-        cited = "".join(_elements(entries[next(_places(tree))]))
-        line = f"  - {{name: {table}, {area}, record: {table}, source: 1 L{first.row}, {cited}unverified: true}}"
+        cited = ", ".join([*first.source(), *_elements(entries[next(_places(tree))])])
+        line = f"  - {{name: {table}, {area}, record: {table}, {cited}}}"
         yield line, first.row
 
 
@@ -54,7 +54,7 @@ def _elements(entry: Entry) -> Iterator[str]:
         first = int(entry.row.texts["first"])
         numbered = enumerate(entry.rows, first)
         elements = (f'{{index: {n}, at: "0x{row.address:04X}", source: 1 L{row.row}}}' for n, row in numbered)
-        yield f"elements: [{', '.join(elements)}], "
+        yield f"elements: [{', '.join(elements)}]"
 
 
 def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[int], str]) -> Iterator[Line]:
@@ -62,10 +62,9 @@ def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[in
     for key, inner in tree.items():
         if isinstance(inner, dict):
             yield from _record(f"{name}_{key}", inner, entries, fact)
-    first = entries[next(_places(tree))].row.row
-    yield f"  - name: {name}", first
-    yield f"    source: 1 L{first}", 0
-    yield "    unverified: true", 0
+    first = entries[next(_places(tree))].row
+    yield f"  - name: {name}", first.row
+    yield from ((f"    {key}", 0) for key in first.source())
     yield "    fields:", 0
     ordered = sorted(tree.items(), key=lambda item: entries[next(_places({"": item[1]}))].row.address)
     end = entries[next(_places({"": ordered[0][1]}))].row.address
@@ -73,12 +72,12 @@ def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[in
         if isinstance(inner, int) and entries[inner].rows:
             part = entries[inner].row
             if part.address > end:
-                keys = f"type: bytes, length: {2 * (part.address - end)}, reserved: true"
-                yield f"      - {{name: unused_{end:04x}, {keys}, source: L{part.row}, unverified: true}}", part.row
+                keys = ["type: bytes", f"length: {2 * (part.address - end)}", "reserved: true", *part.source("")]
+                yield f"      - {{name: unused_{end:04x}, {', '.join(keys)}}}", part.row
             end = part.address + entries[inner].shape.words
         if isinstance(inner, dict):
-            row = entries[next(_places(inner))].row.row
-            yield f"      - {{name: {key}, record: {name}_{key}, source: L{row}, unverified: true}}", row
+            row = entries[next(_places(inner))].row
+            yield f"      - {{name: {key}, record: {name}_{key}, {', '.join(row.source(''))}}}", row.row
         else:
             yield f"      - {{{fact(inner)}}}", entries[inner].row.row
 
@@ -103,9 +102,9 @@ def parameters(
         yield "parameters:", 0
     for space in spaces:
         places = [place for place, entry in enumerate(entries) if entry.kind == PARAMETER and entry.space == space]
-        yield f"  - name: {space}", entries[places[0]].row.row
-        yield f"    source: 1 L{entries[places[0]].row.row}", 0
-        yield "    unverified: true", 0
+        first = entries[places[0]].row
+        yield f"  - name: {space}", first.row
+        yield from ((f"    {key}", 0) for key in first.source())
         wholes = {entries[place].row.address: place for place in places if entries[place].row.subindices is None}
         elements: dict[int, list[int]] = {}
         for place in places:

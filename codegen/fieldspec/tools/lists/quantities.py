@@ -25,6 +25,7 @@ _LINEAR = re.compile(
     re.IGNORECASE,
 )
 _SYMBOL = re.compile(r"[^\W\d_°%µΩ\u2032″‰]*[°%‰]?[^\W\d_]*(?:[/·*^⁻¹²³][^\W_]{1,8}){0,3}[²³]?")
+_PER_COUNT = re.compile(r"\s*(?:/|\bper\b)\s*(?:bit|digit|lsb|count|step)s?$", re.IGNORECASE)
 _NO_UNIT = ("", "-", "--", "---", "n/a", "na", "none", "/", "1", ".", "无", "無", "keine", "aucune", "\u2013", "\u2014")
 _LONGEST_SYMBOL = 12
 
@@ -86,12 +87,12 @@ def factor(text: str, decimal: str) -> Fraction | None:
 
 def states_direction(text: str) -> bool:
     """Whether a cell says by itself how a factor is used: `/10`, `x0.1`, `1/10`, `0.1 V`."""
-    return re.search(r"[/÷*x\u00d7^]|[^\W\d_]", text.strip()) is not None
+    return re.search(r"[/÷*x\u00d7^%‰°]|[^\W\d_]", text.strip()) is not None
 
 
 def unit_cell(text: str, decimal: str) -> Quantity | None:
     """The unit of a cell, with the scale that it may have before or behind it. None if the cell is not understood."""
-    text = " ".join(unicodedata.normalize("NFC", text).split()).strip("`")
+    text = _PER_COUNT.sub("", " ".join(unicodedata.normalize("NFC", text).split()).strip("`"))
     if text.casefold() in _NO_UNIT:
         return Quantity()
     if unit := known_unit(text):

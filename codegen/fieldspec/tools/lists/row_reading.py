@@ -12,24 +12,24 @@ from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, whole
-from fieldspec.tools.lists.item import REGISTERS
-from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
+from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, number_in_unit, whole
+from fieldspec.tools.lists.item import MESSAGES, REGISTERS
+from fieldspec.tools.lists.row_quantity import FACTORS, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
 
-FACTORS = ("scale", "gain", "divisor")
-"""The roles of columns with factors, whose direction a list may leave open."""
-
 REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
 """What a row is: exports and files of some formats have fields of tables, parameters, and messages with signals too."""
 
+OF_THE_MANUAL = ("section", "line", "unverified")
+"""The columns of an export about the place where the manual prints a fact."""
+
+_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile("[1-9][0-9]{0,5}")
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
-_ASIDE = re.compile(r"[\[(]([^()\[\]]+)[\])]\s*$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,9 @@ class ListRow:
     address. `special` are states that a list has apart from other values, `scale_text` is its scale as written.
     `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
     the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
-    signal in its message. `form` has the keys of how a value is sent beyond its type.
+    signal in its message. `form` has the keys of how a value is sent beyond its type. `parts` are the numbers of rows
+    with its other word or with its values, `cited` the section and the line of an exported row in its manual, and
+    `is_verified` says that somebody has compared them.
     """
 
     row: int
@@ -101,6 +103,19 @@ class ListRow:
     scale_text: str = ""
     special: tuple[tuple[str, str], ...] = ()
     doubts: tuple[str, ...] = ()
+    parts: tuple[int, ...] = ()
+    cited: tuple[str, int] | None = None
+    is_verified: bool = False
+
+    @property
+    def message(self) -> str:
+        """The name of the message of an exported field, empty for another row."""
+        return self.texts.get("name", "").partition(".")[0] if self.is_own and self.space == MESSAGES else ""
+
+    def source(self, section: str = "1 ") -> list[str]:
+        """The keys that cite the row: its place in the manual, or in the list, whose `section` a holder may have."""
+        place = f"{section}L{self.row}" if self.cited is None else f"{self.cited[0]} L{self.cited[1]}"
+        return [f"source: {place}", *([] if self.is_verified else ["unverified: true"])]
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +135,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     own_type = _type(texts, doubts)
     low, high, meanings = _bounds(texts, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
-    quantity = _quantity(row, decimal, doubts)
+    quantity = quantity_of(texts, row.names, row.notes, decimal, doubts)
     doubts += [f"Subindex in the list: {texts['subindex']}."] if texts.get("subindex") else []
     count = whole(texts.get("count", "")) or 1
     return ListRow(
@@ -132,7 +147,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         access=_access(texts, doubts),
         low=low,
         high=high,
-        default=number(texts.get("default", ""), decimal),
+        default=number_in_unit(texts.get("default", ""), decimal),
         const=number(texts.get("const", ""), decimal),
         count=count if 1 <= count <= _HIGHEST_COUNT else 1,
         stride=max(whole(texts.get("stride", "")) or 0, 0),
@@ -167,15 +182,16 @@ def exported_row(row: ListRow) -> ListRow:
     type_name, form = type_parts(row.texts.get("type", ""))
     own_type = Typed(type_name) if type_name in PRIMITIVES else None
     subindices = _bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
-    row = replace(row, doubts=tuple(doubt for doubt in row.doubts if not doubt.startswith("Subindex")))
+    doubts = [doubt for doubt in row.doubts if not doubt.startswith("Subindex")]
+    section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
+    cited = (section, int(line)) if _SECTION.fullmatch(section) and _LINE.fullmatch(line) else None
+    if cited is None:
+        doubts += [
+            f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts
+        ]
+    row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
     row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
     return replace(row, scale=scale, scale_text=own_text)
-
-
-def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
-    """The factor of a row whose cell does not say whether it multiplies or divides; None if it says so, or has none."""
-    text = texts.get(role, "")
-    return None if states_direction(text) else factor(text, decimal)
 
 
 def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
@@ -209,7 +225,13 @@ def _access(texts: Mapping[str, str], doubts: list[str]) -> str:
     by_code = ("rw" if codes.reads else "wo") if codes is not None and codes.writes else ""
     if text and not stated and codes is None:
         doubts.append(f"Access in the list: {text}.")
-    if writable:
+    if texts.get("readable") and not stated:
+        is_readable, is_writable = answer(texts["readable"]), answer(writable or "no")
+        by_columns = {(True, True): "rw", (True, False): "ro", (False, True): "wo"}
+        is_understood = is_readable is not None and is_writable is not None
+        stated = by_columns.get((bool(is_readable), bool(is_writable)), "") if is_understood else ""
+        doubts += [] if stated else [f"Readable in the list: {texts['readable']}; writable: {writable}."]
+    elif writable:
         answer_value = answer(writable)
         by_answer = access(writable) or {True: "rw", False: "ro", None: ""}[answer_value]
         if not by_answer:
@@ -257,7 +279,7 @@ def _bounds(
     texts: Mapping[str, str], decimal: str, doubts: list[str]
 ) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
     """The least and the greatest number, or the meanings that a list has in their place."""
-    low, high = number(texts.get("min", ""), decimal), number(texts.get("max", ""), decimal)
+    low, high = (number_in_unit(texts.get(role, ""), decimal) for role in ("min", "max"))
     text = texts.get("range", "")
     range_ends = bounds(text, decimal)
     if range_ends is not None:
@@ -308,52 +330,3 @@ def _order(texts: Mapping[str, str], own_type: Typed | None, default_order: str,
     if stated and of_type and stated != of_type:
         doubts.append(f"The list says {texts['type']}, and the order {text}.")
     return stated or of_type or default_order
-
-
-def _quantity(row: Cells, decimal: str, doubts: list[str]) -> Quantity:
-    """The unit of a row, and the scale and the offset that need no decision for the whole list."""
-    texts = row.texts
-    text = texts.get("unit", "")
-    unit = unit_cell(text, decimal) if text else _unit_of_name(row.names, decimal)
-    if unit is None:
-        doubts.append(f"Unit in the list: {text}.")
-        unit = Quantity()
-    stated: list[tuple[Fraction, str]] = [(unit.scale, text)] if unit.scale not in (None, 1) else []
-    offset = number(texts.get("value_offset", ""), decimal) or Decimal(0)
-    if texts.get("value_offset") and number(texts["value_offset"], decimal) is None:
-        doubts.append(f"Offset in the list: {texts['value_offset']}.")
-    if texts.get("formula"):
-        linear = formula(texts["formula"], decimal)
-        if linear is None:
-            doubts.append(f"Formula in the list: {texts['formula']}.")
-        else:
-            stated.append((linear.scale or Fraction(1), texts["formula"]))
-            offset = offset or linear.offset
-    places = whole(texts.get("places", ""))
-    if places is not None and 0 <= places <= 18:
-        stated.append((Fraction(1, 10**places), texts["places"]))
-    for role in FACTORS:
-        if texts.get(role) and states_direction(texts[role]):
-            scaled = unit_cell(texts[role], decimal)
-            own_factor = factor(texts[role], decimal)
-            if own_factor is None and scaled is not None and scaled.scale is not None:
-                own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
-            if own_factor is not None:
-                stated.append((own_factor, texts[role]))
-    scales = {scale for scale, _ in stated}
-    if len(scales) > 1:
-        doubts.append("The list has several scales: " + ", ".join(cell for _, cell in stated) + ".")
-        return replace(unit, scale=None, offset=offset)
-    return Quantity(next(iter(scales), None), unit.unit, offset)
-
-
-def _unit_of_name(names: tuple[str, ...], decimal: str) -> Quantity:
-    """The unit in brackets behind a name, where the list has no cell for it: `Speed [rpm]`."""
-    for name in names:
-        aside = _ASIDE.search(name)
-        quantity = unit_cell(aside[1], decimal) if aside else None
-        if aside is None or quantity is None or not known_unit(quantity.unit):
-            continue
-        if len(quantity.unit) > 1 or aside[0].startswith("[") or quantity.scale:
-            return quantity
-    return Quantity()

@@ -30,6 +30,9 @@ _HEAD = """\
 # Written from a list, and not verified. Compare each row with the manual, cite its section and line as the source, and
 # take `unverified` away. Then put the manual's own title, file and hash below.
 """
+_CITING_HEAD = """\
+# Written from an export, which cites the manual. Put the manual's own title, file, hash and number of lines below.
+"""
 _HAS_IT_SO = "The list has it so."
 
 
@@ -77,11 +80,12 @@ def skeleton(
 ) -> Spec:
     """The spec of a device with the registers of a list. Rows that are refused become comments."""
     writer = _Writer(registers, surroundings)
-    lines = [*_HEAD.splitlines(), *map(commented, surroundings.remarks), "device:"]
+    cited = [entry.row.cited[1] for entry in registers if entry.row.cited]
+    lines = [*(_CITING_HEAD if cited else _HEAD).splitlines(), *map(commented, surroundings.remarks), "device:"]
     lines += [f"  id: {device}", f"  name: {device}", "  vendor: unknown"]
-    title = f"The list {origin.file}"
+    title = f"The {'manual of the ' if cited else ''}list {origin.file}"
     lines += ["  manual:", f"    title: {quoted(title)}", f"    file: {quoted(origin.file)}"]
-    lines += [f'    sha256: "{origin.sha256}"', f"    lines: {origin.lines}", ""]
+    lines += [f'    sha256: "{origin.sha256}"', f"    lines: {max([origin.lines, *cited])}", ""]
     rows: dict[int, int] = {}
     for line, number in writer.sections(surroundings.uses):
         lines.append(line)
@@ -150,26 +154,26 @@ class _Writer:
 
     def _units(self) -> Iterator[tuple[str, int]]:
         """The units that the language does not have."""
-        first: dict[str, int] = {}
+        first: dict[str, ListRow] = {}
         for entry in self._registers:
             for list_row in (entry.row, *(bit.row for bit in entry.bits if bit.row is not None)):
                 if list_row.unit and not known_unit(list_row.unit):
-                    first.setdefault(list_row.unit, list_row.row)
+                    first.setdefault(list_row.unit, list_row)
         used: set[str] = set()
         if first:
             yield "units:", 0
         for unit, row in first.items():
             name = fresh(named([unit], 0).replace("register_0000", "unit"), "unit", used)
-            yield f"  - {{symbol: {quoted(unit)}, name: {name}, source: 1 L{row}, unverified: true}}", row
+            yield f"  - {{symbol: {quoted(unit)}, name: {name}, {', '.join(row.source())}}}", row.row
 
     def _group(self, space: str, places: Sequence[int]) -> Iterator[tuple[str, int]]:
         name = "listed" if space == REGISTERS else f"listed_{space}"
         yield f"  - group: {name}", 0
         if space != REGISTERS:
             yield f"    space: {space}", 0
-        yield '    section: "1"', 0
-        yield "    unverified: true", 0
         registers = [self._registers[place] for place in places]
+        if not all(entry.row.is_verified for entry in registers):
+            yield from (('    section: "1"', 0), ("    unverified: true", 0))
         addresses = [entry.row.address for entry in registers]
         has_tables = any(
             entry.space == space and (entry.kind == FIELD or (entry.rows and entry.row.stride > entry.shape.words))
@@ -219,7 +223,7 @@ class _Writer:
         if doubts:
             self.noted.add(row.row)
             parts.append(f"notes: [{', '.join(map(quoted, doubts))}]")
-        parts += [f"source: {'' if entry.kind in (REGISTER, FIELD) else '1 '}L{row.row}", "unverified: true"]
+        parts += row.source("" if entry.kind in (REGISTER, FIELD) else "1 ")
         return ", ".join(parts)
 
 
@@ -382,6 +386,8 @@ def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Ite
     is_own_element = row.is_own and row.subindices is not None
     printed = texts.get("printed_name", "") or (row.names[0] if row.names and not is_own_element else "")
     label = texts.get("label", "")
+    if "printed_name" in texts and not row.is_own and row.names and row.names[0] != printed:
+        label = label or row.names[0]
     if printed == label and "printed_name" not in texts and "name" not in texts:
         printed = ""
     if "_" in printed and len(printed.split()) > 1 and printed != name:

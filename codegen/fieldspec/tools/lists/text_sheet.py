@@ -9,6 +9,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterator
+from itertools import zip_longest
 from typing import Any
 
 from fieldspec.foundation.spreadsheet import clean
@@ -17,6 +18,7 @@ from fieldspec.tools.lists.columns_by_place import placed_sheet
 from fieldspec.tools.lists.json_text import json_data
 from fieldspec.tools.lists.known_formats import refuse_known_format
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
+from fieldspec.tools.lists.words import meaning
 
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
@@ -40,6 +42,9 @@ _KNOWN_BINARIES = (
 _SEPARATORS = ("\t", ";", ",", "|")
 _LOOKED_AT = 60
 _LONGEST_ROW = 1 << 20
+_MOST_BORDERS = 3
+"""The lines of plus signs of a table that has them around its heading and its end alone."""
+
 _RULE = re.compile(r"[|+:=\s-]+")
 
 
@@ -59,7 +64,11 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
             return placed
         separator = ","
     bars = separator == "|"
-    rows = []
+    heading = next((line.strip() for line in text.splitlines() if "|" in line), "")
+    is_bordered = bars and heading.startswith("|")
+    is_grid = bars and sum(line.startswith("+") for line in text.splitlines()) > _MOST_BORDERS
+    is_first = True
+    rows: list[SheetRow] = []
     size = [0]
     reader = csv.reader(
         _bounded_lines(text, size), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
@@ -74,12 +83,18 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
             if len(cells) > MOST_COLUMNS:
                 raise ListError(f"has a row {number} with more than {MOST_COLUMNS} cells")
             if bars and _RULE.fullmatch(separator.join(cells)):
+                is_first = True
                 continue
-            if bars and cells and not cells[0].strip():
+            if is_bordered and cells and not cells[0].strip():
                 cells = cells[1:]
             row = tuple(clean(cell) for cell in cells)
-            if any(row):
+            if is_grid and not is_first:
+                above = rows.pop()
+                pairs = zip_longest(above.cells, row, fillvalue="")
+                rows.append(SheetRow(above.number, tuple(" ".join(filter(None, pair)) for pair in pairs)))
+            elif any(row):
                 rows.append(SheetRow(number, row))
+            is_first = False
     except csv.Error as error:
         raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
     return Sheet(tuple(rows), number, encoding=guessed)
@@ -174,20 +189,37 @@ def _of_json(text: str) -> Sheet:
 
 
 def _objects(data: dict[str, Any]) -> list[Any]:
-    """The longest list of objects in an object, or the objects in it by their keys; empty if it has neither."""
-    objects: list[Any] = []
-    for value in [data, *data.values()]:
-        for inner in value.values() if isinstance(value, dict) else [value]:
-            if isinstance(inner, list) and len(inner) > len(objects) and all(isinstance(item, dict) for item in inner):
-                objects = inner
-        if (
-            isinstance(value, dict)
-            and len(value) > len(objects)
-            and all(isinstance(item, dict) for item in value.values())
-        ):
-            key = "address" if all(address_text(text) for text in value) else "name"
-            objects = [{key: text, **item} for text, item in value.items()]
-    return objects
+    """The objects in an object: a list of them, or those by their keys; of several such groups all that are alike."""
+    groups = {
+        name: objects
+        for name, value in data.items()
+        if (objects := _group(value) or (_objects(value) if isinstance(value, dict) else []))
+    }
+    whole = _group(data)
+    if len(whole) > len(groups) or not groups or (whole and not all(map(_group, data.values()))):
+        return whole
+    longest = max(groups.values(), key=len)
+    keys = {key for item in longest for key in item}
+    alike = {
+        name: objects
+        for name, objects in groups.items()
+        if 2 * len(keys & {key for item in objects for key in item}) >= len(keys)
+    }
+    if len(alike) == 1:
+        return longest
+    head = "space" if all(meaning("spaces", name) for name in alike) else "group"
+    return [{head: name, **item} for name, objects in alike.items() for item in objects]
+
+
+def _group(value: Any) -> list[Any]:
+    """The objects of a list, or of an object with their addresses or names as keys; empty if it has others."""
+    inner = list(value.values()) if isinstance(value, dict) else value
+    if not isinstance(inner, list) or not inner or not all(isinstance(item, dict) for item in inner):
+        return []
+    if isinstance(value, list):
+        return value
+    key = "address" if all(address_text(text) for text in value) else "name"
+    return [{key: text, **item} for text, item in value.items()]
 
 
 def _json_cell(value: object) -> str:

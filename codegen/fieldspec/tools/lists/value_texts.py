@@ -13,6 +13,9 @@ _PART = re.compile(
     r"(?:(?<=^)|(?<=[\s,;/|\n.)]))(?P<bit>bits?\s*#?|b)?(?P<number>0x[0-9a-f]{1,16}|-?[0-9]{1,20})h?(?P<end>\s*(?:=|:|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z]))\s*)",
     re.IGNORECASE,
 )
+_BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
+"""What may stand before the first value: `Condition: 0 = off`."""
+
 _SIMPLE = re.compile(r"(-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
 _BIT = re.compile(r"([0-9]{1,2}(?:\.\.[0-9]{1,2})?(?:,[0-9]{1,2}(?:\.\.[0-9]{1,2})?)*)\s+(\S.*)")
 _JSON_KEY = re.compile(r"(bit\s*|b)?(0x[0-9a-f]+|-?[0-9]+)", re.IGNORECASE)
@@ -47,7 +50,7 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     text = re.sub(r"<br\s*/?>", "; ", text, flags=re.IGNORECASE)
     parts = list(_PART.finditer(text))
     parts = [part for part in parts if part["end"].strip() == parts[0]["end"].strip()]
-    if parts and not text[: parts[0].start()].strip(" [("):
+    if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
         ends = [*(part.start() for part in parts[1:]), len(text)]
         texts = [text[part.end() : end].strip(" ,;/|.]") for part, end in zip(parts, ends, strict=True)]
         if all(texts):
@@ -97,8 +100,8 @@ def bit_names(text: str) -> tuple[NamedBits, ...] | None:
     bits = [_BIT.fullmatch(piece.strip()) for piece in text.split(";") if piece.strip()]
     if not bits:
         return None
-    all_bits = [_named_bits(bit[1], bit[2]) for bit in bits if bit]
-    return tuple(all_bits) if len(all_bits) == len(bits) and all(bit.low <= bit.high < 64 for bit in all_bits) else None
+    parts = [_named_bits(bit[1], bit[2]) for bit in bits if bit]
+    return tuple(parts) if len(parts) == len(bits) and all(bit.low <= bit.high < 64 for bit in parts) else None
 
 
 def _named_bits(text: str, name: str) -> NamedBits:

@@ -1,0 +1,110 @@
+"""Rows of the high and of the low word of one value as one row: `Power H` and `Power L`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from fieldspec.foundation.classes import replace
+from fieldspec.tools.lists.assumption import Assumption
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.type_words import Typed
+
+_HALF = re.compile(
+    r"[\s_(\[,-]+(?P<half>h|l|msw|lsw|(?:high|hi|upper|low|lo|lower)[\s_-]*(?P<word>word|16|half)?(?:[\s_-]*bits?)?"
+    r"|[高低](?P<sign>字|16位|位))[)\]]*$",
+    re.IGNORECASE,
+)
+_LONGEST_HALF = 30
+_LIMIT = re.compile("alarm|limit|thresh|warn|trip|grenz|schwell|limite|seuil|报警|限", re.IGNORECASE)
+_FEWEST = 2
+"""The number of pairs that names of one letter need, which may be those of a high and a low limit."""
+
+
+def with_halves_joined(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows, those of two words of one value as the first of them. What is joined is assumed."""
+    pairs = {low.row: pair for pair in pairwise(rows) if (low := pair[0]) and _halves(*pair)}
+    certain = [pair for pair in pairs.values() if _half(pair[0])[1]]
+    if not pairs or (not certain and len(pairs) < _FEWEST):
+        return list(rows)
+    joined = list(_joined(rows, pairs))
+    examples = ", ".join(f"`{first.names[0]}` and `{second.names[0]}`" for first, second in [*pairs.values()][:2])
+    reading = f"two rows are the words of one in {len(pairs)} {'case' if len(pairs) == 1 else 'cases'}"
+    assumptions.append(Assumption("words", reading, f"the names, as in {examples}"))
+    return joined
+
+
+def _joined(rows: Sequence[ListRow], pairs: dict[int, tuple[ListRow, ListRow]]) -> Iterator[ListRow]:
+    used: set[int] = set()
+    for row in rows:
+        if row.row in used:
+            continue
+        if row.row not in pairs:
+            yield row
+            continue
+        second = pairs[row.row][1]
+        used.add(second.row)
+        texts = {
+            role: _stem(text) if role in ("name", "printed_name", "label") else text for role, text in row.texts.items()
+        }
+        yield replace(
+            row,
+            words=2,
+            type=Typed(f"{row.type.name[0]}32") if row.type is not None and row.type.name else Typed("u32"),
+            names=tuple(map(_stem, row.names)),
+            texts=texts,
+            order="" if _half(row)[0] == "high" else "CDAB",
+            doubts=(*row.doubts, *(doubt for doubt in second.doubts if doubt not in row.doubts)),
+            gap=second.gap + 1 if second.gap else 0,
+            parts=(*row.parts, second.row, *second.parts),
+        )
+
+
+def _halves(first: ListRow, second: ListRow) -> bool:
+    """Whether two rows are the words of one value: neighbours of one word, with equal facts."""
+    if second.address != first.address + 1 or first.is_own or not first.names or not second.names:
+        return False
+    if {_half(first)[0], _half(second)[0]} != {"high", "low"} or _stem(first.names[0]) != _stem(second.names[0]):
+        return False
+    facts = [
+        (
+            row.space,
+            row.words or 1,
+            row.type,
+            row.scale,
+            row.factor,
+            row.offset,
+            row.unit,
+            row.access,
+            row.low,
+            row.high,
+        )
+        for row in (first, second)
+    ]
+    is_bounded = first.low is not None or first.high is not None
+    is_word = first.bits is None and first.words in (None, 1) and first.type in (None, Typed("u16"), Typed("i16"))
+    return facts[0] == facts[1] and is_word and not is_bounded
+
+
+def _half(row: ListRow) -> tuple[str, bool]:
+    """Which half a row is, empty if none, and whether its name says that this is one: a letter may be of a limit."""
+    match = _match(row.names[0])
+    if match is None:
+        return "", False
+    half = match["half"].casefold()
+    is_word = bool(match["word"] or match["sign"]) or half in ("msw", "lsw")
+    if not is_word and (len(half) > 1 or _LIMIT.search(row.names[0])):
+        return "", False
+    return "high" if half[0] in "hmu高" else "low", is_word
+
+
+def _stem(text: str) -> str:
+    """A name without the half at its end."""
+    match = _match(text)
+    return text[: len(text) - len(match[0])].strip() if match else text
+
+
+def _match(text: str) -> re.Match[str] | None:
+    """The half at the end of a name, of which no more is looked at than a half can have."""
+    return _HALF.search(text[-_LONGEST_HALF:])

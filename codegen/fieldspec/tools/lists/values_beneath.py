@@ -1,0 +1,62 @@
+"""Values beneath a register: rows without an address, each with a number and what it means."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.foundation.classes import replace
+from fieldspec.tools.lists.cells import whole
+from fieldspec.tools.lists.column_roles import Columns
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.sheet import SheetRow
+from fieldspec.tools.lists.value_texts import value_meanings
+
+_NUMBERS = (None, "value", "values", "range")
+_TEXTS = (None, "name", "label", "printed_name", "values", "note")
+"""The roles of columns with the numbers of such rows, and of those with what they mean."""
+
+_FEWEST = 2
+"""A single one may as well be a footnote."""
+
+
+def with_values_beneath(
+    columns: Columns, rows: Sequence[ListRow], skipped: Sequence[SheetRow]
+) -> tuple[Columns, list[ListRow]]:
+    """The rows with the values beneath them, and the columns with that of their numbers."""
+    places = {row.row: place for place, row in enumerate(rows)}
+    beneath: dict[int, list[tuple[int, int, str, int]]] = {}
+    place: int | None = None
+    following = 0
+    for sheet_row in skipped:
+        place = places.get(sheet_row.number - 1, place if sheet_row.number == following else None)
+        value = _value(columns, sheet_row)
+        if place is None or value is None:
+            continue
+        following = sheet_row.number + 1
+        beneath.setdefault(place, []).append((sheet_row.number, *value))
+    result = list(rows)
+    used = set(columns.more.get("values", ()))
+    for place, values in beneath.items():
+        row = result[place]
+        members = (*row.meanings.members, *((number, text) for _, number, text, _ in values))
+        if len(members) < _FEWEST or row.meanings.bits or len(dict(members)) < len(members):
+            continue
+        meanings = replace(row.meanings, members=members)
+        result[place] = replace(row, meanings=meanings, parts=(*row.parts, *(number for number, *_ in values)))
+        used |= {column for *_, column in values}
+    return replace(columns, more={**columns.more, "values": tuple(sorted(used))}), result
+
+
+def _value(columns: Columns, row: SheetRow) -> tuple[int, str, int] | None:
+    """The number, the meaning and the column of a row with nothing else."""
+    roles = {column: role for role, column in columns.places.items()}
+    filled = [(column, text) for column, text in enumerate(row.cells) if text]
+    if len(filled) == 1 and roles.get(filled[0][0]) in ("values", "range"):
+        meanings = value_meanings(filled[0][1])
+        return (*meanings.members[0], filled[0][0]) if meanings is not None and len(meanings.members) == 1 else None
+    if len(filled) != 2:
+        return None
+    (column, text), (text_column, meaning) = filled
+    number = whole(text)
+    is_value = roles.get(column) in _NUMBERS and roles.get(text_column) in _TEXTS and any(map(str.isalpha, meaning))
+    return (number, meaning, column) if number is not None and is_value else None
