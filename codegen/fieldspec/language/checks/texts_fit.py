@@ -1,6 +1,6 @@
 """A text has room for its characters and its terminator, and keys of texts are those of texts. A terminator ends a text
-on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, and a default is a text that can
-be sent. Texts in a form of their own are those of fields and registers that are not reserved.
+on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, packed ASCII has three of them for
+four characters, zeros are none of these, and a default is a text that can be sent. Texts in a form of their own are those of fields and registers that are not reserved.
 
 Why: a text that nobody can write as it is read loses characters, or gets others, without a message.
 
@@ -49,6 +49,15 @@ def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
     elif value.size % form.unit:
         text = f"{fact.name} has {plural(value.size, 'byte')}, and UTF-16 an even number of them"
         yield finding(_CODE, fact.place, "encoding", text, "correct the length")
+    elif form.is_packed and value.size % 3:
+        text = f"{fact.name} has {plural(value.size, 'byte')}, and packed ASCII three of them for four characters"
+        yield finding(_CODE, fact.place, "encoding", text, "correct the length")
+    elif not form.has(chr(form.padding)):
+        text = f"{fact.name} is packed ASCII, which has no zeros that could fill it up"
+        yield finding(_CODE, fact.place, "padding", text, "remove it: spaces fill the text up")
+    elif form.terminator is not None and not form.has(chr(form.terminator)):
+        text = f"{fact.name} is packed ASCII, which does not have the character that ends it"
+        yield finding(_CODE, fact.place, "terminator", text, "use a character from the space to `_`, or remove it")
     elif form.is_turned and value.size % 2:
         text = f"{fact.name} has {plural(value.size, 'byte')}, and `byte_order: little` exchanges those of whole words"
         yield finding(_CODE, fact.place, "byte_order", text, "correct the length, or remove `byte_order`")
