@@ -48,7 +48,7 @@ _FENCE = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 _INLINE = re.compile(r"`(fieldspec [a-z]+ [^`\n]+)`")
 _PROGRAMS = ("awk", "echo", "fieldspec", "head", "tshark")
 _OPERATOR = re.compile(r" (\|\||[<>|]) ")
-_WRITTEN = re.compile(r"(?:--out|--to(?= \S+\.yaml)|>) (\S+)")
+_WRITTEN = re.compile(r"(?:--out|--to(?= \S+\.yaml)) (\S+)")
 _PLACEHOLDER = re.compile(r"\b(?:[A-Z]|[A-Z]{2,}(?!~))\b(?!\d)")
 
 

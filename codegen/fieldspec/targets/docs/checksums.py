@@ -37,10 +37,10 @@ def _algorithm_text(algorithm: str) -> str:
             (False, True): ", reflected result",
         }
         reflected = order.get((kind.reflect_in, kind.reflect_out), "")
-        final = f", final xor {kind.final_xor:X}h" if kind.final_xor else ""
-        start = f", start value {kind.initial:X}h{final}, of all bytes"
-        return f"CRC-{kind.width} with polynomial {kind.polynomial:X}h{reflected}{start}"
-    start = f", start value {kind.initial:X}h" if kind.initial else ""
+        final = f", final xor 0x{kind.final_xor:X}" if kind.final_xor else ""
+        start = f", start value 0x{kind.initial:X}{final}, of all bytes"
+        return f"CRC-{kind.width} with polynomial 0x{kind.polynomial:X}{reflected}{start}"
+    start = f", start value 0x{kind.initial:X}" if kind.initial else ""
     operands = "all bytes" if kind.unit_size == 1 else f"all numbers of {kind.unit_size} bytes"
     if kind.method == "fletcher":
         return f"Fletcher checksum of {kind.width} bits, modulo {kind.modulus}{start}, of {operands}"
