@@ -1,5 +1,5 @@
 """A field that repeats may have an element, comes last, and its elements have a fixed size. In a message, other fields
-may come behind such a field, if a field before it measures it; where one of them repeats too, that field is a binary
+may follow such a field, if a field before it measures it; where one of them repeats too, that field is a binary
 number of one or two bytes without a sign. The elements of such a list in a message may be records that differ in size,
 each of which ends with a list, or a text that `varies`, that a field of it counts in the same way.
 

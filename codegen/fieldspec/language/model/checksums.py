@@ -14,7 +14,7 @@ class Checksum:
 
     The polynomial of a CRC is without its highest bit. `reflect_in` takes the lowest bit of each byte first, and
     `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
-    last number that is not complete is filled up with zeros behind its bytes. `complement` is `ones`, `twos` or empty.
+    last number that is not complete is padded with zeros. `complement` is `ones`, `twos` or empty.
     A Fletcher checksum has two sums modulo `modulus`: the lower half of its bits is the sum of the numbers, the upper
     half the sum of all values that the lower one takes. The bytes of `suffix` come behind those that it covers.
     """
