@@ -1,7 +1,8 @@
 # make         set up what is needed and build every output
 # make test    set up and test everything
 # make test-fast   the tests that take less than a minute together: no compilers, no browser, no large inputs
-# make test-night  all tests with other random inputs each time, and twenty times as many of them
+# make proofs  the long proofs as a whole, of which the tests have a share: every device, version, fault and mutant
+# make test-night  all tests and whole proofs with other random inputs each time, and twenty times as many of them
 # make fuzz    fuzz the C headers of all devices at the same time, for a minute each
 # make fuzz-bytes  fuzz the generated Python and JavaScript: coverage-guided for SECONDS=60 for each device, damaged frames, random bytes
 # make mutants  put slips into the specs of the devices, one at a time, and count which checks, proofs, manuals and vectors notice
@@ -46,7 +47,7 @@ NOISE := 2000000
 WRITER := build/docs/environment
 INSTALLED_WRITER := $(WRITER)/.installed
 
-.PHONY: build bytecode test test-fast test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-lists frozen fuzz-texts queries plants edits plc-sizes capabilities accept soak soak-device dist sbom docs-site extension bench pins clean
+.PHONY: build bytecode test test-fast proofs test-night fuzz fuzz-bytes mutants mutants-compiler fuzz-specs fuzz-lists frozen fuzz-texts queries plants edits plc-sizes capabilities accept soak soak-device dist sbom docs-site extension bench pins clean
 
 build: $(INSTALLED) bytecode
 	$(BIN)/fieldspec build
@@ -60,8 +61,11 @@ test: $(INSTALLED) bytecode $(if $(NPM),$(TOOLS))
 test-fast: $(INSTALLED) bytecode
 	$(BIN)/pytest --fast
 
+proofs: $(INSTALLED) bytecode $(if $(NPM),$(TOOLS))
+	FIELDSPEC_PROOFS=all $(BIN)/pytest -m proof
+
 test-night: $(INSTALLED) bytecode $(if $(NPM),$(TOOLS))
-	FIELDSPEC_EXAMPLES=20 $(BIN)/pytest --hypothesis-profile=random
+	FIELDSPEC_PROOFS=all FIELDSPEC_EXAMPLES=20 $(BIN)/pytest --hypothesis-profile=random
 
 # The tests start the command many times. Where Python may not write bytecode by itself, each start takes three times as
 # long without this.
@@ -98,7 +102,7 @@ mutants-compiler: $(INSTALLED)
 
 soak: $(INSTALLED)
 	$(BIN)/python tests/interruptions.py 200 1
-	FAULT_STEP=1 $(BIN)/pytest tests/test_faults.py tests/test_interruptions.py
+	FIELDSPEC_PROOFS=all $(BIN)/pytest tests/test_faults.py tests/test_interruptions.py
 
 soak-device: $(INSTALLED)
 	FIELDSPEC_SOAK_HOURS=24 $(BIN)/pytest tests/device/test_soak.py
@@ -124,7 +128,7 @@ queries: $(INSTALLED)
 	FIELDSPEC_TELEGRAMS=1000000 $(BIN)/pytest -n 2 tests/queries_output/test_queries_of_records.py -k telegrams
 
 edits: $(INSTALLED)
-	FIELDSPEC_EXAMPLES=100 $(BIN)/pytest -n 2 tests/test_builds_with_memory.py
+	FIELDSPEC_EXAMPLES=250 $(BIN)/pytest -n 2 tests/test_builds_with_memory.py
 
 plants: $(INSTALLED)
 	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py tests/plc_output/test_blocks_at_random.py -k whatever_happens

@@ -8,6 +8,7 @@ import subprocess
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TypeAlias
 
 import construct
 from peers.switchboard import spec
@@ -32,37 +33,42 @@ FIELDS = (
 BY_HAND = Path(__file__).parent / "peers" / "capture_by_hand.py"
 
 
-def packets(count: int, states: int = 65536) -> Iterator[bytes]:
-    """Requests and answers of one connection, with the records of pcap around them.
+Exchanges: TypeAlias = Iterator[tuple[bytes, bytes]]
+"""Requests with their answers."""
 
-    The first five words are less than `states`.
-    """
-    asked = answered = 1000
+
+def reads(count: int, states: int = 65536) -> Exchanges:
+    """Reads of ten registers in `count` frames. The first five words are less than `states`."""
     for number in range(count // 2):
         request = struct.pack(">HHHBBHH", number % 65536, 0, 6, 1, 4, 0, 10)
         numbers = [(number * 7919 + word) % 65536 for word in range(10)]
         words = struct.pack(">10H", *(each % states for each in numbers[:5]), *numbers[5:])
-        answer = struct.pack(">HHHBBB", number % 65536, 0, 23, 1, 4, 20) + words
-        yield record(2 * number, True, asked, request)
-        yield record(2 * number + 1, False, answered, answer)
+        yield request, struct.pack(">HHHBBB", number % 65536, 0, 23, 1, 4, 20) + words
+
+
+def packets(exchanges: Exchanges, port: int = 502) -> Iterator[bytes]:
+    """The packets of one connection, with the records of pcap around them."""
+    asked = answered = 1000
+    for number, (request, answer) in enumerate(exchanges):
+        yield record(2 * number, (49152, port), asked, request)
+        yield record(2 * number + 1, (port, 49152), answered, answer)
         asked, answered = (asked + len(request)) % 2**32, (answered + len(answer)) % 2**32
 
 
-def record(number: int, is_request: bool, sequence: int, data: bytes) -> bytes:
+def record(number: int, ports: tuple[int, int], sequence: int, data: bytes) -> bytes:
     """One packet of Ethernet, IP and TCP as a record."""
-    ports = (49152, 502) if is_request else (502, 49152)
-    hosts = (b"\x0a\0\0\1", b"\x0a\0\0\2") if is_request else (b"\x0a\0\0\2", b"\x0a\0\0\1")
+    hosts = (b"\x0a\0\0\1", b"\x0a\0\0\2") if number % 2 == 0 else (b"\x0a\0\0\2", b"\x0a\0\0\1")
     tcp = struct.pack(">HHIIBBHHH", *ports, sequence, 0, 0x50, 0x18, 8192, 0, 0) + data
     head = struct.pack(">BBHHHBBH", 0x45, 0, 20 + len(tcp), 0, 0, 64, 6, 0) + b"".join(hosts)
     packet = bytes(12) + b"\x08\0" + head + tcp
     return struct.pack("<IIII", number // 1000, number % 1000 * 1000, len(packet), len(packet)) + packet
 
 
-def capture(path: Path, count: int, states: int = 65536) -> None:
+def capture(path: Path, exchanges: Exchanges, port: int = 502) -> None:
     """Writes a capture."""
     with path.open("wb") as file:
         file.write(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, 1))
-        file.writelines(packets(count, states))
+        file.writelines(packets(exchanges, port))
 
 
 FRAME = construct.Struct(
@@ -88,8 +94,8 @@ def rows() -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         path, some, walk = folder / "input.pcap", folder / "some.pcap", folder / "walk"
-        capture(path, FRAMES)
-        capture(some, SOME)
+        capture(path, reads(FRAMES))
+        capture(some, reads(SOME))
         subprocess.run(["gcc", "-O3", "-o", walk, SOURCE], check=True)
         out = folder / "out"
         decode = " ".join((*FIELDSPEC, "decode", "wattmeter@1", str(path), "--to", "parquet", "--out", str(out)))
@@ -100,7 +106,7 @@ def rows() -> Iterator[Row]:
         of_tshark = in_turns({"tshark": (tshark, "-n", "-r", str(some), "-T", "fields", *fields)}, 1)
         yield row(ours, "tshark -T fields", least(of_tshark["tshark"], SOME), at_least=5)
         yield row(ours, "a loop in C, which adds the words", least(took["c"], FRAMES))
-    data = b"".join(packets(FEW))
+    data = b"".join(packets(reads(FEW)))
     parse = construct.GreedyRange(FRAME).parse
     _, slow, _ = interleaved(lambda: None, lambda: parse(data))
     yield row(ours, "construct, the headers", slow / FEW / 1e3, at_least=5)
@@ -115,7 +121,7 @@ def beside_numpy() -> Iterator[Row]:
             (folder / "switchboard").mkdir()
             (folder / "switchboard" / "device.yaml").write_text(spec(kind == "states"))
             path, out = folder / "input.pcap", folder / "out"
-            capture(path, FRAMES, 20 if kind == "states" else 65536)
+            capture(path, reads(FRAMES, 20 if kind == "states" else 65536))
             decode = " ".join((*FIELDSPEC, "decode", "switchboard", str(path), "--to", "parquet", "--out", str(out)))
             script = f"rm -rf {out}; exec {decode} --specs {folder}"
             by_hand = (*PYTHON, str(BY_HAND), str(path), str(folder / "by_hand"), kind)

@@ -1,8 +1,9 @@
 """Counts which mutants of the compiler are noticed: `make mutants-compiler`, or this file with EACH, SEED and folders.
 
 Each mutant is judged in a copy of the package, by the commands that `CONTRIBUTING.md` names for its module, in their
-order, until one fails. A mutant that no judge notices survives. The exit code is 1 where fewer than 85 of 100 are
-noticed, where no command is named for a module, and where a command fails without a mutant too.
+order, until one fails; the tests that failed are then run without the mutant, and pass. A mutant that no judge notices
+survives. The exit code is 1 where fewer than 85 of 100 are noticed, where no command is named for a module, and where
+what failed fails without the mutant too.
 """
 
 from __future__ import annotations
@@ -13,13 +14,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
-from typing import TypeVar
 
 from compiler_mutants import Mutant, mutants, sample
 
@@ -38,11 +38,9 @@ PATIENCE = 1200
 RECORDED = "python tests/recorded_outputs.py "
 PYTEST = "pytest "
 
-T = TypeVar("T")
-
 
 class Unfit(Exception):
-    """Commands that fail without a mutant too."""
+    """A command that fails without a mutant too, and so would notice every mutant."""
 
 
 @cache
@@ -96,23 +94,27 @@ class Copy:
         self.environment = {**os.environ, "PYTHONPATH": paths, "PYTHONDONTWRITEBYTECODE": "1", "CI": ""}
 
     def judge(self, folder: str, mutant: Mutant) -> Verdict:
-        """Asks the judges of the module of a mutant."""
+        """Asks the judges of the module of a mutant. Raises `Unfit` where one refuses the right compiler too."""
         path = self.package / mutant.path
         source, times = path.read_bytes(), path.stat()
-        path.write_bytes(mutant.applied(source))
-        os.utime(path, (times.st_atime, times.st_mtime + 1000))
-        try:
-            return Verdict(folder, mutant, next((name for name in commands(mutant.path) if self.fails(name)), ""))
-        finally:
-            path.write_bytes(source)
-            os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+        with tempfile.TemporaryDirectory(prefix="fieldspec-failures-") as memory:
+            path.write_bytes(mutant.applied(source))
+            os.utime(path, (times.st_atime, times.st_mtime + 1000))
+            try:
+                judge = next((name for name in commands(mutant.path) if self.fails(name, memory)), "")
+            finally:
+                path.write_bytes(source)
+                os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+            if judge and self.fails(judge, memory):
+                raise Unfit(f"fails without a mutant too: {judge}")
+        return Verdict(folder, mutant, judge)
 
-    def fails(self, command: str) -> bool:
-        """Whether a command fails, or takes too long."""
+    def fails(self, command: str, memory: str) -> bool:
+        """Whether a command fails, or takes too long: of its tests those that failed last, which a folder remembers."""
         with tempfile.TemporaryDirectory(prefix="fieldspec-mutant-") as cache:
             environment = {**self.environment, "FIELDSPEC_CACHE": cache}
             run = subprocess.Popen(
-                ["sh", "-c", f'ulimit -t {PROCESSOR_SECONDS} && exec "$@"', "sh", *call(command)],
+                ["sh", "-c", f'ulimit -t {PROCESSOR_SECONDS} && exec "$@"', "sh", *call(command, memory)],
                 cwd=ROOT,
                 env=environment,
                 stdout=subprocess.DEVNULL,
@@ -127,40 +129,35 @@ class Copy:
                 return True
 
 
-def call(command: str) -> list[str]:
-    """A command of the table as a call that fails where it notices a mutant, and ends with the first failing test."""
+def call(command: str, memory: str) -> list[str]:
+    """A command of the table as a call that fails where it notices a mutant, and ends with the first failing test.
+
+    Tests that failed before by the memory of a folder are run alone.
+    """
     program, *words = command.split()
     if program == "python":
         return [sys.executable, *words]
     matches = [[path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob(word))] for word in words]
     assert all(matches), f"CONTRIBUTING.md names tests that are not there: {command}"
     tests = [path for paths in matches for path in paths]
-    return [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", *tests]
+    return [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "--lf", "-o", f"cache_dir={memory}", *tests]
 
 
 def verdicts(drawn: list[tuple[str, Mutant]], processes: int = PROCESSES) -> Iterator[Verdict]:
-    """The verdicts about mutants, in order.
-
-    Raises `Unfit` where a command refuses the right compiler, as it would notice every mutant.
-    """
+    """The verdicts about mutants, in order."""
     with tempfile.TemporaryDirectory(prefix="fieldspec-mutants-") as place, ThreadPoolExecutor(processes) as pool:
         copies: SimpleQueue[Copy] = SimpleQueue()
         for number in range(processes):
             copies.put(Copy(Path(place) / str(number)))
 
-        def on_a_copy(task: Callable[[Copy], T]) -> T:
+        def judged(item: tuple[str, Mutant]) -> Verdict:
             copy = copies.get()
             try:
-                return task(copy)
+                return copy.judge(*item)
             finally:
                 copies.put(copy)
 
-        asked = [*dict.fromkeys(name for _, mutant in drawn for name in commands(mutant.path))]
-        refusing = pool.map(lambda name: on_a_copy(lambda copy: copy.fails(name)), asked)
-        unfit = [name for name, refuses in zip(asked, refusing, strict=True) if refuses]
-        if unfit:
-            raise Unfit("\n".join(f"fails without a mutant too: {name}" for name in unfit))
-        yield from pool.map(lambda item: on_a_copy(lambda copy: copy.judge(*item)), drawn)
+        yield from pool.map(judged, drawn)
 
 
 def table(results: list[Verdict]) -> Iterator[str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import gc
 import os
+import shutil
 import signal
 import tempfile
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,6 +16,7 @@ from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 from xdist.workermanage import WorkerController
 
+from proofs import IS_WHOLE, share
 from shared_results import FOLDERS
 
 TESTS = Path(__file__).parent
@@ -75,6 +78,10 @@ SLOW = (
 )
 """Files and folders that `--fast` leaves out: they run compilers, a browser or builds, or try many random inputs."""
 
+MEMORY = Path("/dev/shm")
+ROOM = 4 << 30
+"""Bytes that all files of a run have room in."""
+
 SHARED = "shared_results"
 SHARED_FOLDER = pytest.StashKey[str]()
 
@@ -101,8 +108,20 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--fast", action="store_true", help="leave out the tests that take long")
 
 
+def has_room(folder: Path) -> bool:
+    return folder.is_dir() and os.access(folder, os.W_OK) and shutil.disk_usage(folder).free > ROOM
+
+
 def pytest_configure(config: pytest.Config) -> None:
-    """Tells a worker the folder of what workers share."""
+    """Tells a worker the folder of what workers share. Nothing of what is collected becomes garbage.
+
+    Temporary files stay in memory where it can be: each file that a build places has to be on the disk before the next
+    one, which takes longer than to make it.
+    """
+    if "TMPDIR" not in os.environ and has_room(MEMORY):
+        os.environ["TMPDIR"] = tempfile.tempdir = str(MEMORY)
+    config.addinivalue_line("markers", "proof(cases): a long proof, of which a run has a share: so many cases")
+    gc.disable()
     if hasattr(config, "workerinput"):
         FOLDERS.append(Path(config.workerinput[SHARED]))
 
@@ -129,9 +148,25 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     return True if any(collection_path == TESTS / name for name in SLOW) else None
 
 
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leaves cases of long proofs out, unless the whole of them is asked for or a case is named."""
+    proofs: dict[str, list[pytest.Item]] = defaultdict(list)
+    for item in items:
+        if not IS_WHOLE and item.get_closest_marker("proof"):
+            proofs[item.nodeid.partition("[")[0]].append(item)
+    left_out = set()
+    for cases in proofs.values():
+        marker = cases[0].get_closest_marker("proof")
+        left_out |= {*cases} - {*share(cases, *(marker.args if marker is not None else ()))}
+    if left_out:
+        config.hook.pytest_deselected(items=[item for item in items if item in left_out])
+        items[:] = [item for item in items if item not in left_out]
+
+
 def pytest_collection_finish() -> None:
     """Keeps what is alive until the end out of the sight of the garbage collector, which also looks less often."""
-    gc.collect()
+    gc.enable()
     gc.freeze()
     gc.set_threshold(20_000, 10, 10)
 

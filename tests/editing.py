@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import cast
 
 from lsprotocol import types
-from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
+from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities, make_test_lsp_client
 
 from bounded import HANGING
+from editor_servers import server_address
 from fieldspec.command import pipeline
 from fieldspec.command.rendering.finding_text import marked_characters
 from fieldspec.command.sources import spec_files
@@ -124,7 +125,23 @@ def _lines_and_columns(span: Span) -> Iterator[int]:
 @asynccontextmanager
 async def editor(specs: Path) -> AsyncIterator[Editor]:
     """An editor that has the folder of some specs open, with a server of its own."""
+    client = make_test_lsp_client()
+    with server_address() as (host, port):
+        await client.start_tcp(host, port)
+        async with session(client, specs) as editor:
+            yield editor
+
+
+@asynccontextmanager
+async def editor_of_the_verb(specs: Path) -> AsyncIterator[Editor]:
+    """The same, with the server as editors start it."""
     client = cast(LanguageClient, await CONFIGURATION.start())
+    async with session(client, specs) as editor:
+        yield editor
+
+
+@asynccontextmanager
+async def session(client: LanguageClient, specs: Path) -> AsyncIterator[Editor]:
     capabilities = client_capabilities("visual_studio_code")
     root = types.WorkspaceFolder(specs.parent.as_uri(), "root")
     await client.initialize_session(

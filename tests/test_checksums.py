@@ -11,6 +11,7 @@ import pytest
 
 from fieldspec.codec.layout.checksums import checksum
 from fieldspec.codec.reference.checksums import checksum as reference_checksum
+from fieldspec.foundation.classes import replace
 from fieldspec.language.model.checksums import algorithm_name, catalogue_name, checksum_named
 from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE, OTHER_NAMES
 from fieldspec.language.schema import schema
@@ -99,6 +100,65 @@ def test_a_fletcher_checksum_is_that_of_public_examples(name: str, data: bytes, 
     assert checksum(name, data, "little") == reference_checksum(name, data, "little") == expected
 
 
+EPOS4 = {
+    "60 02 01 B0 30 00": 0x622E,
+    "60 02 01 E4 60 01": 0xB420,
+    "60 02 01 51 31 00": 0x8051,
+    "60 02 01 51 31 01": 0xB360,
+    "68 04 01 40 60 00 0F 00 00 00": 0x07B3,
+    "A8 04 C0 17 00 00 80 ED 00 00": 0x960B,
+}
+"""Frames of drivers for the EPOS4 without their marks, as such programs and its Communication Guide have them."""
+
+
+@pytest.mark.parametrize("data", EPOS4)
+def test_a_crc_of_words_takes_the_highest_byte_of_each_first(data: str) -> None:
+    frame = bytes.fromhex(data)
+    assert checksum("crc16_1021_0_ff_0_of2", frame) == EPOS4[data]
+    assert reference_checksum("crc16_1021_0_ff_0_of2", frame) == EPOS4[data]
+
+
+@pytest.mark.parametrize("name", ["crc16_modbus", "crc32_iso_hdlc", "crc8_smbus", "crc12_umts"])
+@pytest.mark.parametrize("unit_size", [2, 4])
+def test_a_crc_of_numbers_is_that_of_anycrc_over_their_bytes_in_the_other_order(name: str, unit_size: int) -> None:
+    kind = replace(checksum_named(name), unit_size=unit_size)
+    parameters = kind.width, kind.polynomial, kind.initial, kind.reflect_in, kind.reflect_out, kind.final_xor
+    judge = anycrc.CRC(*parameters)
+    for data in DATA:
+        filled = data + bytes(-len(data) % unit_size)
+        pieces = [filled[at : at + unit_size][::-1] for at in range(0, len(filled), unit_size)]
+        expected = judge.calc(b"".join(pieces))
+        assert checksum(algorithm_name(kind), data) == reference_checksum(algorithm_name(kind), data) == expected
+
+
+VOLTRONIC = {
+    "QPIGS": 0xB7A9,
+    "QPIRI": 0xF854,
+    "QMOD": 0x49C1,
+    "QPI": 0xBEAC,
+    "POP02": 0xE20B,
+    "POP01": 0xD269,
+    "(NAK": 0x7373,
+    "(ACK": 0x3920,
+}
+"""Lines of inverters by Voltronic Power with their checksums, as programs for them have them."""
+
+
+@pytest.mark.parametrize("line", VOLTRONIC)
+def test_a_checksum_avoids_the_bytes_that_are_marks(line: str) -> None:
+    name = "crc16_xmodem_but_280d0a_as_290e0b"
+    assert checksum(name, line.encode()) == reference_checksum(name, line.encode()) == VOLTRONIC[line]
+
+
+@pytest.mark.parametrize(
+    ("name", "order", "expected"),
+    [("sum16_of2l", "big", 0x0903), ("sum16_of2b", "little", 0x0309), ("xor16_of2l", "big", 0x0402)],
+)
+def test_numbers_may_have_another_order_than_their_checksum(name: str, order: str, expected: int) -> None:
+    data = bytes((1, 3, 2, 6)) if name.startswith("sum") else bytes((1, 3, 3, 7))
+    assert checksum(name, data, order) == reference_checksum(name, data, order) == expected
+
+
 @pytest.mark.parametrize("data", DATA)
 def test_adler32_is_that_of_zlib(data: bytes) -> None:
     assert checksum("adler32", data) == reference_checksum("adler32", data) == zlib.adler32(data)
@@ -122,6 +182,8 @@ def test_both_computations_of_a_fletcher_checksum_agree(width: int, order: str) 
         *SUMS,
         *("lrc", "sum24_of3_from_1_twos", "crc16_8005_1_fr_2"),
         *("adler32", "fletcher16", "fletcher32", "fletcher48_of2_modulo_ffff_from_1"),
+        *("crc16_1021_0_ff_0_of2", "crc16_xmodem_but_280d0a_as_290e0b", "crc16_modbus_then_03_but_0a_as_0b"),
+        *("sum16_of2l", "xor16_of2b", "fletcher32_of2b_modulo_ffff_from_0"),
     ],
 )
 def test_a_name_says_everything_about_its_algorithm(name: str) -> None:

@@ -55,7 +55,7 @@ def test_every_folder_and_test_in_the_table_is_there() -> None:
         folders_of_modules = set(places) - {"docs/", "extension/"}
         assert sorted(place for place in folders_of_modules if not (PACKAGE / place).exists()) == []
         for command in named:
-            call(command)
+            call(command, "memory")
 
 
 TABLE = """
@@ -111,7 +111,7 @@ def test_a_mutant_is_noticed_and_the_right_compiler_is_not(tmp_path: Path, monke
     mutant = next(mutant for mutant in Source(path, source).mutants() if mutant.kind == "condition")
     assert copy.judge("codec/reference", mutant).judge == command
     assert (copy.package / path).read_bytes() == source
-    assert not copy.fails(command)
+    assert not copy.fails(command, str(tmp_path / "memory"))
 
 
 def test_a_command_that_refuses_the_right_compiler_does_not_pass(

@@ -1,26 +1,72 @@
-"""The list of slow tests names files that are there."""
+"""The list of slow tests names files that are there, and of a long proof an even share is run."""
 
 from __future__ import annotations
 
 import importlib.util
+from dataclasses import dataclass, field
 from pathlib import Path
+from types import ModuleType, SimpleNamespace
+
+import pytest
+
+import proofs
 
 TESTS = Path(__file__).parent
 
 
-def slow() -> tuple[str, ...]:
+def conftest() -> ModuleType:
     spec = importlib.util.spec_from_file_location("tests_conftest", TESTS / "conftest.py")
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    names: tuple[str, ...] = module.SLOW
-    return names
+    return module
 
 
 def test_every_slow_test_is_there() -> None:
-    assert [name for name in slow() if not (TESTS / name).exists()] == []
+    assert [name for name in conftest().SLOW if not (TESTS / name).exists()] == []
 
 
 def test_slow_tests_are_listed_in_order() -> None:
-    assert list(slow()) == sorted(slow())
+    assert list(conftest().SLOW) == sorted(conftest().SLOW)
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A test that is collected."""
+
+    nodeid: str
+    marker: pytest.Mark | None = None
+
+    def get_closest_marker(self, name: str) -> pytest.Mark | None:
+        return self.marker
+
+
+@dataclass
+class Deselected:
+    items: list[Case] = field(default_factory=list)
+
+    def pytest_deselected(self, items: list[Case]) -> None:
+        self.items += items
+
+
+@pytest.mark.parametrize(("is_whole", "left"), [(False, ["a", "p[0]", "p[2]", "p[5]", "p[7]", "z"]), (True, None)])
+def test_a_run_has_an_even_share_of_a_proof_and_every_other_test(
+    is_whole: bool, left: list[str] | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(proofs, "IS_WHOLE", is_whole)
+    proof = pytest.mark.proof(4).mark
+    every = [Case("a"), *(Case(f"p[{number}]", proof) for number in range(10)), Case("z")]
+    deselected = Deselected()
+    module = conftest()
+    items = [*every]
+    module.pytest_collection_modifyitems(SimpleNamespace(hook=deselected), items)
+    assert [item.nodeid for item in items] == (left or [item.nodeid for item in every])
+    assert [item for item in every if item not in items] == deselected.items
+
+
+def test_a_case_that_is_named_is_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(proofs, "IS_WHOLE", False)
+    items = [Case("p[7]", pytest.mark.proof(4).mark)]
+    conftest().pytest_collection_modifyitems(SimpleNamespace(hook=Deselected()), items)
+    assert [item.nodeid for item in items] == ["p[7]"]

@@ -72,6 +72,28 @@ def test_an_erratum_about_no_fact_is_a_finding() -> None:
     assert _faults(changed) == ["errata_paths_resolve"]
 
 
+def test_an_erratum_names_a_row_by_a_cell() -> None:
+    text = FILES["ck10/errata.yaml"].decode()
+    named = text.replace("position_loop_gains/rows/23", "position_loop_gains/rows/value=23")
+    assert named != text
+    spec = read({**FILES, "ck10/errata.yaml": named.encode()}).devices["ck10"]
+    version = spec.versions()[-1]
+    facts = [[erratum.fact for erratum in own.at(version)[0].errata] for own in (spec, DEVICES["ck10"])]
+    assert facts[0] == facts[1]
+    assert _faults(spec) == []
+
+
+def test_a_row_that_an_erratum_names_by_a_cell_may_move() -> None:
+    files = {**FILES, "ck10/errata.yaml": FILES["ck10/errata.yaml"].replace(b"s/rows/23", b"s/rows/value=23")}
+    rows = files["ck10/tables-and-notes.yaml"].decode()
+    first = "      - {cells: [0, 1, 1]"
+    assert rows.count(first) == 1
+    files["ck10/tables-and-notes.yaml"] = rows.replace(first, f"      - {{cells: [64, 5, 1]}}\n{first}").encode()
+    spec = read(files).devices["ck10"]
+    facts = {erratum.id: erratum.fact for erratum in spec.at(spec.versions()[-1])[0].errata}
+    assert facts["position-loop-gain-23"] == "lookups/position_loop_gains/rows/24"
+
+
 def _faults(spec: DeviceSpec) -> list[str]:
     """The findings about the errata of a device."""
     return [fault.code for proof in errata_proofs(spec) for fault in proof.faults]

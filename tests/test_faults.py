@@ -19,16 +19,17 @@ from fieldspec.command.files.cache_folder import TAG
 from fieldspec.command.files.placement import Staging, begin, complete, prepared, undo
 from fieldspec.command.files.storage import BESIDE
 from fieldspec.language.model.choice import PROJECT_FILE
+from proofs import IS_WHOLE
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs fork")
 
 SPECS = Path(__file__).resolve().parent / "specs"
 MOST = 2000
-STEP = int(os.environ.get("FAULT_STEP", "11"))
-"""A whole build is tested with a fault at every n-th operation; `make soak` tests every operation."""
+STEP = 1 if IS_WHOLE else 23
+"""A whole build is tested with a fault at every n-th operation, and in the whole proof at every operation."""
 PLACING_STEP = min(STEP, 3)
 """The same for placing a few files."""
-REPAIRS = 4 if STEP == 1 else 24
+REPAIRS = 4 if IS_WHOLE else 24
 """Every how many of the places at which a build was killed its repair is killed too."""
 
 State = dict[str, bytes]
@@ -108,6 +109,7 @@ def files(tmp_path: Path) -> Work:
     return Work(tmp_path, tmp_path / "old", placed)
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
 def test_files_are_placed_all_or_none_whatever_happens(fault: Fault, files: Work) -> None:
     assert files.new == {path: content for path, content in {**OLD, **NEW}.items() if path not in GONE}
@@ -147,6 +149,7 @@ def test_signals_during_operations_change_nothing(files: Work) -> None:
     assert left_over(files.folder) == []
 
 
+@pytest.mark.proof
 def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
     kill = FAULTS[0]
     unfinished = 0
@@ -202,6 +205,7 @@ def of_outputs(files: State) -> State:
     return {path: content for path, content in files.items() if path.startswith("out/")}
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("fault", [FAULTS[0], FAULTS[3]], ids=lambda fault: fault.name)
 def test_a_build_leaves_the_old_outputs_or_the_new_ones(
     fault: Fault, outputs: Work, capsys: pytest.CaptureFixture[str]
@@ -251,6 +255,7 @@ def exported(folder: Path) -> int:
 VERBS: dict[str, Callable[[Path], int]] = {"import": imported, "--sign": signed, "new": new, "export": exported}
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("fault", [FAULTS[0], FAULTS[3], FAULTS[5]], ids=lambda fault: fault.name)
 @pytest.mark.parametrize("verb", VERBS)
 def test_a_verb_that_writes_a_file_writes_it_whole_or_not_at_all(

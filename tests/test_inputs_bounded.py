@@ -150,6 +150,7 @@ def _packed(book: str, parts: int = 0) -> bytes:
     return packed.getvalue()
 
 
+@pytest.mark.proof(10)
 @pytest.mark.parametrize("name", LISTS)
 def test_a_list_that_is_made_to_be_large_is_refused(name: str, tmp_path: Path) -> None:
     make, text = LISTS[name]
@@ -217,6 +218,7 @@ IRREGULAR: dict[str, tuple[Callable[[Path], object], str]] = {
 }
 
 
+@pytest.mark.proof(12)
 @pytest.mark.parametrize(
     "place", ["gadget/device.yaml", "gadget/more.yaml", "protocols/wire.yaml", "gadget/versions/2.yaml"]
 )
@@ -275,6 +277,7 @@ SPARSE: dict[str, bytes] = {
 """What a file of 10 GB begins with; the rest of it was never written, so it takes no place on the disk."""
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("kind", SPARSE)
 def test_a_capture_of_which_most_was_never_written_is_read_in_seconds(kind: str, tmp_path: Path) -> None:
     path = tmp_path / "captures" / "file"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from editing import copied, editor, expected_places, fresh
+from editing import copied, editor, editor_of_the_verb, expected_places, fresh
 
 pytestmark = pytest.mark.asyncio
 
@@ -49,7 +49,7 @@ async def test_what_is_typed_has_the_findings_of_a_check_where_the_terminal_mark
 
 async def test_a_finding_has_its_rule_its_help_and_the_other_places(tmp_path: Path) -> None:
     specs = copied(tmp_path, "gizmo")
-    async with editor(specs) as session:
+    async with editor_of_the_verb(specs) as session:
         await session.opened(GIZMO)
         text = session.text(GIZMO).replace(ROW, ROW + ROW.replace("at: 0", "at: 77"))
         diagnostics = await session.typed(GIZMO, text)
@@ -150,7 +150,7 @@ async def test_positions_stay_those_of_a_fresh_check_over_random_edits(tmp_path:
 async def test_a_document_that_is_no_spec_is_left_alone(tmp_path: Path) -> None:
     specs = copied(tmp_path, "gizmo")
     (specs.parent / "compose.yaml").write_text("services: {", "utf-8")
-    async with editor(specs) as session:
+    async with editor_of_the_verb(specs) as session:
         await session.opened(GIZMO)
         session.version += 1
         from lsprotocol import types

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.language.model.device import Device
-from fieldspec.language.reading.nodes import Mapping, Scalar, exact
+from fieldspec.language.reading.nodes import Mapping, Scalar
 from fieldspec.language.reading.project import Project, read
 from fieldspec.language.reading.removals import RemovedFact, removal_findings
 from fieldspec.language.reading.yaml_reader import decoded, parsed
@@ -295,103 +295,3 @@ def test_what_is_removed_takes_the_examples_along_that_are_about_it(path: str, s
     assert isinstance(named, Scalar)
     (finding,) = removal_findings(tree, [RemovedFact(named, tree.values[section], tree)])
     assert finding.message == f"`{path}` goes, and examples/{about} is about it"
-
-
-MEASURED = """
-links:
-  - name: bus
-    byte_order: big
-    request: &frame
-      - {name: head, type: u8, const: 7}
-      - {name: length, role: length, type: u8, counts: {from: data, to: data}}
-      - {name: data, role: body}
-    response: *frame
-messages:
-  - name: ask
-    request: [{name: size, type: u8, measures: {items: values}}, {name: values, type: u8, repeat: 0..9}]
-    response: [{name: way, type: u8, enum: mode}]
-records:
-  - {name: point, fields: [{name: x, type: u16}, {name: y, type: u16}]}
-  - {name: line, fields: [{name: start, record: point}]}
-flags:
-  - {name: state, type: u16, bits: [{bit: 0, name: ready}, {bit: 1, name: late_bit}]}
-tables:
-  - {name: points, base: 0x100, count: 2, stride: 2, record: point}
-lookups:
-  - name: pins
-    columns: [{name: pin}, {name: wire}]
-    rows: [{cells: [2, red]}, {cells: [1, blue / white]}]
-tasks:
-  - name: go
-    task: jog
-    steps: [{wait: registers/status/ready, value: true}, {write: registers/speed, argument: speed}]
-behaviour:
-  - name: start
-    rule: [{set: registers/status/ready, to: true}]
-    when: {write: registers/speed}
-    if: {registers/status/ready: false, registers/speed: nonzero}
-    assumed: It does.
-"""
-WITH_STATUS = (
-    BASE.replace("enum: mode}\n", "enum: mode}\n      - {at: 9, name: status, type: u16, flags: state}\n") + MEASURED
-)
-
-
-def renamed(*names: tuple[str, str]) -> Device:
-    """The device under new names."""
-    entries = "\n".join(f"  - {{fact: {fact}, to: {to}, reason: x}}" for fact, to in names)
-    return at("2.1", WITH_STATUS, v2_1=overlay(f"renames:\n{entries}\n"))
-
-
-@pytest.mark.parametrize("order", [1, -1])
-def test_a_record_and_its_field_are_renamed_in_any_order(order: int) -> None:
-    device = renamed(*(("records/point", "place"), ("records/point/x", "left"))[::order])
-    assert [field.name for field in device.records["place"].fields] == ["left", "y"]
-    assert device.tables["points"].record == device.records["line"].fields[0].record == "place"
-
-
-@pytest.mark.parametrize("order", [1, -1])
-def test_two_fields_may_change_names(order: int) -> None:
-    device = renamed(*(("records/point/x", "y"), ("records/point/y", "x"))[::order])
-    assert [field.name for field in device.records["point"].fields] == ["y", "x"]
-
-
-def test_a_field_measures_a_list_under_its_new_name() -> None:
-    (size, values) = renamed(("messages/ask/request/values", "samples")).messages["ask"].request.fields
-    assert size.measures is not None
-    assert (size.measures.field, values.name) == ("samples", "samples")
-
-
-@pytest.mark.parametrize(("direction", "other"), [("request", "response"), ("response", "request")])
-def test_a_length_counts_a_part_under_its_new_name_in_one_direction(direction: str, other: str) -> None:
-    link = renamed((f"links/bus/{direction}/data", "payload")).links["bus"]
-    spans = {name: (link.parts(name)[1].span.first, link.parts(name)[1].span.last) for name in (direction, other)}
-    assert spans == {direction: ("payload", "payload"), other: ("data", "data")}
-
-
-def test_behaviour_and_tasks_follow_the_new_names_of_a_register_and_of_a_bit_in_it() -> None:
-    names = (("registers/status", "state"), ("flags/state/ready", "prepared"), ("registers/speed", "velocity"))
-    entries = "\n".join(f"  - {{fact: {fact}, to: {to}, reason: x}}" for fact, to in names)
-    built = project(WITH_STATUS, v2_1=overlay(f"renames:\n{entries}\n"))
-    assert codes(built.findings) == []
-    tree = built.devices["gadget"].tree_at("2.1")
-    assert [step.target for step in built.devices["gadget"].at("2.1")[0].tasks[0].steps] == [
-        "registers/state/prepared",
-        "registers/velocity",
-    ]
-    behaviour = exact(tree.values["behaviour"])
-    for path in ("registers/state/prepared", "registers/velocity"):
-        assert path in str(behaviour)
-    assert "registers/s" not in str(behaviour).replace("registers/state/prepared", "")
-
-
-def test_a_row_of_a_table_is_named_by_a_cell() -> None:
-    rest = """
-changes:
-  - {fact: lookups/pins/rows/pin=1, set: {cells: {was: [1, blue / white], is: [1, blue]}}, reason: x}
-adds: [{in: lookups/pins, after: pin=2, item: {cells: [3, black]}, reason: x}]
-"""
-    rows = at("2.1", WITH_STATUS, v2_1=overlay(rest)).lookups[0].rows
-    assert [[str(cell) for cell in row.cells] for row in rows] == [["2", "red"], ["3", "black"], ["1", "blue"]]
-    gone = "removes: [{fact: lookups/pins/rows/wire=blue / white, reason: x}]"
-    assert len(at("2.1", WITH_STATUS, v2_1=overlay(gone)).lookups[0].rows) == 1

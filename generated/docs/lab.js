@@ -115,6 +115,30 @@ function followedBy(algorithm, suffix) {
   };
 }
 
+/** A function that computes a checksum of numbers of `unitSize` bytes, of which it takes the last byte first. */
+function swapping(algorithm, unitSize) {
+  return (bytes, start, stop) => {
+    const data = new Uint8Array(Math.ceil((stop - start) / unitSize) * unitSize);
+    data.set(bytes.slice(start, stop));
+    for (let at = 0; at < data.length; at += unitSize) data.subarray(at, at + unitSize).reverse();
+    return algorithm(data, 0, data.length);
+  };
+}
+
+/** A function that computes a checksum of `size` bytes, with others in place of the bytes that must not occur. */
+function avoiding(algorithm, size, avoided, replacements) {
+  return (bytes, start, stop) => {
+    const number = BigInt(algorithm(bytes, start, stop));
+    let result = 0n;
+    for (let shift = 0n; shift < 8 * size; shift += 8n) {
+      const byte = Number((number >> shift) & 255n);
+      const place = avoided.indexOf(byte);
+      result |= BigInt(place < 0 ? byte : replacements[place]) << shift;
+    }
+    return result;
+  };
+}
+
 /** The bytes of a checksum in a frame: those of its number, or its digits. */
 function checksumBytes({ algorithm, size, order, digits }, bytes, first, last) {
   let number = algorithm(bytes, first, last);
@@ -668,8 +692,9 @@ function wholeBounds(count, signed) {
   }
 }
 
-/** The bytes of a list in the image, as its count in some bytes says. */
-function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
+/** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
+function countedBytes({ at, length, little, unit, plus = 0, most }, bytes) {
+  if (!length) return most;
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
   return (number - plus) * unit;
@@ -677,11 +702,29 @@ function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
-/** The bytes of an element that some bytes begin with, which ends with a list; -1 for a wrong count. */
-function elementBytes(tail, bytes) {
-  if (bytes.length < tail.room) return tail.room;
-  const size = countedBytes(tail, bytes);
-  return isRight(tail, size) ? tail.room + size : -1;
+/** The bytes of an element that some bytes begin with, maybe more than there are, or why they are not known. */
+function elementIn(parts, bytes) {
+  const extents = [];
+  const fields = [];
+  let before = 0;
+  for (const list of parts.lists) {
+    const at = list.first + before;
+    if (bytes.length < at) break;
+    fields.push(...bytes.subarray(fields.length + before, at));
+    const size = countedBytes(list, fields);
+    if (!isRight(list, size)) return { fault: { reason: "wrong_measure", at: placeAround(parts, extents, list.at) } };
+    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements: [] };
+    if (extent.fault) return extent;
+    extents.push(extent);
+    before += extent.size;
+  }
+  return { size: parts.fixed + before };
+}
+
+/** The bytes of an element that some bytes begin with, as `parts` tell them; -1 for a wrong count. */
+function elementBytes(parts, bytes) {
+  const { size, fault } = elementIn(parts, bytes);
+  return fault ? -1 : size;
 }
 
 /** The bytes of each element of a list whose elements differ in size, or why they are not known. */
@@ -690,11 +733,11 @@ function elementsIn(list, data, size, start) {
   let at = 0;
   while (size === null ? at < data.length : elements.length * list.element < size) {
     if (elements.length * list.element === list.most) return { fault: { reason: "wrong_length", at: start + at } };
-    const own = elementBytes(list.tail, data.subarray(at));
-    if (own < 0) return { fault: { reason: "wrong_measure", at: start + at + list.tail.at } };
-    if (at + own > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
-    elements.push(own);
-    at += own;
+    const own = elementIn(list.parts, data.subarray(at));
+    if (own.fault) return { fault: { reason: own.fault.reason, at: start + at + own.fault.at } };
+    if (at + own.size > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
+    elements.push(own.size);
+    at += own.size;
   }
   if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
   return { size: at, elements };
@@ -704,8 +747,8 @@ function elementsIn(list, data, size, start) {
  * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
  * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
  * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
- * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the
- * data decide. `tail` is the list at the end of each element whose elements differ in size.
+ * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
+ * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ.
  */
 function extentsIn({ fixed, lists }, data) {
   const extents = [];
@@ -716,11 +759,11 @@ function extentsIn({ fixed, lists }, data) {
     const left = data.length - at - fixed + list.first;
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
-    const counted = list.length ? countedBytes(list, image) : null;
+    const counted = list === lists.at(-1) ? null : countedBytes(list, image);
     if (counted !== null && !isRight(list, counted)) {
       return { extents, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, extents, list.at) } };
     }
-    const extent = list.tail
+    const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
       : { size: counted ?? left, elements: [] };
     if (extent.fault) return { extents, fault: extent.fault };
@@ -734,10 +777,10 @@ function extentsIn({ fixed, lists }, data) {
 /** The byte in data, whose lists have some extents, for a byte of their image. */
 function placeAround({ lists }, extents, at) {
   let before = 0;
-  for (const [number, { first, room, length, most, element, tail }] of lists.entries()) {
+  for (const [number, { first, room, most, element, parts }] of lists.entries()) {
     const { size, elements } = extents[number] ?? { size: 0, elements: [] };
-    if (at >= room && (!length || at < room + most)) {
-      const index = tail ? Math.floor((at - room) / element) : 0;
+    if (at >= room && (number === lists.length - 1 || at < room + most)) {
+      const index = parts ? Math.floor((at - room) / element) : 0;
       return first + before + at - room - index * element + sumOf(elements.slice(0, index));
     }
     if (at < first) return at + before;
@@ -751,14 +794,14 @@ const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
 /** The image of data whose lists have some extents. */
 function imageOf({ fixed, lists }, data, extents) {
   const last = extents.at(-1);
-  const { room, element, tail } = lists.at(-1);
-  const image = new Uint8Array(room + (tail ? last.elements.length * element : last.size));
+  const { room, element, parts } = lists.at(-1);
+  const image = new Uint8Array(room + (parts ? last.elements.length * element : last.size));
   let [before, at] = [0, 0];
   for (const [number, list] of lists.entries()) {
     const { size, elements } = extents[number];
     image.set(data.subarray(at + before, list.first + before), at);
     let from = list.first + before;
-    for (const [index, own] of (list.tail ? elements : [size]).entries()) {
+    for (const [index, own] of (list.parts ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
       from += own;
     }
@@ -791,11 +834,11 @@ function sentOfImage({ fixed, lists }, image, last) {
   const pieces = [];
   let at = 0;
   for (const list of lists) {
-    const { first, room, element, tail } = list;
-    const size = list.length ? countedBytes(list, image) : last;
+    const { first, room, element, parts } = list;
+    const size = list === lists.at(-1) ? last : countedBytes(list, image);
     pieces.push(...image.subarray(at, first));
-    for (let from = room; from < room + size; from += tail ? element : size) {
-      const own = tail ? elementBytes(tail, image.subarray(from, from + element)) : size;
+    for (let from = room; from < room + size; from += parts ? element : size) {
+      const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;
       pieces.push(...image.subarray(from, from + own));
     }
     at = first;
@@ -1268,6 +1311,24 @@ function run(device, record, data, start, stop, path, rows) {
   return values;
 }
 
+/** The same of a record that differs in size, as `parts` tell; its size has been judged. */
+function runAround(device, record, parts, data, start, stop, path, rows) {
+  const { extents } = extentsIn(parts, data.subarray(start, stop));
+  const byName = new Map(parts.lists.map(({ name }, number) => [name, extents[number]]));
+  const values = new Map();
+  const beside = new Map();
+  let at = start;
+  for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
+    const field = record.named.get(name);
+    const { size, elements } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
+    const all = field.isList ? new Array(field.count ?? Math.floor(size / field.size)).fill(field.size) : [size];
+    const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
+    values.set(name, field.isList ? contents : contents[0]);
+    at += size;
+  }
+  return values;
+}
+
 /**
  * The contents of the elements of a field, which follow each other from `start` on and have some sizes. Adds what gave
  * them to `rows`, and to `beside`, those of the same record by the names of their fields.
@@ -1278,7 +1339,9 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
     const offset = stop;
     stop += size;
     const own = `${path}${field.name}${field.isList ? `[${index}]` : ""}`;
-    if (field.record) return run(device, device.records.get(field.record), data, offset, stop, `${own}.`, rows);
+    const record = field.record && device.records.get(field.record);
+    if (field.parts) return runAround(device, record, field.parts, data, offset, stop, `${own}.`, rows);
+    if (record) return run(device, record, data, offset, stop, `${own}.`, rows);
     const row = { ...loaded(field, data.subarray(offset, stop)), path: own, index, offset, beside };
     rows.push(row);
     beside.set(field.name, row);
@@ -1622,9 +1685,22 @@ function setBitsOf(device, word, number) {
   return meanings;
 }
 
+/** The adjacent bits of a field of bits: the first one, and as many as there are, the least significant run first. */
+const runsOf = ({ runs, first, width }) => runs ?? [[first, width]];
+
 /** The bits of a field of bits in its word. */
-function bitMask({ first, width }) {
-  return ((1n << BigInt(width)) - 1n) << BigInt(first);
+function bitMask(bit) {
+  return bitsPlaced(bit, -1n);
+}
+
+/** The word in which the bits of a field are those of a number, and all others are 0. */
+function bitsPlaced(bit, number) {
+  let [word, rest] = [0n, number];
+  for (const [first, width] of runsOf(bit)) {
+    word |= BigInt.asUintN(width, rest) << BigInt(first);
+    rest >>= BigInt(width);
+  }
+  return word;
 }
 
 /** The first field of bits whose number in a word is not in its range. */
@@ -1635,13 +1711,18 @@ function refusedBitOf(word, number) {
 
 /** The number of a field of bits in a word. */
 function bitsNumber(bit, raw) {
-  const number = (raw & bitMask(bit)) >> BigInt(bit.first);
+  let [number, weight] = [0n, 0n];
+  for (const [first, width] of runsOf(bit)) {
+    number |= BigInt.asUintN(width, raw >> BigInt(first)) << weight;
+    weight += BigInt(width);
+  }
   const signed = bit.signed ? BigInt.asIntN(bit.width, number) : number;
   return bit.width > 8 * WIDE ? signed : Number(signed);
 }
 
 function bitMeaning(device, bit, number) {
-  const bits = bit.width === 1 ? String(bit.first) : `${bit.first}..${bit.first + bit.width - 1}`;
+  const runs = runsOf(bit).map(([first, width]) => (width === 1 ? String(first) : `${first}..${first + width - 1}`));
+  const bits = runs.join(", ");
   const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
   if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
   if (bit.width > 1) {
@@ -1873,12 +1954,16 @@ const FUNCTIONS = new WeakMap();
 function functionOf(algorithm) {
   if (!FUNCTIONS.has(algorithm)) {
     const initial = BigInt(algorithm.initial);
-    const compute = algorithm.method === "crc"
+    let compute = algorithm.method === "crc"
       ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
       : algorithm.method === "fletcher"
         ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
         : totalOf({ ...algorithm, initial });
-    FUNCTIONS.set(algorithm, algorithm.suffix ? followedBy(compute, bytesOfHex(algorithm.suffix)) : compute);
+    if (algorithm.method === "crc" && algorithm.unitSize) compute = swapping(compute, algorithm.unitSize);
+    if (algorithm.suffix) compute = followedBy(compute, bytesOfHex(algorithm.suffix));
+    const { avoided, replacements } = algorithm;
+    if (avoided) compute = avoiding(compute, Math.ceil(algorithm.width / 8), bytesOfHex(avoided), bytesOfHex(replacements));
+    FUNCTIONS.set(algorithm, compute);
   }
   return FUNCTIONS.get(algorithm);
 }
@@ -2416,7 +2501,7 @@ class ExplainedBody {
     let at = this.start;
     let numberOfList = 0;
     for (const [number, field] of sent.entries()) {
-      if (!field.repeat) {
+      if (!inner.lists.some(({ name }) => name === field.name)) {
         const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
         yield this.tracedField(field, at, new Array(room).fill(field.size));
         at += room * field.size;
@@ -2435,7 +2520,7 @@ class ExplainedBody {
       const count = this.itemsOf(field);
       yield this.tracedField(field, at, elements.length ? elements : new Array(count).fill(field.size));
       at = elements.length ? stop : at + count * field.size;
-      if (count < field.repeat[0]) yield this.missingRow([field], at, stop);
+      if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
       else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
       at = stop;
     }
@@ -2448,7 +2533,7 @@ class ExplainedBody {
       const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
-    if (list.tail) {
+    if (list.parts) {
       const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
       return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
@@ -2460,7 +2545,7 @@ class ExplainedBody {
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
     const { size, elements } = this.extents[number];
-    return this.record.inner.lists[number].tail ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+    return this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
   }
 
   /** Whether the first list whose bytes nobody knows has a count that cannot be right. */
@@ -3812,7 +3897,7 @@ function wordOf(device, name, value, text) {
   const word = device.flags.get(value.flags);
   const named = new Set();
   let result = 0n;
-  for (const bit of word.bits ?? []) result |= (BigInt(bit.default ?? 0) << BigInt(bit.first)) & bitMask(bit);
+  for (const bit of word.bits ?? []) result |= bitsPlaced(bit, BigInt(bit.default ?? 0));
   for (const item of text.split(/[, ]+/).filter(Boolean)) {
     const [bitName, setting] = item.split("=");
     const bit = word.bits?.find((other) => other.name === bitName);
@@ -3827,7 +3912,7 @@ function wordOf(device, name, value, text) {
     if (number > high || number < (bit.signed ? -high - 1n : 0n)) {
       throw new CodecError("out_of_range", `${name}: ${number} does not fit the ${bit.width} bits of ${bitName}`);
     }
-    result = (result & ~bitMask(bit)) | ((number << BigInt(bit.first)) & bitMask(bit));
+    result = (result & ~bitMask(bit)) | bitsPlaced(bit, number);
   }
   const missing = word.needed?.find(([, , names]) => !names.some((other) => named.has(other)));
   if (missing) {
@@ -3924,8 +4009,8 @@ function encodeRecord(device, record, values) {
     if (!field.measures) {
       const list = form.inner?.lists.find(({ name }) => name === field.name);
       const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
-      const own = joinedBytes(list?.tail ? elements.map((bytes) => padded(bytes, list.element)) : elements);
-      return list?.length ? padded(own, list.most) : own;
+      const own = joinedBytes(list?.parts ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);

@@ -46,6 +46,7 @@ def pump(**replaced: tuple[str, str]) -> DeviceSpec:
     return read(files).devices["pump"]
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", DEVICES)
 def test_most_errata_with_an_effect_on_the_wire_are_found_blindly(name: str) -> None:
     wire = [detection for detection in device(name).detections if detection.erratum.effect in WIRE]

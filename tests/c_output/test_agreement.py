@@ -26,7 +26,18 @@ from fieldspec.targets.c.runtime_files import status_names
 from layouts import SPECS, TEST_SPECS, newest
 
 REAL_DEVICES = ["ck10", "esc11", "hiwin-e", "tc100"]
-INVENTED_DEVICES = ["gadget", "gizmo", "glider-x", "sealer", "beacon", "servo2", "caller", "scanner", "widget"]
+INVENTED_DEVICES = [
+    "gadget",
+    "gizmo",
+    "glider-x",
+    "sealer",
+    "beacon",
+    "servo2",
+    "caller",
+    "scanner",
+    "widget",
+    "courier",
+]
 DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((TEST_SPECS, device) for device in INVENTED_DEVICES)]
 TRIES = 60
 NUMBERS = {name.removeprefix("err_"): number for number, name in enumerate(status_names())}
@@ -124,6 +135,7 @@ def comparable(record: RecordLayout) -> bool:
     return not any(map(is_real, encodings)) and all(map(has_single_bytes, encodings)) and all(map(comparable, inner))
 
 
+@pytest.mark.proof(5)
 def test_c_and_the_reference_agree_on_random_bytes(driver: tuple[DeviceLayout, Path]) -> None:
     layout, program = driver
     dice = random.Random(layout.device.id)

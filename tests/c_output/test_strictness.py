@@ -13,8 +13,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from compilers import STRICT, require_tool
 from headers import DEVICES, write_newest
 
-from example_counts import FACTOR
 from fieldspec.foundation.names import stem
+from proofs import IS_WHOLE
 
 # Padding depends on the machine; the other warning says that the linker of a machine may lack a library.
 EVERYTHING = ["-Weverything", "-Wno-padded", "-Wno-unknown-warning-option", "-Wno-avr-rtlib-linking-quirks"]
@@ -49,12 +49,14 @@ def complaints(command: list[str]) -> str:
     )
 
 
+@pytest.mark.proof(62)
 @pytest.mark.parametrize("machine", MACHINES)
 def test_clang_gives_no_warning(source: Path, machine: str) -> None:
     command = [require_tool("clang"), "-std=c99", *EVERYTHING, *MACHINES[machine], "-fsyntax-only", str(source)]
     assert complaints(command) == ""
 
 
+@pytest.mark.proof(25)
 @pytest.mark.parametrize("standard", STANDARDS)
 def test_every_standard_of_cpp_accepts_the_header(source: Path, standard: str) -> None:
     command = [
@@ -69,7 +71,8 @@ def test_every_standard_of_cpp_accepts_the_header(source: Path, standard: str) -
     assert complaints(command) == ""
 
 
-@pytest.mark.parametrize("source", sorted(DEVICES) if FACTOR > 1 else ["esc11", "hiwin-e", "widget"], indirect=True)
+@pytest.mark.proof
+@pytest.mark.parametrize("source", sorted(DEVICES) if IS_WHOLE else ["esc11", "widget"], indirect=True)
 def test_cppcheck_finds_nothing(source: Path) -> None:
     header = str(source).replace("_selftest.c", ".h")
     command = [

@@ -120,37 +120,40 @@ def device() -> Iterator[SimulatedDevice]:
         yield running
 
 
-@pytest.mark.parametrize("verb", list(VERBS))
+@pytest.mark.proof(36)
+@pytest.mark.parametrize("verb", VERBS)
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("request_number", [1, 2])
 def test_a_fault_in_a_verb_for_parameters_gives_a_right_value_or_an_error(
-    device: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, verb: str
+    device: SimulatedDevice,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    verb: str,
+    kind: str,
+    request_number: int,
 ) -> None:
     arguments, is_right, writes = VERBS[verb]
     settings = "".join(f"{name},{WANTED[number]}\n" for name, number in NUMBERS.items())
     (tmp_path / "settings.csv").write_text(f"Name,Value\n{settings}", "utf-8")
     bench = Bench(device, tmp_path)
     texts = [str(tmp_path / text[1:-1]) if text.startswith("{") else text for text in arguments]
-    for kind in KINDS:
-        for request in (1, 2) if verb == "write" else (2,):
-            bench.begin()
-            lasting = kind in ("stuck_bit", "out_of_range")
-            asked = device.simulation.faults.requests + request
-            device.fault(kind, **DETAILS.get(kind, {}), **({} if lasting else {"request": asked}))
-            capsys.readouterr()
-            for name in ("dump.csv", "backup.csv"):
-                (tmp_path / name).unlink(missing_ok=True)
-            code = bench.run(*texts)
-            output = capsys.readouterr()
-            where = f"{verb}, {kind} at request {request}: {code} {output.out[:300]} {output.err[-300:]}"
-            has_values = writes or output.out.strip() or any(tmp_path.glob("[db]*.csv"))
-            if (writes and code) or not has_values:
-                assert any(error in output.err + output.out for error in ERRORS), where
-            else:
-                assert is_right(bench, output.out), where
-            device.command(clear=True)
-            if verb == "restore":
-                assert bench.run(*texts, timeout="10") == 0, where
-                assert is_right(bench, ""), where
-                assert not list(tmp_path.glob("*.journal")), where
+    bench.begin()
+    lasting = kind in ("stuck_bit", "out_of_range")
+    asked = device.simulation.faults.requests + request_number
+    device.fault(kind, **DETAILS.get(kind, {}), **({} if lasting else {"request": asked}))
+    code = bench.run(*texts)
+    output = capsys.readouterr()
+    printed = f"{code} {output.out[:300]} {output.err[-300:]}"
+    has_values = writes or output.out.strip() or any(tmp_path.glob("[db]*.csv"))
+    if (writes and code) or not has_values:
+        assert any(error in output.err + output.out for error in ERRORS), printed
+    else:
+        assert is_right(bench, output.out), printed
+    device.command(clear=True)
+    if verb == "restore":
+        assert bench.run(*texts, timeout="10") == 0, printed
+        assert is_right(bench, ""), printed
+        assert not list(tmp_path.glob("*.journal")), printed
 
 
 def test_a_request_that_lacks_a_value_says_how_to_add_it(

@@ -143,9 +143,17 @@ def device() -> Iterator[SimulatedDevice]:
         yield running
 
 
-@pytest.mark.parametrize("verb", list(VERBS))
+@pytest.mark.proof(50)
+@pytest.mark.parametrize("verb", VERBS)
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("request_number", [1, 3])
 def test_a_fault_in_a_verb_gives_a_right_value_or_an_error(
-    device: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path, verb: str
+    device: SimulatedDevice,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    verb: str,
+    kind: str,
+    request_number: int,
 ) -> None:
     arguments, is_right, writes = VERBS[verb]
     (tmp_path / "points.csv").write_text("Table,Index,speed\npoints,1,20\npoints,2,30\n", "utf-8")
@@ -153,27 +161,22 @@ def test_a_fault_in_a_verb_gives_a_right_value_or_an_error(
     (tmp_path / "settings.csv").write_text(settings, "utf-8")
     bench = Bench(device, tmp_path)
     texts = [bench.file(text[1:-1]) if text.startswith("{") else text for text in arguments]
-    for kind in KINDS:
-        for request in (1, 3):
-            bench.begin({"limit": 1, "points[1].speed": 5, "points[2].speed": 6})
-            details = DETAILS.get(kind, {})
-            lasting = kind in ("stuck_bit", "out_of_range")
-            asked = device.simulation.faults.requests + request
-            device.fault(kind, **details, **({} if lasting else {"request": asked}))
-            capsys.readouterr()
-            for name in OUTPUTS:
-                Path(bench.file(name)).unlink(missing_ok=True)
-            code = bench.run(*texts)
-            output = capsys.readouterr()
-            where = f"{verb}, {kind} at request {request}: {code} {output.out[:300]} {output.err[-300:]}"
-            failed = any(error in output.err + output.out for error in ERRORS)
-            has_values = writes or output.out.strip() or any(Path(bench.file(name)).exists() for name in OUTPUTS)
-            if (writes and code) or not has_values:
-                assert failed, where
-            else:
-                assert is_right(bench, output.out), where
-            device.command(clear=True)
-            if writes and verb != "write":
-                assert bench.run(*texts, timeout="10") == 0, where
-                assert is_right(bench, ""), where
-                assert not list(tmp_path.glob("*.journal")), where
+    bench.begin({"limit": 1, "points[1].speed": 5, "points[2].speed": 6})
+    details = DETAILS.get(kind, {})
+    lasting = kind in ("stuck_bit", "out_of_range")
+    asked = device.simulation.faults.requests + request_number
+    device.fault(kind, **details, **({} if lasting else {"request": asked}))
+    code = bench.run(*texts)
+    output = capsys.readouterr()
+    printed = f"{code} {output.out[:300]} {output.err[-300:]}"
+    failed = any(error in output.err + output.out for error in ERRORS)
+    has_values = writes or output.out.strip() or any(Path(bench.file(name)).exists() for name in OUTPUTS)
+    if (writes and code) or not has_values:
+        assert failed, printed
+    else:
+        assert is_right(bench, output.out), printed
+    device.command(clear=True)
+    if writes and verb != "write":
+        assert bench.run(*texts, timeout="10") == 0, printed
+        assert is_right(bench, ""), printed
+        assert not list(tmp_path.glob("*.journal")), printed

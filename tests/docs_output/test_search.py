@@ -101,6 +101,7 @@ def test_a_fact_is_the_first_result_of_its_names_and_numbers(
     assert (search_again(browser, text) if is_open else search(browser, page, text))[:1] == [link]
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("text", ["e", "0x3067", "the position of the motor", "no such thing at all"])
 @pytest.mark.parametrize("path", ["hiwin-e/2.14.4.html", "index.html"])
 def test_results_are_there_before_anybody_notices(

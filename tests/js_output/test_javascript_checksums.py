@@ -23,7 +23,10 @@ NAMES = [
         "fletcher32",
         "fletcher16_of1_modulo_100_from_0",
         "fletcher64_of3_modulo_ffffffff_from_1",
+        "fletcher32_of2b_modulo_ffff_from_0",
     ),
+    *("crc16_1021_0_ff_0_of2", "crc64_1_0_rr_0_of4_then_0a0b", "sum16_of2l", "xor16_of2b_twos"),
+    *("crc16_xmodem_but_280d0a_as_290e0b", "sum8_but_00_as_ff", "crc40_gsm_but_0001_as_0203"),
 ]
 
 
@@ -39,7 +42,8 @@ def test_every_checksum_is_computed_as_the_layout_computes_it(tmp_path: Path) ->
     runtime = (package() / "runtime" / "checksums.js").as_uri()
     script = tmp_path / "checksums.mjs"
     lines = [
-        f"import {{ crc16, crcOf, fletcherOf, lrc, sum8, totalOf }} from {json.dumps(runtime)};",
+        f"import * as checksums from {json.dumps(runtime)};",
+        "const { avoiding, crc16, crcOf, fletcherOf, followedBy, lrc, sum8, swapping, totalOf } = checksums;",
         f"const samples = {json.dumps([sample.hex() for sample in samples])};",
         'const bytes = samples.map((hex) => new Uint8Array(Buffer.from(hex, "hex")));',
         f"const algorithms = [{' '.join(rows)}];",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 from scans import of_siemens
@@ -16,6 +17,7 @@ from fieldspec.targets.controllers.structured.program import program
 from fieldspec.targets.iec.backend import source
 from fieldspec.targets.scl.project import project
 from layouts import SPECS, newest
+from shared_results import shared
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 ACTIONS = {"ReadRegs": 3, "WriteSingleRegister": 6, "WriteRegs": 16}
@@ -49,6 +51,10 @@ def sources(house: str, layout: DeviceLayout) -> tuple[Source, ...]:
 
 def program_texts(house: str, *devices: str) -> dict[str, str]:
     """The blocks and programs that a controller gets for some devices, by their names."""
+    return shared(f"programs_{house}_{'_'.join(devices)}", lambda: _program_texts(house, devices))
+
+
+def _program_texts(house: str, devices: Sequence[str]) -> dict[str, str]:
     return {
         name: text
         for device in devices

@@ -38,6 +38,7 @@ TEXTS = {f"codesys {name}": text for name, text in CODESYS.items()} | {
 SIEMENS_TEXTS = {f"siemens {name}": of_siemens(text) for name, text in SIEMENS.items()}
 
 
+@pytest.mark.proof(18)
 @pytest.mark.parametrize("name", [*TEXTS, *SIEMENS_TEXTS])
 def test_an_adapter_or_a_program_parses(name: str) -> None:
     result = parse_source_code((TEXTS | SIEMENS_TEXTS)[name])
@@ -100,6 +101,7 @@ def test_a_program_for_twincat_compiles_with_its_adapter(device: str, name: str,
     translated(named(without_comments(functions) + ALL + adapter + block), tmp_path)
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(
     ("device", "name", "adapters"),
     [
@@ -124,6 +126,7 @@ def test_a_program_for_tia_portal_compiles_with_its_adapters(
     translated(named(types + ALL + blocks), tmp_path)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_program_of_the_standard_compiles_as_it_is(device: str, tmp_path: Path) -> None:
     blocks = "".join(program_texts("standard", device).values())

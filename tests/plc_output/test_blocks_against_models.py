@@ -39,6 +39,7 @@ def make(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Any]:
 # Every task works against the model: what fails below is not for a rig that does nothing.
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_every_task_is_done_with_a_calm_device(name: str, make: Callable[..., Any]) -> None:
     rig = make(name)
@@ -250,6 +251,7 @@ def test_who_is_aborted_stops_the_axis(name: str, make: Callable[..., Any]) -> N
 # A stop locks the axis.
 
 
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("kind", ["absolute", "relative", "home", "jog"])
 def test_nothing_moves_while_a_stop_is_asked_for(name: str, kind: str, make: Callable[..., Any]) -> None:
@@ -348,6 +350,7 @@ def test_a_block_that_reads_recovers_while_it_is_enabled(name: str, make: Callab
 # Two instances of a block are two blocks.
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_another_instance_changes_nothing_until_it_has_the_axis(name: str, make: Callable[..., Any]) -> None:
     rig = make(name, twice=True)

@@ -30,6 +30,7 @@ def axis(request: pytest.FixtureRequest, folder: Path) -> Axis:
     return Axis(request.param, folder)
 
 
+@pytest.mark.proof(2)
 def test_every_task_is_done(axis: Axis) -> None:
     rig = axis.rig
     assert rig.done(axis.block("Home")) == "Done"
@@ -221,6 +222,7 @@ def test_a_position_is_valid_while_it_is_read(name: str, folder: Path) -> None:
     assert not rig.bench.out[block, "Busy"]
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("name", [*RIGS])
 def test_nothing_starts_without_an_edge_whatever_happens(name: str, folder: Path) -> None:
     axis = Axis(name, folder)

@@ -153,6 +153,7 @@ def line(folder: Path) -> Line:
     return line.run(2, **asked(line))
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("message", ["read_registers", "write_register", "write_registers"])
 @pytest.mark.parametrize(("device", "link"), DEVICES)
 def test_every_block_exchanges_its_message(device: str, link: str, message: str, folder: Path) -> None:

@@ -31,6 +31,8 @@ from fieldspec.targets.controllers.routines.scaling import quantities
 from fieldspec.targets.vectors.backend import idle_vectors
 from layouts import SPECS, TEST_SPECS
 
+pytestmark = pytest.mark.proof()
+
 TRIES = 25
 READ, WRITABLE = ("ro", "rw"), ("wo", "rw")
 
@@ -164,6 +166,7 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
                 assert read_out(prover, group, register, copy) == wanted, (register.name, address)
 
 
+@pytest.mark.proof(8)
 def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Proof) -> None:
     layout = prover.world.layout
     for read in idle_vectors([layout]):
@@ -284,6 +287,7 @@ def prefix(prover: Proof, name: str) -> str:
     )
 
 
+@pytest.mark.proof(16)
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_counts_become_quantities_and_quantities_the_nearest_counts(

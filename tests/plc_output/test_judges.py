@@ -77,6 +77,7 @@ def statement_forms() -> list[list[str]]:
     return [some for item in functions for some in seen.statements(item.implementation)]
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("part", range(PARTS))
 def test_blark_parses_every_form_of_statement(part: int) -> None:
     value = statement_forms()[part::PARTS]
@@ -124,6 +125,7 @@ def test_tree_sitter_parses_every_function_and_struct(root: Path, device: str) -
             assert not tree.root_node.has_error, item.name
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize(("root", "device"), ALL, ids=[*NAMES, "hostile"])
 def test_everything_that_is_named_is_declared_once_and_every_value_fits_its_type(root: Path, device: str) -> None:
     (text,) = (text for name, text in st_files([newest(root, device)]).items() if name.endswith(".st"))

@@ -171,6 +171,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return programs(tmp_path_factory)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_it_moves_to_a_position_and_shows_it(name: str, folder: Path) -> None:
     rig = ready(name, folder, "xHome", "xHomed")

@@ -128,6 +128,7 @@ def run(machine: Machine, name: str, values: dict[str, Any]) -> tuple[Any, Any]:
         return str(error), None
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", REAL)
 def test_scl_does_what_structured_text_does(device: str) -> None:
     ours, theirs, dice, compared = structured(device), siemens(device), random.Random(device), 0
@@ -143,6 +144,7 @@ def test_scl_does_what_structured_text_does(device: str) -> None:
     assert compared >= len(theirs.unit.functions) - 1
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("device", REAL)
 def test_compiled_scl_does_what_interpreted_scl_does(device: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     ours, theirs = siemens(device), compiled_siemens(device, programs(tmp_path_factory))

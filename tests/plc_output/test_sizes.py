@@ -120,6 +120,7 @@ def unpacked_types(text: str) -> str:
     return named(re.sub(r"\bE_\w+", lambda match: enums[match.group()], "\n".join(remaining)))
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_a_compiler_that_packs_structs_places_members_where_the_table_says(
     root: Path, device: str, tmp_path: Path

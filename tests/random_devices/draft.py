@@ -107,8 +107,8 @@ class Draft:
     ranged: set[str] = field(default_factory=set)
     """The words with a field of bits that has a range, which parts of frames do not have."""
     records: list[RecordDraft] = field(default_factory=list)
-    tails: list[str] = field(default_factory=list)
-    """The records that end with a list which they count."""
+    differing: list[str] = field(default_factory=list)
+    """The records that differ in size, which tell it."""
     signals: dict[str, Spec] = field(default_factory=dict)
     exponents: dict[str, str] = field(default_factory=dict)
     """A register with the exponent of scales by the space that it is in."""

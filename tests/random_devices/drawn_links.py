@@ -164,6 +164,11 @@ def _checksum(draft: Draft) -> Spec:
         for key in ("reflect_in", "reflect_out"):
             if draft.chance(50):
                 parameters[key] = True
+        if draft.chance(30):
+            parameters |= {
+                "unit_size": draft.pick((2, 3, 4)),
+                "unit_order": "big" if "reflect_in" in parameters else "little",
+            }
         part["checksum"] = parameters
     elif draft.chance(40):
         part["checksum"] = _fletcher(draft)
@@ -174,9 +179,16 @@ def _checksum(draft: Draft) -> Spec:
             part["checksum"]["complement"] = draft.pick(("ones", "twos"))
         if draft.chance(30):
             part["checksum"]["unit_size"] = draft.pick((1, 2, 4))
+        _order_units(draft, part["checksum"], 1 if method == "sum" else width // 8)
     if draft.digits(15):
         part["digits"] = draft.pick(("upper_hex", "lower_hex", "decimal"))
-    elif _has_order(part) and draft.chance(40):
+        return part
+    if draft.chance(20):
+        avoided, replacements = draft.pick(
+            (("28 0D 0A", "29 0E 0B"), ("00", "FF"), ("00 01 02 03 04", "05 06 07 05 05"))
+        )
+        part["avoids"] = {"bytes": avoided, "replacements": replacements}
+    if _has_order(part) and draft.chance(40):
         part["byte_order"] = draft.pick(("big", "little"))
     return part
 
@@ -192,7 +204,14 @@ def _fletcher(draft: Draft) -> Spec:
         parameters["initial"] = draft.pick((1, half | 1, 250 * half + 250))
     if draft.chance(40):
         parameters["unit_size"] = draft.pick(range(1, width // 16 + 1))
+    _order_units(draft, parameters, 1)
     return parameters
+
+
+def _order_units(draft: Draft, parameters: Spec, usual: int) -> None:
+    """States the order of the numbers that a checksum takes, where they have several bytes."""
+    if parameters.get("unit_size", usual) > 1 and draft.chance(40):
+        parameters["unit_order"] = draft.pick(("big", "little"))
 
 
 def _has_order(part: Spec) -> bool:

@@ -48,7 +48,7 @@ def mark_exceptions(draft: Draft) -> None:
     for link in draft.spec["links"]:
         if any(part.get("role") == "code" for part in link["response"]) or not draft.chance(40):
             continue
-        kind = draft.pick(("u8", "u16", "i16"))
+        kind = draft.pick(("u8", "u16", "i16", "u24", "u32", "i32"))
         low, high = bounds(kind)
         number = draft.edge(low, high)
         another = number - 1 if number > low else number + 1

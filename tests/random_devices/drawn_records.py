@@ -9,23 +9,40 @@ from random_devices.drawn_values import size_of, value, varying_text, varying_va
 def records(draft: Draft) -> list[Spec]:
     """Records that nest in one another; some consist of whole registers, for tables."""
     fixed = [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
-    return [*fixed, *(_record_with_tail(draft) for _ in range(draft.number(0, 2) if draft.chance(40) else 0))]
+    return [*fixed, *(_differing_record(draft) for _ in range(draft.number(0, 3) if draft.chance(40) else 0))]
 
 
-def _record_with_tail(draft: Draft) -> Spec:
-    """A record that ends with a list or a text which it counts, so that its elements differ in size."""
+def _differing_record(draft: Draft) -> Spec:
+    """A record that counts its texts or its lists, and may have others that differ in size, so that it differs, too."""
     record = draft.fact(fields=[])
     fields = [draft.bounded(fixed_field(draft)[0], 8) for _ in range(draft.number(0, 2))]
-    if draft.chance(50):
-        text = draft.fact(**varying_text(draft))
-        record["fields"] = [*_inserted(draft, fields, _count_of(draft, text)), text]
-        draft.tails.append(record["name"])
-        return record
-    repeated = _repeated(draft, fields, low_limits=True)
-    measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
-    record["fields"] = [*_inserted(draft, fields, measure), repeated]
-    draft.tails.append(record["name"])
+    if draft.chance(40):
+        for _ in range(draft.number(1, 2)):
+            text = draft.fact(**varying_text(draft))
+            fields = [*_inserted(draft, fields, _count_of(draft, text)), text, *_behind(draft)]
+    else:
+        for _ in range(draft.number(1, 2)):
+            if draft.differing and draft.chance(30):
+                fields = [*fields, _differing(draft), *_behind(draft)]
+                continue
+            inner = draft.differing and draft.chance(25)
+            repeated = _differing(draft, "0..2") if inner else _repeated(draft, fields, low_limits=True)
+            measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
+            fields = [*_inserted(draft, fields, measure), repeated, *_behind(draft)]
+    record["fields"] = fields
+    draft.differing.append(record["name"])
     return record
+
+
+def _behind(draft: Draft) -> list[Spec]:
+    """Fields of fixed size behind what has none, now and then."""
+    return [fixed_field(draft)[0] for _ in range(draft.number(1, 2))] if draft.chance(40) else []
+
+
+def _differing(draft: Draft, limits: str = "") -> Spec:
+    """A field with a record that differs in size: once, two times, or repeated."""
+    count = {"count": 2} if draft.chance(25) else {}
+    return draft.fact(record=draft.pick(draft.differing), **({"repeat": limits} if limits else count))
 
 
 def _record(draft: Draft, words: bool) -> Spec:
@@ -118,8 +135,13 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
     if form == "repeat":
         return [*fields, _repeated(draft, fields)]
     if form in ("measured", "inner"):
+        if form == "inner" and draft.differing and draft.chance(30):
+            fields = [*fields, _differing(draft)]
+        is_counted = form == "measured" or draft.chance(70)
         behind = [fixed_field(draft)[0] for _ in range(draft.number(1, 3))] if form == "inner" else []
-        return [*_measured(draft, fields), *behind]
+        if behind and is_counted and draft.differing and draft.chance(20):
+            return [*fields, _differing(draft), *behind]
+        return [*(_measured(draft, fields) if is_counted else [*fields, _repeated(draft, fields)]), *behind]
     if form == "lists":
         return _lists(draft, fields)
     if form == "choice":
@@ -187,8 +209,8 @@ def _limits(draft: Draft) -> str:
 
 def _repeated(draft: Draft, fields: list[Spec], low_limits: bool = False) -> Spec:
     """A field that goes on to the end; in a record that counts it, a short one of elements of one size."""
-    if draft.tails and not low_limits and draft.chance(40):
-        return draft.fact(record=draft.pick(draft.tails), repeat=f"{draft.number(0, 1)}..{draft.number(1, 6)}")
+    if draft.differing and not low_limits and draft.chance(40):
+        return _differing(draft, f"{draft.number(0, 1)}..{draft.number(1, 4)}")
     nested = [record for record in draft.records if not record.apart]
     if nested and draft.chance(25):
         return draft.fact(record=draft.pick(nested).name, repeat=_limits(draft))
@@ -207,7 +229,7 @@ def _measure(draft: Draft, field: Spec) -> Spec:
     """What a field contains that counts another one, now and then with a constant number in addition."""
     least = int(str(field.get("repeat", 0)).partition("..")[0])
     plus = draft.pick((-1, 1, 2, 5) if least else (1, 2, 5)) if draft.chance(25) else 0
-    what = "items" if field.get("record") in draft.tails else draft.pick(("items", "bytes"))
+    what = "items" if field.get("record") in draft.differing else draft.pick(("items", "bytes"))
     return {what: field["name"], **({"plus": plus} if plus else {})}
 
 
@@ -216,7 +238,7 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
     for number in range(draft.number(2, 3)):
         repeated = _repeated(draft, fields)
         if number and draft.chance(15):
-            return [*fields, repeated]
+            return [*fields, repeated, *_behind(draft)]
         measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
         fields = [*_inserted(draft, fields, measure), repeated]
         if draft.chance(20):

@@ -69,6 +69,8 @@ def _flags(draft: Draft) -> Spec:
         bit, width = _bit(draft, at, 8 * SIZES[kind])
         word["bits"].append(bit)
         at += width + (draft.number(0, 9) if draft.chance(40) else 0)
+    if draft.chance(25):
+        _move_apart(draft, word)
     if draft.chance(20):
         word["bits"].reverse()
     single = [bit["name"] for bit in word["bits"] if "bit" in bit and not ({"reserved"} | BOUNDS) & set(bit)]
@@ -87,11 +89,48 @@ def _count_from_most(word: Spec) -> None:
     highest = 8 * SIZES[word["type"]] - 1
     word["bit_0"] = "most"
     for bit in word["bits"]:
+        count_from_other_end(bit, highest)
+
+
+def count_from_other_end(bit: Spec, highest: int) -> None:
+    """Numbers the bits of an entry from the other end of its word, whose last bit is `highest`."""
+    if "bit" in bit:
+        bit["bit"] = highest - bit["bit"]
+    else:
+        bit["bits"] = pieces_text([highest - place for place in reversed(places_of(bit))])
+
+
+def _move_apart(draft: Draft, word: Spec) -> None:
+    """Lets some bits of a word change their places, so that those of a number lie apart."""
+    places = list(range(8 * SIZES[word["type"]]))
+    for _ in range(draft.number(1, 4)):
+        first, second = draft.pick(places), draft.pick(places)
+        places[first], places[second] = places[second], places[first]
+    for bit in word["bits"]:
+        moved = [places[place] for place in places_of(bit)]
         if "bit" in bit:
-            bit["bit"] = highest - bit["bit"]
+            bit["bit"] = moved[0]
         else:
-            first, last = map(int, bit["bits"].split(".."))
-            bit["bits"] = f"{highest - last}..{highest - first}"
+            bit["bits"] = pieces_text(moved)
+
+
+def places_of(bit: Spec) -> list[int]:
+    """The bits of a word that an entry names, in its order."""
+    if "bit" in bit:
+        return [bit["bit"]]
+    runs = [piece.strip().partition("..") for piece in bit["bits"].split(",")]
+    return [place for first, _, last in runs for place in range(int(first), int(last or first) + 1)]
+
+
+def pieces_text(places: list[int]) -> str:
+    """Places as `bits` of an entry: `8..14, 0`"""
+    runs: list[list[int]] = []
+    for place in places:
+        if runs and place == runs[-1][1] + 1:
+            runs[-1][1] = place
+        else:
+            runs.append([place, place])
+    return ", ".join(str(first) if first == last else f"{first}..{last}" for first, last in runs)
 
 
 def derived_enums(draft: Draft) -> list[Spec]:

@@ -18,7 +18,7 @@ MOST_OUTPUTS = 4
 """The outputs that are compared of one device; others are those of the next."""
 _TELLS_FORMS = ("docs",)
 """The outputs that say how the manual numbers bits, and which versions have a fact."""
-_FORMS = re.compile(r"\b(Since|Until|Only)( in)? [0-9., ]*[0-9]\.|\"countedFromMost\": true, ")
+_FORMS = re.compile(r"\b(Since|Until|Only)( in)? [0-9., ]*[0-9]\.|\"remark\": \"Bit 0 is the least[^\"]*\", ")
 """The words of other outputs that say so."""
 
 

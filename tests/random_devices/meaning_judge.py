@@ -17,7 +17,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.values import MeaningError, raw_of
 from fieldspec.codec.reference import CodecError, codec
-from fieldspec.codec.reference.bits import bits_of_word, number_of_bits, printed_number
+from fieldspec.codec.reference.bits import bit_places, bits_of_word, number_of_bits, printed_number
 from fieldspec.codec.reference.quantities import (
     NoQuantityError,
     count_of_quantity,
@@ -29,9 +29,10 @@ from fieldspec.codec.reference.quantities import (
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.encoding import is_count, is_real
-from fieldspec.language.model.enums import Flags
+from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.value import Value
 from python_package import class_of
+from random_devices.drawn_words import pieces_text
 from random_devices.inputs import number_or_text
 from random_devices.meanings import Leaf, Meaning, leaves, meaning_of
 from random_devices.python_judge import module_of_device
@@ -121,7 +122,7 @@ class Meanings:
             own_meaning = own.get(bit.name)
             if own_meaning is None:
                 continue
-            places = str(bit.first) if bit.first == bit.last else f"{bit.first}..{bit.last}"
+            places = pieces_text(bit_places(bit))
             assert own_meaning.bits == places, f"{text}: {bit.name} is at {own_meaning.bits}, not {places}"
             if bit.unit and bit.last > bit.first and not bit.enum:
                 exact = quantity(bit.as_value, number_of_bits(word, bit, number))
@@ -142,7 +143,7 @@ class Meanings:
     @staticmethod
     def _is(word: Flags, name: str, bits: list[int], level: int) -> bool:
         bit = next(bit for bit in word.bits if bit.name == name)
-        return all(own == level for own in bits[bit.first : bit.last + 1])
+        return all(bits[place] == level for place in bit_places(bit))
 
     def _assert_word(self, word: Flags, number: int) -> None:
         """The explainer has the numbers of all bits; generated Python has them too, and sets each alone."""
@@ -153,7 +154,7 @@ class Meanings:
         assert list(of(number).flags().values()) == wanted, f"{word.name} {number:#x}: {of(number).flags()}"
         for (name, own), bit in zip(of(number).flags().items(), bits, strict=True):
             image = int(of(0, **{name: own}))
-            assert image == number & ((1 << bit.last + 1) - (1 << bit.first)), f"{word.name} {name}: {image:#x}"
+            assert image == number & sum(1 << place for place in bit_places(bit)), f"{word.name} {name}: {image:#x}"
 
     # Encoding
 
@@ -231,8 +232,8 @@ def entries(layout: DeviceLayout, value: Value, raw: Any) -> Iterator[tuple[Any,
     elif value.flags:
         word = layout.device.flags[value.flags]
         bits = [bit for bit in word.bits if not bit.reserved]
-        image = sum(number_of_bits(word, bit, raw) << bit.first & bit.mask for bit in bits)
-        reserved_bits = sum((bit.default or 0) << bit.first & bit.mask for bit in word.bits if bit.reserved)
+        image = sum(_image(bit, number_of_bits(word, bit, raw)) for bit in bits)
+        reserved_bits = sum(_image(bit, bit.default or 0) for bit in word.bits if bit.reserved)
         yield [f"{bit.name}={number_of_bits(word, bit, raw)}" for bit in bits], image | reserved_bits
     elif value.unit and not value.scale_by and not value.enum:
         exact = quantity(value, raw) or Fraction(raw) * scale_of(value) + Fraction(value.offset)
@@ -247,3 +248,8 @@ def entries(layout: DeviceLayout, value: Value, raw: Any) -> Iterator[tuple[Any,
 
 
 __all__ = ["Meanings"]
+
+
+def _image(bit: Bit, number: int) -> int:
+    """The word in which the bits of a field are those of a number."""
+    return sum((number >> index & 1) << place for index, place in enumerate(bit_places(bit)))

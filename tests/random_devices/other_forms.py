@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from random_devices.draft import BOUNDS, SIZES, Spec
+from random_devices.drawn_words import count_from_other_end
 
 Files = dict[str, Spec]
 """The files of a project by path."""
@@ -96,11 +97,7 @@ def with_bits_from_most(spec: Spec) -> Spec | None:
         highest = 8 * SIZES[word["type"]] - 1
         word["bit_0"] = "least" if word.get("bit_0") == "most" else "most"
         for bit in word["bits"]:
-            if "bit" in bit:
-                bit["bit"] = highest - bit["bit"]
-            else:
-                first, last = map(int, bit["bits"].split(".."))
-                bit["bits"] = f"{highest - last}..{highest - first}"
+            count_from_other_end(bit, highest)
     return own
 
 

@@ -1,10 +1,12 @@
-import { within } from "./values.js";
+import { bitsNumber, within } from "./values.js";
+
+const isBitsWithin = ([mask, images, runs], word) => within(images, runs ? bitsNumber(runs, word, false) : word & mask);
 
 /**
  * The states of a value that is read. `values` are those that stand for a state and not for a quantity, by the names of
  * their states. It has no prototype; a NaN in it means any NaN. A state for which all numbers of an interval stand has
  * the least in `values`, and the greatest in `lasts`. Any other value is out of range outside of `ranges`, where there
- * are any, and where the bits in a mask of `bits` are in none of its intervals. It is a quantity all the same.
+ * are any, and where the bits in a mask of `bits`, or of their runs, are in none of its intervals. It is a quantity all the same.
  */
 export function absentValues(values, lasts = {}, { ranges = null, bits = [] } = {}) {
   const rows = Object.entries(values);
@@ -18,7 +20,7 @@ export function absentValues(values, lasts = {}, { ranges = null, bits = [] } = 
       );
       if (row !== undefined) return row[0];
       const isWithin = ranges === null || within(ranges, value);
-      return isWithin && bits.every(([mask, images]) => within(images, BigInt(value) & mask)) ? null : "out_of_range";
+      return isWithin && bits.every((bit) => isBitsWithin(bit, BigInt(value))) ? null : "out_of_range";
     },
   });
 }

@@ -34,6 +34,13 @@ OUT_OF_RANGE = "out_of_range"
 """The state of a value that is read outside of what is stated of it. It is a quantity all the same."""
 
 
+def bits_at(raw: int, place: int | tuple[tuple[int, int, int], ...]) -> int:
+    """The bits of a word in a mask; of bits that lie apart, the number that their runs are."""
+    if isinstance(place, int):
+        return raw & place
+    return sum((raw >> first & ones) << weight for first, ones, weight in place)
+
+
 def state_of(
     value: Any, absent: Absent = (), ranges: tuple[tuple[float, float], ...] = (), bits: tuple[BoundedBits, ...] = ()
 ) -> str | None:
@@ -45,8 +52,8 @@ def state_of(
         if is_among(number, (other,)):
             return name
     is_within = not ranges or any(low <= number <= high for low, high in ranges)
-    for _, mask, images, _ in bits:
-        is_within &= any(low <= number & mask <= high for low, high in images)
+    for _, place, images, _ in bits:
+        is_within &= any(low <= bits_at(number, place) <= high for low, high in images)
     return None if is_within else OUT_OF_RANGE
 
 

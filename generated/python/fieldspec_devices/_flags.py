@@ -35,6 +35,8 @@ class Flags:
 
     __slots__ = ("raw",)
     _BITS: ClassVar[dict[str, tuple[int, int]]] = {}
+    _RUNS: ClassVar[dict[str, tuple[tuple[int, int, int], ...]]] = {}
+    """Of bits that lie apart: the first bit of each run, its greatest number, and the bit of the number that it is."""
     _SIGNED: ClassVar[frozenset[str]] = frozenset()
     _QUANTITIES: ClassVar[dict[str, tuple[str, tuple[int, int, int]]]] = {}
     """The field of bits of each name in a unit, and (a, b, c) of quantity = (count * a + b) / c."""
@@ -54,7 +56,8 @@ class Flags:
             count = index(value) if ratio is None else counts(name, value, ratio, ((low, high),))
             if not low <= count <= high:
                 raise CodecError("out_of_range", f"{name} is {count}, not in {low}..{high}")
-            raw = raw & ~(most << first) | (count & most) << first
+            for place, ones, weight in self._RUNS.get(name, ((first, most, 0),)):
+                raw = raw & ~(ones << place) | (count >> weight & ones) << place
         return raw
 
     def __int__(self) -> int:

@@ -143,11 +143,12 @@ class Body:
         fields = self.record.sent_fields
         offset, number_of_list = self.start, 0
         for number, field in enumerate(fields):
-            if field.count is not None:
-                room = max(0, min(field.count, (self.end - offset) // field.size))
+            if not field.varies:
+                count = field.count or 0
+                room = max(0, min(count, (self.end - offset) // field.size))
                 yield self._field(field, offset, [field.size] * room)
                 offset += room * field.size
-                if room < field.count:
+                if room < count:
                     yield self._missing(fields[number:], offset)
                     return
                 continue
@@ -173,7 +174,7 @@ class Body:
         if self._has_wrong_count(inner):
             text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
             return self._wrong(fields[0], offset, "wrong_measure", text)
-        if inner.tail is not None:
+        if inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
             text = f"the elements of {fields[0].name} do not end with their bytes: see {place}"
             return self._wrong(fields[0], offset, self.fault.reason, text)
@@ -193,15 +194,14 @@ class Body:
 
     def _items(self, field: FieldLayout) -> int:
         """How many elements of a list of a record with fields behind a list there are."""
-        inner, repeat = self.record.inner_lists, field.field.repeat
+        inner = self.record.inner_lists
         assert inner is not None
-        assert repeat is not None
         number = next(number for number, own in enumerate(inner.lists) if own.name == field.name)
         extent = self.extents[number]
         return (
             len(extent.elements)
-            if inner.lists[number].tail is not None
-            else min(extent.size // field.size, repeat.high)
+            if inner.lists[number].parts is not None
+            else min(extent.size // field.size, field.bounds[1])
         )
 
     def _traced_varying(self) -> Iterator[_TracedField | ExplanationRow]:

@@ -320,7 +320,7 @@ def state_text(state: State) -> str:
 
 
 def _bit(device: Device, bit: Bit, number: int) -> Meaning:
-    bits = str(bit.first) if bit.width == 1 else f"{bit.first}..{bit.last}"
+    bits = bit.number_text
     name = bit_name(device, bit, number)
     if bit.enum:
         member = device.enums[bit.enum].member(number)

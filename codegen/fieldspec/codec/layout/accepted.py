@@ -136,9 +136,14 @@ def accepted(device: Device, value: Value) -> AcceptedSet:
     """What a value takes. A condition that one before it implies is left out."""
     encoding = value.encoding
     reading = _reading(device, value, encoding)
-    remarked = _needed([*reading, *_remarked(device, value, encoding)])[len(reading) :]
     writing = _writing(device, value, encoding)
-    return AcceptedSet(tuple(reading), tuple(remarked), tuple(writing), value.sentinels)
+    return AcceptedSet(tuple(reading), _remarked_alone(device, value, reading), tuple(writing), value.sentinels)
+
+
+def _remarked_alone(device: Device, value: Value, reading: list[Condition]) -> tuple[Condition, ...]:
+    """What a reader remarks beyond what it refuses."""
+    remarked = _remarked(device, value, value.encoding)
+    return tuple(_needed([*reading, *remarked])[len(reading) :]) if remarked else ()
 
 
 def _reading(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
@@ -211,7 +216,7 @@ def range_conditions(device: Device, value: Value, trigger: bool = False) -> tup
 
     What is read of a `trigger` is not what was written, so nothing is stated of it.
     """
-    return () if trigger else accepted(device, value).remarked
+    return () if trigger else _remarked_alone(device, value, _reading(device, value, value.encoding))
 
 
 def stated_numbers(device: Device, value: Value, trigger: bool = False) -> StatedNumbers | None:
@@ -255,11 +260,15 @@ def _number_passes(test: Equals | IsBit | Known | Within | RealWithin | PartWith
         case RealWithin():
             return (test.takes_nan and number != number) or _is_in(number, test.intervals)
         case PartWithin():
-            return _is_in(number, test.sentinels) or _is_in(int(number) & test.bit.mask, test.bit.images)
+            return _is_in(number, test.sentinels) or _part_is_in(test.bit, int(number))
         case Fits():
             return _fits(number, test.precision)
         case _:
             assert_never(test)
+
+
+def _part_is_in(bit: Bit, word: int) -> bool:
+    return _is_in(bit.joined(word) if bit.pieces else word & bit.mask, bit.images)
 
 
 def _is_in(number: float, intervals: Iterable[tuple[float, float]]) -> bool:

@@ -12,11 +12,11 @@ def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     kind = checksum_named(algorithm)
     data += kind.suffix
     if kind.method == "crc":
-        return _crc(kind, data)
+        return kind.as_sent(_crc(kind, kind.arranged(data)))
     number = combined(kind, data, order)
     if kind.complement:
         number = -number if kind.complement == "twos" else ~number
-    return number & kind.mask
+    return kind.as_sent(number & kind.mask)
 
 
 def checksum_bytes(algorithm: str, digits: str, order: str, size: int, data: bytes) -> bytes:

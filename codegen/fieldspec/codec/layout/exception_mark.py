@@ -49,5 +49,5 @@ def reason_field(record: RecordLayout) -> FieldLayout | None:
 def exception_mark(exception: ExceptionResponse | None, record: RecordLayout | None) -> ExceptionMark | None:
     """The mark in the data of exception responses; None where they are marked before the body, or not at all."""
     field = record.named(exception.field) if exception is not None and record is not None else None
-    constant = constant_at(field.field, field.offset, field.order) if field is not None else None
+    constant = constant_at(field.field, field.offset, field.order, field.word_order) if field is not None else None
     return ExceptionMark(*constant[0], constant[1]) if constant is not None else None

@@ -318,6 +318,7 @@ def _words(device: Device) -> Iterator[Words]:
             + ((bit.signed, str(shortest(bit.scale)), str(shortest(bit.offset)), bit.unit) if bit.is_number else ())
             + ((ranges,) if (ranges := bounding(bit.ranges, bit.low, bit.high)) is not None else ())
             + (("default", bit.default) if bit.default is not None else ())
+            + (("pieces", *bit.pieces) if bit.pieces else ())
             for bit in sorted(flags.bits, key=attrgetter("first", "name"))
             if not bit.reserved
         ]

@@ -24,7 +24,7 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
             Diagnostic(
                 "plc_lists_last" if for_controllers else "output_lists_last",
                 f"{field.name} {problem}, and {reader} reads only lists that come last, of elements of one size",
-                field.place["repeat"],
+                field.place["repeat" if field.repeat is not None else "record"],
                 help=LEAVE_OUT,
             ),
         )
@@ -34,7 +34,7 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
 
 def _problem(body: RecordLayout, field: FieldLayout) -> str:
     """Why such outputs do not read a field; empty where they do."""
-    if field.count is not None:
+    if not field.varies:
         return ""
     if field is not body.sent_fields[-1]:
         return "has fields behind it"
@@ -45,4 +45,4 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
         or any(own.value is not None and own.value.width for own in record.fields)
     ):
         return ""  # the text that varies in length is refused itself, and with it what has it
-    return "has elements that differ in size"
+    return "has elements that differ in size" if field.is_list else "differs in size"

@@ -1,9 +1,10 @@
-"""Lists with other fields behind them, which other fields count, and lists of records that differ in size: where
-everything is in some data.
+"""Lists with other fields behind them, and records that differ in size, in lists and by themselves: where everything is
+in some data.
 
 Codecs work on the image of such a record: first all other fields, then the lists. Each list but the last one has room
-there for as many elements as it may have, and each element for as many bytes as it may have, so that everything in the
-image has its place. The last list goes on to the end of the image.
+there for as many elements as it may have. An element that differs in size is there as it is sent, with zeros behind it
+up to the most bytes that it may have, so that everything in the image has its place. The last list goes on to the end
+of the image. A record that differs in size and occurs a fixed number of times is a list of so many elements.
 """
 
 from __future__ import annotations
@@ -22,9 +23,8 @@ class InnerList:
 
     It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
     image and has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit`
-    bytes. `count` is empty where the number is not needed, since the data end with the list and the fields behind it.
-    `tail` is the list at the end of each element, whose count is in the element, or the text there as a list of its
-    bytes; None where all have the same size.
+    bytes. `count` is empty where the number is always the same, and where the data end with the list and the fields
+    behind it. `parts` tell the size of an element from its bytes; None where all have the same size.
     """
 
     name: str
@@ -39,7 +39,7 @@ class InnerList:
     count_order: str = "big"
     unit: int = 1
     plus: int = 0
-    tail: InnerList | None = None
+    parts: InnerLists | None = None
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
@@ -50,6 +50,10 @@ class InnerList:
         """The number of the field that counts the list, in an image that goes that far."""
         order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
         return int.from_bytes(image[self.count_at : self.count_at + self.count_size], order)
+
+    def size_in(self, image: bytes) -> int | None:
+        """The bytes in the image of a list that does not end with the data, None for a wrong count."""
+        return self.size_of(self.count_in(image)) if self.count else self.most
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,15 +106,37 @@ class InnerLists:
         """The bytes of a list in data that begin with it, less the fields behind it."""
         start = inner.first + sum(extent.size for extent in extents)
         size = None
-        if inner.count:
-            size = inner.size_of(inner.count_in(image))
+        if inner is not self.last:
+            size = inner.size_in(image)
             if size is None:
                 return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
-        if inner.tail is not None:
-            return _elements(inner, inner.tail, data, size, start)
+        if inner.parts is not None:
+            return _elements(inner, inner.parts, data, size, start)
         if size is not None and size > len(data):
             return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
         return ListExtent(len(data) if size is None else size)
+
+    def sent_size(self, data: bytes) -> int | ListFault:
+        """The bytes of an element that data begin with, which may be more than the data have."""
+        extents: list[ListExtent] = []
+        fields, before = b"", 0
+        for inner in self.lists:
+            start = inner.first + before
+            if len(data) < start:
+                break
+            fields += data[len(fields) + before : start]
+            size = inner.size_in(fields)
+            if size is None:
+                return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
+            extent = ListExtent(size)
+            if inner.parts is not None:
+                elements = _elements(inner, inner.parts, data[start:], size, start)
+                if isinstance(elements, ListFault):
+                    return elements
+                extent = elements
+            extents.append(extent)
+            before += extent.size
+        return self.fixed + before
 
     def image_of(self, data: bytes, extents: Sequence[ListExtent]) -> bytes:
         """The image of data whose lists have some extents; it has zeros for fields behind a list without one."""
@@ -119,7 +145,7 @@ class InnerLists:
             start = inner.first + before
             fields += data[len(fields) + before : start]
             piece = data[start : start + extent.size]
-            if inner.tail is not None:
+            if inner.parts is not None:
                 offset, pieces = 0, []
                 for size in extent.elements:
                     pieces.append(piece[offset : offset + size].ljust(inner.element, b"\0"))
@@ -142,11 +168,17 @@ class InnerLists:
         """The bytes that are sent for a list in an image."""
         piece = image[inner.room :]
         if inner is not self.last:
-            piece = piece[: inner.size_of(inner.count_in(image))]
-        if inner.tail is None:
+            piece = piece[: inner.size_in(image)]
+        if inner.parts is None:
             return piece
         elements = [piece[offset : offset + inner.element] for offset in range(0, len(piece), inner.element)]
-        return b"".join(element[: element_size(inner.tail, element)] for element in elements)
+        return b"".join(inner.parts.sent_bytes(element) for element in elements)
+
+    def sent_bytes(self, element: bytes) -> bytes:
+        """What is sent of an element in an image."""
+        size = self.sent_size(element)
+        assert isinstance(size, int)
+        return element[:size]
 
     def place_in_data(self, extents: Sequence[ListExtent], offset: int) -> int:
         """The byte in data, whose lists have some extents, for a byte of their image."""
@@ -162,22 +194,22 @@ class InnerLists:
 
 
 def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
-    if inner.tail is None:
+    if inner.parts is None:
         return offset
     index, rest = divmod(offset, inner.element)
     return sum(extent.elements[:index]) + rest
 
 
-def _elements(inner: InnerList, tail: InnerList, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
+def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
     """The elements of a list whose elements differ in size: as many as have `size` bytes in the image, or all."""
     sizes: list[int] = []
     offset = 0
     while offset < len(data) if size is None else len(sizes) * inner.element < size:
         if len(sizes) * inner.element == inner.most:
             return ListFault("wrong_length", start + offset)
-        own = element_size(tail, data[offset:])
-        if own is None:
-            return ListFault("wrong_measure", start + offset + tail.count_at)
+        own = parts.sent_size(data[offset:])
+        if isinstance(own, ListFault):
+            return ListFault(own.reason, start + offset + own.at)
         if offset + own > len(data):
             return ListFault("incomplete", start + len(data))
         sizes.append(own)
@@ -185,14 +217,6 @@ def _elements(inner: InnerList, tail: InnerList, data: bytes, size: int | None, 
     if len(sizes) * inner.element < inner.least:
         return ListFault("incomplete", start + offset)
     return ListExtent(offset, tuple(sizes))
-
-
-def element_size(tail: InnerList, data: bytes) -> int | None:
-    """The bytes of an element that data begin with, which may be more than the data have; None for a wrong count."""
-    if len(data) < tail.room:
-        return tail.room
-    size = tail.size_of(tail.count_in(data))
-    return None if size is None else tail.room + size
 
 
 def inner_lists_data(inner: InnerLists) -> dict[str, Any]:
@@ -206,5 +230,5 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
     plus = {"plus": row.plus} if row.plus else {}
     is_little = {"little": True} if row.count_order == "little" else {}
-    tail = {"tail": _inner_list_row(row.tail)} if row.tail is not None else {}
-    return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **tail}
+    parts = {"parts": inner_lists_data(row.parts)} if row.parts is not None else {}
+    return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **parts}

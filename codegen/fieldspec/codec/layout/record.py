@@ -65,6 +65,11 @@ class FieldLayout:
         return part is not None and part.part == "value" and is_octets(self.primitive.encoding) and not self.is_list
 
     @property
+    def word_order(self) -> str:
+        """The order of its words: that of the bytes in each, or the opposite one."""
+        return {"big": "little", "little": "big"}[self.order] if self.swapped else self.order
+
+    @property
     def primitive(self) -> Primitive:
         """The type of the value of a field that has one."""
         assert self.value is not None
@@ -74,6 +79,18 @@ class FieldLayout:
     def is_list(self) -> bool:
         """Whether the field is a list of elements."""
         return self.field.count is not None or self.field.repeat is not None
+
+    @property
+    def varies(self) -> bool:
+        """Whether its bytes differ from data to data."""
+        is_record = self.record is not None and self.record.size is None
+        return self.count is None or is_record or (self.value is not None and self.value.width > 0)
+
+    @property
+    def bounds(self) -> tuple[int, int]:
+        """How many elements it has, at least and at most."""
+        repeat = self.field.repeat
+        return (repeat.low, repeat.high) if repeat is not None else (self.count or 1, self.count or 1)
 
     @property
     def end(self) -> int | None:
@@ -155,18 +172,22 @@ class RecordLayout:
         return varying_offset is None or field.offset <= varying_offset
 
     @property
-    def has_tails(self) -> bool:
-        """Whether it has a list whose elements differ in size, each of which counts the list at its end."""
-        return self.inner_lists is not None and any(inner.tail is not None for inner in self.inner_lists.lists)
+    def has_differing(self) -> bool:
+        """Whether it has records that differ in size."""
+        return any(field.record is not None and field.record.size is None for field in self.fields)
 
     @property
     def has_single_list(self) -> bool:
         """Whether the number of elements of its only list decides its size."""
-        return sum(field.count is None for field in self.fields) == 1 and not self.has_tails
+        return not self.has_differing and sum(field.count is None for field in self.fields) == 1
 
     def room_of(self, field: FieldLayout) -> InnerList | None:
         """The room of a list in an image that has another list behind it, None for other fields."""
         return next((room for room in self.rooms if room.name == field.name), None)
+
+    def rooms_before(self, field: FieldLayout) -> int:
+        """How many lists, or records that differ in size, are sent before a field of an image."""
+        return [other for other in self.fields if other.varies].index(field)
 
     def named(self, name: str) -> FieldLayout | None:
         """The field with a name, None if there is none."""
@@ -258,10 +279,11 @@ def _fixed(
     """The layout of a record without cases."""
     offset = 0
     fields = []
-    lists = [field for field in record.fields if field.repeat is not None]
-    differing = [field for field in lists if field.record and records[field.record].size is None]
+    differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
+    lists = [field for field in record.fields if field.repeat is not None or field.name in differing]
     is_inner = any(field is not record.fields[-1] for field in lists) or bool(differing)
-    for field in _lists_last(record, lists) if is_inner else record.fields:
+    others = [field for field in record.fields if field not in lists]
+    for field in (*others, *lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
         size = field.value.size if field.value else (nested.most or 0) if nested else 0
         count = None if field.repeat else field.count or 1
@@ -273,65 +295,53 @@ def _fixed(
         offset += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):
         return _varying(record, tuple(fields))
-    fixed = sum(field.size * field.count for field in fields if field.count is not None)
-    repeated = [(field.field.repeat, field.size) for field in fields if field.field.repeat is not None]
-    if not repeated:
+    fixed = sum(field.size * (field.count or 0) for field in fields if field.name not in differing)
+    if not lists:
         return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
-    leasts = [field.size if field.record is None else field.record.least for field in fields if field.count is None]
-    minimum = fixed + sum(repeat.low * own for (repeat, _), own in zip(repeated, leasts, strict=True))
-    maximum = fixed + sum(repeat.high * size for repeat, size in repeated)
-    inner_lists = _inner_lists(record, tuple(fields), fixed) if is_inner else None
-    return RecordLayout(record, record.name, tuple(fields), None, minimum, maximum, inner_lists=inner_lists)
+    varying = [field for field in fields if field.field in lists]
+    minimum = fixed + sum(field.bounds[0] * (field.record.least if field.record else field.size) for field in varying)
+    maximum = fixed + sum(field.bounds[1] * field.size for field in varying)
+    layout = RecordLayout(record, record.name, tuple(fields), None, minimum, maximum)
+    return replace(layout, inner_lists=inner_lists_of(layout)) if is_inner else layout
 
 
-def _lists_last(record: Record, lists: list[Field]) -> list[Field]:
-    """The fields of a record as its image has them."""
-    return [*(field for field in record.fields if field.repeat is None), *lists]
+def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists:
+    """Where the lists of a record begin, and what counts them. A text that varies in width is a list of its bytes.
 
-
-def _inner_lists(record: Record, fields: tuple[FieldLayout, ...], fixed: int) -> InnerLists:
-    """Where the lists of a record begin, and what counts them."""
-    by_name = {field.name: field for field in fields}
-    first = 0
+    Each list of a record that `is_element` of another one is counted, since the data do not end with it.
+    """
+    by_name = {field.name: field for field in record.fields}
+    sent_fields = [by_name[field.name] for field in record.record.fields]
+    varying = [field for field in sent_fields if field.varies]
+    fixed = sum(field.size * (field.count or 0) for field in record.fields if not field.varies)
+    first, room = 0, fixed
     lists: list[InnerList] = []
-    last = fields[-1]
-    for own in record.fields:
-        field = by_name[own.name]
-        if own.repeat is None:
+    places: dict[str, int] = {}
+    for field in sent_fields:
+        if not field.varies:
+            places[field.name] = first
             first += field.size * (field.count or 0)
             continue
-        minimum, maximum = own.repeat.low * field.size, own.repeat.high * field.size
-        inner = InnerList(field.name, first, field.offset, field.size, minimum, maximum)
-        count = None if field is last else list_count(record, own)
-        inner = inner if count is None else _with_count(inner, by_name[count.name])
+        is_text = field.value is not None and field.value.width > 0
+        element = 1 if is_text else field.size
+        low, high = (0, field.size) if is_text else field.bounds
+        inner = InnerList(field.name, first, room, element, low * element, high * element)
+        if is_element or field is not varying[-1]:
+            count = text_count(record.record, field.field) if is_text else list_count(record.record, field.field)
+            if count is not None:
+                inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:
-            inner = replace(inner, tail=tail_of(field.record))
+            inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
         lists.append(inner)
+        room += inner.most
     return InnerLists(tuple(lists), fixed)
 
 
-def tail_of(record: RecordLayout) -> InnerList:
-    """The list at the end of a record that counts it. A text is a list of its bytes."""
-    field = record.fields[-1]
-    repeat, offset, size = field.field.repeat, field.offset, field.size
-    if repeat is None:
-        assert field.value is not None
-        count, tail = (
-            text_count(record.record, field.field),
-            InnerList(field.name, offset, offset, 1, 0, field.value.width),
-        )
-    else:
-        count = list_count(record.record, field.field)
-        tail = InnerList(field.name, offset, offset, size, repeat.low * size, repeat.high * size)
-    assert count is not None
-    return _with_count(tail, {own.name: own for own in record.fields}[count.name])
-
-
-def _with_count(inner: InnerList, count: FieldLayout) -> InnerList:
-    """A list with the field that counts it."""
+def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
+    """A list with the field that counts it, which is at an offset in the image."""
     measures = count.field.measures
     assert measures is not None
-    inner = replace(inner, count=count.name, count_at=count.offset, count_size=count.size, count_order=count.order)
+    inner = replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.order)
     return replace(inner, unit=measures.unit(inner.element), plus=measures.plus)
 
 

@@ -75,9 +75,8 @@ def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None
 
 
 def _places(record: RecordLayout) -> dict[Place, Numbers]:
-    turned = {"big": "little", "little": "big"}
     places = (
-        numbers_at(field.field, field.offset, field.order, turned[field.order] if field.swapped else field.order)
+        numbers_at(field.field, field.offset, field.order, field.word_order)
         for field in record.fields
         if not field.cases and record.has_place(field)
     )

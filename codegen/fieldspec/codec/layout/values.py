@@ -314,7 +314,7 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
             number = _raw_of_text(device, f"{path}.{name}", bit.as_value, setting)
         if not bit.low <= number <= bit.high:
             raise MeaningError(path, f"{number} does not fit the {bit.width} bits of {name}")
-        word = word & ~bit.mask | (number << bit.first) & bit.mask
+        word = word & ~bit.mask | bit.placed(number)
     missing = next(
         (required for required in needed_bits(flags, device.enums) if names.isdisjoint(required.names)), None
     )

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from fieldspec.codec.layout.accepted import Condition, passes
+from fieldspec.codec.layout.inner_lists import InnerLists, ListExtent
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import widened
 from fieldspec.codec.program.operations import Each, Inner, Load, LoadVarying, Program, Remark, Require, Variable
@@ -89,7 +91,8 @@ def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, 
             case Inner():
                 path = f"{place.path}{operation.name}{place.suffix}."
                 inner = Place(place.data, place.start, place.stop, path)
-                values[operation.name] = run(operation.program, inner, rows, {})
+                run_inner = run if operation.lists is None else partial(_run_around, operation.lists)
+                values[operation.name] = run_inner(operation.program, inner, rows, {})
             case Each():
                 first, size = place.start + operation.offset, operation.size
                 count = (place.stop - first) // size if operation.count is None else operation.count
@@ -98,6 +101,25 @@ def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, 
                 values[operation.name] = contents if operation.is_list else contents[0]
             case _:
                 assert_never(operation)
+    return values
+
+
+def _run_around(
+    lists: InnerLists, program: Program, place: Place, rows: list[Row], rows_beside: dict[str, Row]
+) -> dict[str, Raw]:
+    """What `run` gives, of a record that differs in size, whose size has been judged."""
+    extents, _ = lists.extents_in(place.data[place.start : place.stop])
+    by_name = {inner.name: extent for inner, extent in zip(lists.lists, extents, strict=True)}
+    values: dict[str, Raw] = {}
+    start = place.start
+    for operation in program:
+        assert isinstance(operation, Each)
+        extent = by_name.get(operation.name, ListExtent(operation.size * (operation.count or 0)))
+        count = extent.size // operation.size if operation.count is None else operation.count
+        sizes = extent.elements or ([operation.size] * count if operation.is_list else [extent.size])
+        contents = run_each(operation, replace(place, start=start), sizes, rows, rows_beside)
+        values[operation.name] = contents if operation.is_list else contents[0]
+        start += extent.size
     return values
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.accepted import accepted
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.program.operations import (
     Each,
     Inner,
@@ -67,7 +67,8 @@ def _each(device: Device, record: RecordLayout, field: FieldLayout) -> Each:
 def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Program:
     inner = field.record
     if inner is not None:
-        return (Inner(field.name, tuple(field_program(device, inner, own) for own in inner.fields)),)
+        lists = inner_lists_of(inner, is_element=True) if inner.size is None else None
+        return (Inner(field.name, tuple(field_program(device, inner, own) for own in inner.sent_fields), lists),)
     assert field.value is not None
     # What varies in width moves what is behind it.
     exponent = field.value.scale_by if not record.spans and record.named(field.value.scale_by) is not None else ""

@@ -6,6 +6,7 @@ Places and offsets count from where the value, the element or the record begins 
 from __future__ import annotations
 
 from fieldspec.codec.layout.accepted import Condition
+from fieldspec.codec.layout.inner_lists import InnerLists
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.value import Value
@@ -60,10 +61,11 @@ class Remark:
 
 @dataclass(frozen=True, slots=True)
 class Inner:
-    """A record as the content of a field."""
+    """A record as the content of a field; `lists` tell where everything is in one that differs in size."""
 
     name: str
     program: Program
+    lists: InnerLists | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,9 +15,16 @@ def printed_number(word: Flags, place: int) -> int:
     return 8 * word.type.size - 1 - place if word.bit_0 == "most" else place
 
 
+def bit_places(bit: Bit) -> list[int]:
+    """The places in a word of the bits of a number, the least significant first."""
+    pieces = bit.pieces or ((bit.first, bit.last),)
+    return [place for first, last in pieces for place in range(first, last + 1)]
+
+
 def number_of_bits(word: Flags, bit: Bit, number: int) -> int:
     """The number in a field of bits, of which the first one is the least significant; below zero where it is signed."""
-    bits = bits_of_word(word, number)[bit.first : bit.last + 1]
+    all_bits = bits_of_word(word, number)
+    bits = [all_bits[place] for place in bit_places(bit)]
     weights = [1 << place for place in range(len(bits))]
     if bit.signed:
         weights[-1] = -weights[-1]
@@ -26,5 +33,5 @@ def number_of_bits(word: Flags, bit: Bit, number: int) -> int:
 
 def unlisted_bits(word: Flags, number: int) -> list[int]:
     """The places of the bits that are 1 and that the spec does not list."""
-    known_places = {place for bit in word.bits for place in range(bit.first, bit.last + 1)}
+    known_places = {place for bit in word.bits for place in bit_places(bit)}
     return [place for place, is_set in enumerate(bits_of_word(word, number)) if is_set and place not in known_places]

@@ -11,15 +11,20 @@ def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     """The checksum of some bytes; `order` is that of the bytes of the numbers that are added."""
     kind = checksum_named(algorithm)
     methods = {"crc": _remainder, "fletcher": _two_sums}
-    return methods.get(kind.method, _total)(kind, data + kind.suffix, order)
+    number = methods.get(kind.method, _total)(kind, data + kind.suffix, kind.unit_order or order)
+    substitutes = dict(zip(kind.avoided, kind.replacements, strict=True))
+    shifts = [8 * place for place in range(kind.size)]
+    return sum(substitutes.get(number >> shift & 0xFF, number >> shift & 0xFF) << shift for shift in shifts)
 
 
 def _remainder(kind: Checksum, data: bytes, _order: str) -> int:
-    """The remainder of the division of the data by the polynomial."""
+    """The remainder of the division of the data by the polynomial; numbers begin with the last of their bytes."""
     top, register = 1 << kind.width - 1, kind.initial
-    for byte in data:
-        for place in range(8) if kind.reflect_in else reversed(range(8)):
-            is_divided = bool(register & top) != bool(byte >> place & 1)
+    for step in range(-(-len(data) // kind.unit_size) * kind.unit_size):
+        place = step + kind.unit_size - 1 - 2 * (step % kind.unit_size)
+        byte = data[place] if place < len(data) else 0
+        for bit in range(8) if kind.reflect_in else reversed(range(8)):
+            is_divided = bool(register & top) != bool(byte >> bit & 1)
             register = (register << 1 & kind.mask) ^ (kind.polynomial if is_divided else 0)
     if kind.reflect_out:
         register = sum((register >> place & 1) << kind.width - 1 - place for place in range(kind.width))

@@ -62,7 +62,7 @@ def frame_size(shape: FrameLayout, record: RecordLayout) -> FrameSize | None:
     tail = record.fields[-1]
     lists = [field for field in record.fields if field.count is None]
     counts = [field for field in _measuring(record, tail) if record.has_place(field)]
-    if lists != [tail] or tail.cases or record.has_tails or not counts:
+    if lists != [tail] or tail.cases or record.has_differing or not counts:
         return None
     count = min(counts, key=lambda field: field.size)
     measure = count.field.measures

@@ -16,7 +16,7 @@ from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.reference.escapes import escaped, unescaped
 from fieldspec.codec.reference.parts import checksum_of, checksum_text, part_construct
 from fieldspec.codec.reference.records import CodecError, Values, decoded, encoded
-from fieldspec.codec.reference.structs import record_struct
+from fieldspec.codec.reference.structs import is_sequence, record_struct
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.digits import digits_text
 
@@ -388,10 +388,10 @@ class DeviceCodec:
 
     @property
     def records(self) -> dict[str, construct.Struct]:
-        """The records and the data of messages as construct Structs; those are under `<message>_request` and so on."""
-        messages = self.layout.messages.values()
-        data = (record for message in messages for record in message.bodies)
-        return {record.name: record_struct(record) for record in (*self.layout.records.values(), *data)}
+        """The records and the data of messages, `<message>_request` and so on, that construct Structs can read."""
+        data = (record for message in self.layout.messages.values() for record in message.bodies)
+        records = (*self.layout.records.values(), *data)
+        return {record.name: record_struct(record) for record in records if is_sequence(record)}
 
 
 def codec(layout: DeviceLayout) -> DeviceCodec:

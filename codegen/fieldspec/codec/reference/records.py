@@ -8,12 +8,12 @@ from typing import Any
 
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.inner_lists import InnerLists
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.value_texts import spec_text
-from fieldspec.codec.layout.widths import WidthError, data_of, image_of, narrowed, place_in_data
+from fieldspec.codec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.codec.reference.bits import number_of_bits
 from fieldspec.codec.reference.quantities import special_name
-from fieldspec.codec.reference.structs import UNFIT, record_struct, value_construct
+from fieldspec.codec.reference.structs import record_struct
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes, text_refusal
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
@@ -136,9 +136,8 @@ def _decoded_field(field: FieldLayout, raw: Any, device: Device, offset: int) ->
 
 def _decode_element(field: FieldLayout, raw: Any, device: Device, offset: int) -> Any:
     if field.record is not None:
-        last = field.record.fields[-1] if field.record.spans else None
-        if last is not None and raw[last.name] is UNFIT:  # the image of a record comes before its fields
-            raise CodecError("unknown_value", f"{last.name} has a zero", offset + last.offset)
+        if field.record.size is None:
+            return decoded(field.record, inner_lists_of(field.record, is_element=True).sent_bytes(raw), device, offset)
         return {f.name: _decoded_field(f, raw[f.name], device, offset) for f in field.record.fields}
     if field.field.reserved:
         return raw
@@ -295,22 +294,13 @@ def _implied(field: FieldLayout) -> Any:
 
 def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
     if field.record is not None:
+        if field.record.size is None:
+            return encoded(field.record, value, device).ljust(field.size, b"\0")
         unknown = sorted(set(value) - {inner.name for inner in field.record.fields})
         if unknown:
             raise CodecError("unknown_field", f"{field.record.name} has no field {unknown[0]}")
-        return _with_bytes_of_text(field.record, _encoded_fields(field.record, value, device))
+        return _encoded_fields(field.record, value, device)
     return encoded_value(field.name, field.value, value, device)
-
-
-def _with_bytes_of_text(record: RecordLayout, raw: Values) -> Values:
-    """The raw values of a record within another one; one that ends with a text counts the bytes that are sent of it."""
-    if not record.spans:
-        return raw
-    span, text = record.spans[-1], record.fields[-1]
-    assert span.value is not None
-    assert span.count is not None
-    image = value_construct(span.value, text.order, text.swapped).build(raw[span.name])
-    return {**raw, record.spans[span.count].name: len(narrowed(span.value, image)) + span.plus}
 
 
 def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device) -> Any:

@@ -7,7 +7,6 @@ from typing import Any
 import construct
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.codec.layout.widths import narrowed, widened
 from fieldspec.codec.reference.digits import digits_of_number, number_of_digits
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes
 from fieldspec.foundation.caches import ByIdentity
@@ -24,6 +23,13 @@ def record_struct(record: RecordLayout) -> construct.Struct:
     return _STRUCTS.get_or_compute(record, _struct)
 
 
+def is_sequence(record: RecordLayout) -> bool:
+    """Whether a struct can read a record: nothing in it differs in size, and no end is told by the data alone."""
+    measured = {other.field.measures.field for other in record.fields if other.field.measures is not None}
+    is_told = all(not field.varies or field.name in measured for field in record.sent_fields[:-1])
+    return is_told and not record.has_differing
+
+
 def _struct(record: RecordLayout) -> construct.Struct:
     return construct.Struct(*(field.name / _construct(record, field) for field in record.sent_fields))
 
@@ -38,17 +44,9 @@ def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Constr
     return elements if room is None else construct.Padded(room.most, elements)
 
 
-def _text_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
-    """A text at the end of a record: as many bytes as another field says."""
-    span = record.spans[-1]
-    assert span.count is not None
-    name = record.spans[span.count].name
-    return _VaryingText(construct.Bytes(lambda context: context[name] - span.plus), field)
-
-
 def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     element = _element(record, field)
-    if record.room_of(field) is not None:
+    if field.field.repeat is not None and record.room_of(field) is not None:
         return _list_of_count(record, field)
     if field.field.repeat is not None:
         is_last = field.field is record.record.fields[-1] or record.inner_lists is None
@@ -57,13 +55,9 @@ def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:
 
 
 def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
-    """One element of a field; in an image it has all the bytes that it may have."""
+    """One element of a field; a record that differs in size is bytes, as many as it may have."""
     if field.record is not None and field.record.size is None:
-        *before, last = field.record.fields
-        fields = [own.name / _construct(field.record, own) for own in before]
-        tail = _text_of_count if field.record.spans else _list_of_count
-        whole = construct.Struct(*fields, last.name / tail(field.record, last))
-        return whole if record.inner_lists is not None else construct.Padded(field.size, whole)
+        return construct.Bytes(field.size)
     if field.record:
         return record_struct(field.record)
     if not field.cases:
@@ -156,26 +150,6 @@ class _Text(construct.Adapter):  # type: ignore[misc]
 
     def _encode(self, text: str | bytes, context: Any, path: str) -> bytes:
         return bytes_of_text(self.value, self.order, text) if isinstance(text, str) else text
-
-
-UNFIT = object()
-"""What is parsed of bytes that are no text which varies in width, whatever its encoding."""
-
-
-class _VaryingText(construct.Adapter):  # type: ignore[misc]
-    """A text of as many bytes as it needs; a zero among them is parsed as `UNFIT`."""
-
-    def __init__(self, pieces: construct.Construct, field: FieldLayout) -> None:
-        super().__init__(pieces)
-        assert field.value is not None
-        self.value, self.whole = field.value, value_construct(field.value, field.order, field.swapped)
-
-    def _decode(self, data: bytes, context: Any, path: str) -> Any:
-        image = widened(self.value, data)
-        return UNFIT if image is None else self.whole.parse(image)
-
-    def _encode(self, raw: str | bytes, context: Any, path: str) -> bytes:
-        return narrowed(self.value, self.whole.build(raw))
 
 
 def _words_turned(data: bytes) -> bytes:

@@ -98,5 +98,5 @@ def add_actions(server: Server) -> None:
 
 def _is_of(action: types.CodeAction | types.Command, kind: str) -> bool:
     """Whether an action is of a kind that an editor asks for: the empty one has all."""
-    own = action.kind if isinstance(action, types.CodeAction) else ""
-    return not kind or f"{own}.".startswith(f"{kind}.")
+    action_kind = action.kind if isinstance(action, types.CodeAction) else ""
+    return not kind or f"{action_kind}.".startswith(f"{kind}.")

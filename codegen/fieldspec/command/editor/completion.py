@@ -175,8 +175,8 @@ def _of_the_fact(word: TypedWord, key: str) -> Iterator[Suggestion]:
 
 
 def _named(fact: Mapping, text: str, kind: str) -> Suggestion:
-    known = (fact.values.get(key) for key in ("label", "title", "doc"))
-    detail = next((node.text for node in known if isinstance(node, Scalar)), "")
+    texts = (fact.values.get(key) for key in ("label", "title", "doc"))
+    detail = next((node.text for node in texts if isinstance(node, Scalar)), "")
     return Suggestion(text, kind, detail)
 
 
@@ -217,14 +217,14 @@ def _numbers(word: TypedWord, key: str) -> Iterator[Suggestion]:
         neighbours = tuple(row for group in groups for row in [*mappings(value_of(group, "rows"))][-1:])
     else:
         return
-    known = _integer(value_of(neighbours[0], key)) if neighbours else None
+    last_number = _integer(value_of(neighbours[0], key)) if neighbours else None
     section = added.text.partition("/")[0] if isinstance(added, Scalar) else keys[0]
     if key in ("at", "base") and section in ("registers", "tables"):
         for spec in word.place.specs:
-            for address in free_addresses(spec, _space(word), known, identity(nodes[-2]) or MARK):
+            for address in free_addresses(spec, _space(word), last_number, identity(nodes[-2]) or MARK):
                 yield Suggestion(hexadecimal(address), "address", "free")
-    elif known is not None and (word.place.part() or {}).get("type") == "integer":
-        yield Suggestion(str(known + 1), "number", "the next one")
+    elif last_number is not None and (word.place.part() or {}).get("type") == "integer":
+        yield Suggestion(str(last_number + 1), "number", "the next one")
 
 
 def _space(word: TypedWord) -> str:

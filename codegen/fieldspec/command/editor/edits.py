@@ -85,8 +85,8 @@ def _end_of_line(text: str, offset: int) -> int:
 
 def holding_section(place: Cursor, section: str) -> FileRead:
     """The document that has a section of a device: the one of the place, or else the first other one, or itself."""
-    own = place.read
-    reads = [own]
+    open_file = place.read
+    reads = [open_file]
     for spec in place.specs:
         reads += (place.project.memory.files[path] for path in sorted(spec.files) if path.startswith(f"{spec.id}/"))
-    return next((read for read in reads if read.tree is not None and section in read.tree.values), own)
+    return next((read for read in reads if read.tree is not None and section in read.tree.values), open_file)

@@ -21,9 +21,9 @@ def stated_fact(place: Cursor, mapping: Mapping) -> Fact | None:
     """The fact that a mapping of a document states; None for any other mapping."""
     for spec in place.specs:
         for version in reversed(spec.versions()):
-            known = _BY_PLACE.get_or_compute(spec.at(version)[0], _by_place).get(place_in_file(mapping))
-            if known is not None:
-                return known
+            fact = _BY_PLACE.get_or_compute(spec.at(version)[0], _by_place).get(place_in_file(mapping))
+            if fact is not None:
+                return fact
     return None
 
 
@@ -34,10 +34,10 @@ def _by_place(device: Device) -> dict[PlaceInFile, Fact]:
 
 def erratum_lines(place: Cursor, fact: Mapping, key: str, proof: str = "judgement") -> list[str] | None:
     """The lines of an erratum: the manual prints for a key of a fact what stands there now. None without a path."""
-    known, value = stated_fact(place, fact), fact.values.get(key)
-    if known is None or not isinstance(value, Scalar):
+    stated, value = stated_fact(place, fact), fact.values.get(key)
+    if stated is None or not isinstance(value, Scalar):
         return None
-    path = known.place.path
+    path = stated.place.path
     return [
         f"id: {_new_identifier(place, path, key)}",
         f"fact: {path}",
@@ -46,7 +46,7 @@ def erratum_lines(place: Cursor, fact: Mapping, key: str, proof: str = "judgemen
         "confidence: certain",
         "effect: bytes",
         f"proof: {proof}",
-        f"source: {'; '.join(citation.text() for citation in known.sources)}",
+        f"source: {'; '.join(citation.text() for citation in stated.sources)}",
     ]
 
 
@@ -55,11 +55,11 @@ def _new_identifier(place: Cursor, path: str, key: str) -> str:
     return new_name(words, {*identifiers(place, "errata")})
 
 
-def new_name(words: str, known: set[str]) -> str:
-    """Words, with a number where they are known already."""
+def new_name(words: str, used_names: set[str]) -> str:
+    """Words, with a number where they are in use already."""
     number = 1
     name = words
-    while name in known:
+    while name in used_names:
         number += 1
         name = f"{words}-{number}"
     return name

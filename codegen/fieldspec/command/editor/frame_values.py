@@ -18,10 +18,10 @@ def fields(word: TypedWord) -> Iterator[Mapping]:
     inner = [key for key in keys[number + 1 :] if isinstance(key, str)]
     if not word.is_key:
         inner = inner[:-1]
-    for known in _meanings(word):
-        items = [*known.fields(nodes[number], nodes[number - 1])]
+    for device_meanings in _meanings(word):
+        items = [*device_meanings.fields(nodes[number], nodes[number - 1])]
         for key in inner:
-            items = [part for item in items if identity(item) == key for part in known.parts(item)]
+            items = [part for item in items if identity(item) == key for part in device_meanings.parts(item)]
         yield from items
 
 
@@ -29,17 +29,19 @@ def meanings(word: TypedWord, key: str) -> Iterator[tuple[Mapping, str]]:
     """The members, states, bits and special values of what a value is given for."""
     nodes, keys = word.place.nodes, word.place.keys
     holder = nodes[-3] if isinstance(nodes[-2], Sequence) else nodes[-2]
-    for known in _meanings(word):
+    for device_meanings in _meanings(word):
         facts: list[Mapping] = []
         if "values" in keys:
             facts = [field for field in fields(word) if identity(field) == key]
         elif "if" in keys:
-            facts = known.facts(key)
+            facts = device_meanings.facts(key)
         elif keys[0] in ("tasks", "behaviour"):
             targets = (value_of(holder, action) for action, valued in VALUED.items() if valued == key)
-            facts = [fact for target in targets if isinstance(target, Scalar) for fact in known.facts(target.text)]
+            facts = [
+                fact for target in targets if isinstance(target, Scalar) for fact in device_meanings.facts(target.text)
+            ]
         for fact in facts:
-            yield from known.values(fact)
+            yield from device_meanings.values(fact)
 
 
 def states(word: TypedWord, key: str) -> Iterator[str]:
@@ -49,8 +51,8 @@ def states(word: TypedWord, key: str) -> Iterator[str]:
         name = machine.text if isinstance(machine, Scalar) else ""
     else:
         name = key.removeprefix("state/") if key.startswith("state/") else ""
-    for known in _meanings(word) if name else ():
-        yield from (state.text for state in known.states(name))
+    for device_meanings in _meanings(word) if name else ():
+        yield from (state.text for state in device_meanings.states(name))
 
 
 def _meanings(word: TypedWord) -> Iterator[Meanings]:

@@ -64,8 +64,8 @@ def _stated(place: Cursor) -> str | None:
         if not isinstance(node, Mapping):
             continue
         # A copy of a row is stated by the values that are its own.
-        own = (child for _, child in children(node) if isinstance(child, Scalar))
-        for span in (node.span, *(child.span for child in own)):
+        scalars = (child for _, child in children(node) if isinstance(child, Scalar))
+        for span in (node.span, *(child.span for child in scalars)):
             if text := _facts(place, (span.file.path, span.start, span.end)):
                 return text
     return None
@@ -126,12 +126,12 @@ def _differing(
 ) -> Iterator[str]:
     """The other versions that have the item with another text."""
     path = fact_of(item).place.path
-    own = _text(item_blocks.blocks(layout, item))
+    text = _text(item_blocks.blocks(layout, item))
     for other in spec.versions():
         if other == version or (earlier := project.layout(spec, other)) is None:
             continue
-        counterparts = [known for known in items(earlier) if fact_of(known).place.path == path]
-        if any(_text(item_blocks.blocks(earlier, known)) != own for known in counterparts):
+        counterparts = [counterpart for counterpart in items(earlier) if fact_of(counterpart).place.path == path]
+        if any(_text(item_blocks.blocks(earlier, counterpart)) != text for counterpart in counterparts):
             yield other
 
 

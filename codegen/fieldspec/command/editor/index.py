@@ -72,9 +72,9 @@ def meant(place: Cursor) -> list[NamedFact]:
         under = [span for span in parts if span.start <= place.offset <= span.end] or [*parts][-1:]
         for fact_place in [fact_place for span in under for fact_place in parts[span]]:
             fact = index.facts[fact_place]
-            known = results.setdefault(fact_place, NamedFact(fact.stated))
-            known.names.update(fact.names)
-            known.uses.update(fact.uses)
+            named_fact = results.setdefault(fact_place, NamedFact(fact.stated))
+            named_fact.names.update(fact.names)
+            named_fact.uses.update(fact.uses)
     return [*results.values()]
 
 

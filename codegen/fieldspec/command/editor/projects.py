@@ -66,10 +66,10 @@ class EditedProject:
     def outcome(self, device: str) -> Outcome:
         """The result of all checks and proofs of a device; that of its last change, where it has not changed since."""
         spec = self.project.devices[device]
-        known = self.outcomes.get(device)
-        if known is None or known[0] is not spec:
-            known = self.outcomes[device] = spec, outcome(spec)
-        return known[1]
+        judged = self.outcomes.get(device)
+        if judged is None or judged[0] is not spec:
+            judged = self.outcomes[device] = spec, outcome(spec)
+        return judged[1]
 
     def findings(self) -> list[Diagnostic]:
         """All findings, in order, at the places that they have in the documents.

@@ -60,8 +60,10 @@ def _of_versions(place: Cursor, fact: Mapping, key: str, value: Scalar) -> Itera
             continue
         change = f"{key}: {{was: {saved}, is: {current_text}}}"
         entries = tree.values.get("changes")
-        known = (item for item in entries.items if isinstance(item, Mapping)) if isinstance(entries, Sequence) else ()
-        entry = next((item for item in known if _text_of(item, "fact") == path), None)
+        mappings = (
+            (item for item in entries.items if isinstance(item, Mapping)) if isinstance(entries, Sequence) else ()
+        )
+        entry = next((item for item in mappings if _text_of(item, "fact") == path), None)
         changed = entry.values.get("set") if entry is not None else None
         if isinstance(changed, Mapping):
             if key in changed.values:

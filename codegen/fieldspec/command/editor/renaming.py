@@ -51,11 +51,11 @@ def _judge(place: Cursor, spans: list[Span], new_name: str) -> None:
     """Reads the specs under the new name. Raises UsageError where there are other findings, or other bytes."""
     project = place.project
     contents = {path: file.data for path, file in project.memory.files.items()}
-    for path, known in project.memory.files.items():
-        text = known.file.text
-        for span in sorted((span for span in spans if span.file is known.file), key=Span.order, reverse=True):
+    for path, file_read in project.memory.files.items():
+        text = file_read.file.text
+        for span in sorted((span for span in spans if span.file is file_read.file), key=Span.order, reverse=True):
             text = text[: span.start] + new_name + text[span.end :]
-        if text is not known.file.text:
+        if text is not file_read.file.text:
             contents[path] = text.encode("utf-8", "surrogatepass")
     after = EditedProject(project.folder, origins=project.origins)
     after.project = read(

@@ -123,7 +123,7 @@ def drawn(word: Flags) -> Iterator[str]:
 
 
 def _bits_drawing(word: Flags, low: int, high: int) -> Iterator[str]:
-    holders = {number: bit for bit in word.bits for number in range(bit.first, bit.last + 1)}
+    holders = {number: bit for bit in word.bits for number in bit.places}
     numbers = range(high - 1, low - 1, -1)
     wall = "+---" * len(numbers) + "+"
     boxes = ""
@@ -150,7 +150,6 @@ def _column(bit: Bit, high: int) -> int:
 
 def _bit_text(bit: Bit) -> str:
     """`+- 4..5 level 液位: how full it is; when the mode is 3`"""
-    span = f"{bit.first}" if bit.width == 1 else f"{bit.first}..{bit.last}"
     name = " ".join(text for text in (bit.name, bit.printed_name, bit.label) if text)
     states = ", ".join(f"{number} {text}" for number, text in ((0, bit.zero), (1, bit.one)) if text)
     details = (
@@ -163,4 +162,4 @@ def _bit_text(bit: Bit) -> str:
         f"when {bit.when}" if bit.when else "",
     )
     description = "; ".join(detail for detail in details if detail)
-    return f"+- {span} {name}" + (f": {description}" if description else "")
+    return f"+- {bit.number_text} {name}" + (f": {description}" if description else "")

@@ -163,11 +163,11 @@ EVIDENCE: dict[type, Evidence] = {
     Enum: Evidence(_members, lambda *_: "the same members"),
     Member: Evidence(lambda member, _: member.value, lambda member, _: f"the same value {member.value}"),
     Flags: Evidence(
-        lambda flags, _: (flags.type.name, *((bit.first, bit.last, bit.name) for bit in flags.bits)),
+        lambda flags, _: (flags.type.name, *((bit.number_text, bit.name) for bit in flags.bits)),
         lambda *_: "the same bits",
     ),
     Bit: Evidence(
-        lambda bit, _: None if bit.reserved else (bit.first, bit.last),
+        lambda bit, _: None if bit.reserved else bit.number_text,
         lambda bit, _: f"the same {bits(bit)}",
     ),
     State: Evidence(lambda state, _: (state.set, state.clear), lambda *_: "the same bits"),
@@ -233,4 +233,4 @@ EVIDENCE: dict[type, Evidence] = {
 
 def bits(bit: Bit) -> str:
     """The bits of a field of bits: `bit 3`, or `bits 4..5`."""
-    return f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
+    return f"bit{'s' * (bit.width > 1)} {bit.number_text}"

@@ -1,4 +1,4 @@
-"""Only a field of several bits has a sign, a scale or a unit, and then it has neither an enum nor an edge. Only a single
+"""Only a field of several bits has a sign, a scale or a unit, and then neither an enum nor an edge. Only a single
 bit has an active level and texts for 0 and 1. A signed field has fewer bits than its word. Only several bits in the
 data of a message, whose meaning is always the same, have a range.
 

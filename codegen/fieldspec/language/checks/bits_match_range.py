@@ -45,7 +45,7 @@ def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | Non
     if (len(ranges.intervals) > 1 or ranges.low > 0) and not any(bound & ~all_bits for bound in ends):
         return  # some words, such as those that tell messages apart
     useful = _union(bit for bit in word.bits if not bit.reserved)
-    highest = sum(_highest(device, bit) << bit.first for bit in word.bits if not bit.reserved)
+    highest = sum(bit.placed(_highest(device, bit)) for bit in word.bits if not bit.reserved)
     whole = word.type.high if all_bits.bit_length() == word.type.high.bit_length() else useful
     if ranges.intervals not in (((0, all_bits),), ((0, useful),), ((0, highest),), ((0, whole),)):
         yield finding(

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, interval, label
+from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit
@@ -21,7 +21,7 @@ def bits_unique(device: Device) -> Iterator[Diagnostic]:
     for word in device.flags.values():
         owners: dict[int, list[Bit]] = {}
         for bit in word.bits:
-            same_bit_owners = [other for number in _numbers(bit) for other in owners.get(number, [])]
+            same_bit_owners = [other for number in bit.places for other in owners.get(number, [])]
             clash = next((other for other in same_bit_owners if not _apart(bit, other)), None)
             if clash is not None:
                 yield finding(
@@ -32,13 +32,8 @@ def bits_unique(device: Device) -> Iterator[Diagnostic]:
                     "correct one of the numbers, or add `when` to both entries",
                     label(clash.place, _key(clash), f"{clash.name} has {_claim(clash)}"),
                 )
-            for number in _numbers(bit):
+            for number in bit.places:
                 owners.setdefault(number, []).append(bit)
-
-
-def _numbers(bit: Bit) -> range:
-    """The bits of an entry; a nonsensical number of them is not walked through."""
-    return range(bit.first, min(bit.last, bit.first + 64) + 1)
 
 
 def _apart(bit: Bit, other: Bit) -> bool:
@@ -50,4 +45,4 @@ def _key(bit: Bit) -> str:
 
 
 def _claim(bit: Bit) -> str:
-    return f"bit {bit.first}" if bit.width == 1 else f"the bits {interval(bit.first, bit.last)}"
+    return f"bit {bit.first}" if bit.width == 1 else f"the bits {bit.number_text}"

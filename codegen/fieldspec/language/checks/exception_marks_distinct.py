@@ -47,10 +47,10 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, link.place, "exception_response", text, help, label(record.place, "name", record.name))
             continue
         offset = next((start for other, start in sizes.offsets(record) if other is field), None)
-        constant = constant_at(field, offset, device.byte_order) if offset is not None else None
+        constant = constant_at(field, offset, device.byte_order, device.word_order) if offset is not None else None
         if constant is None:
             text = f"{record.name}/{field.name} marks exception responses, but it is no constant at a fixed place"
-            help = "give it a whole number of one or two bytes as `const`, with fields of fixed size before it"
+            help = "give it a whole number of up to four bytes as `const`, with fields of fixed size before it"
             yield finding(_CODE, field.place, "name", text, help, label(link.place, "exception_response", link.name))
             continue
         for message in messages_on(device, link):
@@ -94,8 +94,15 @@ def _is_another(device: Device, field: Field, start: int, offset: int, mark: byt
     if value.digits and any(byte not in _bytes_of_digits(value) for byte in own):
         return True
     order, swapped = orders_of(value, device.byte_order, device.word_order)
-    if swapped or value.has_characters:
+    if value.has_characters:
         return False
+    if swapped:
+        # The words have their places exchanged, and the bytes in each keep theirs.
+        places = [value.size - 2 - place + 2 * (place % 2) for place in range(low - start, high - start)]
+        own = bytes(byte for _, byte in sorted(zip(places, own, strict=True)))
+        low, high = start + min(places), start + max(places) + 1
+        if high - low != len(own):
+            return False
     shift = start + value.size - high if order == "big" else low - start
     bits = int.from_bytes(own, "big" if order == "big" else "little")
     return not any(_may_have(interval, value, 8 * shift, 8 * len(own), bits) for interval in _numbers(device, value))

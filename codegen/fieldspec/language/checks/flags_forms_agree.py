@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, interval, label
+from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
@@ -50,4 +50,4 @@ def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Di
 
 
 def _place(bit: Bit) -> str:
-    return f"bit {interval(bit.first, bit.last)}"
+    return f"bit {bit.number_text}"

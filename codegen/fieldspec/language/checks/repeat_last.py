@@ -1,12 +1,13 @@
-"""A field that repeats may have an element, comes last, and its elements have a fixed size. In a message, other fields
-may follow such a field, if a field before it measures it; where one of them repeats too, that field is a binary
-number of one or two bytes without a sign. The elements of such a list in a message may be records that differ in size,
-each of which ends with a list, or a text that `varies`, that a field of it counts in the same way.
+"""A field that repeats may have an element, and it is known where it ends: by the end of the data, less the bytes of
+what always follows, or by a field before it that `measures` it. Where something of no fixed size follows, and in
+records that are part of others, that field is a binary number of one or two bytes without a sign. A record of no fixed
+size may be part of messages and of such records, once, `count` times or repeated, if all of its lists, and of its
+texts that vary, are counted so. Data of exceptions and of messages that access registers have lists at their end alone.
 
-Why: without a field that counts the elements, only the end of the data gives their number, and nothing can follow them.
-Elements that differ in size are separated by their own counts.
+Why: without a field that counts the elements, only the end of the data gives their number, less what always follows.
+Records that differ in size are separated by their own counts.
 
-Example: a list of points with `repeat: 1..15` and a field after it, which nothing measures.
+Example: a list of points with `repeat: 1..15` and another list after it, which nothing measures.
 
 Cure: State the number of elements as `count`, the field that counts them as `measures`, or list the fields in the order
 of the wire.
@@ -29,84 +30,83 @@ _CODE = "repeat_last"
 def repeat_last(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
     bodies = {id(body): message for message in device.messages.values() for body in (message.request, message.response)}
+    refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
     for layer in layers(device):
         for field in layer.fields:
             if field.repeat is not None:
-                if field is not layer.fields[-1]:
-                    yield from _inner(layer, field, bodies.get(id(layer)))
                 if field.repeat.high == 0:
                     text = f"{field.name} never has an element"
                     yield finding(_CODE, field.place, "repeat", text, "correct the repetitions, or remove the field")
                 if field.count is not None:
                     text = f"{field.name} has a `count` and a `repeat`"
                     yield finding(_CODE, field.place, "count", text, "remove one of them")
-            inner = device.records.get(field.record)
-            if inner is None or inner.name in sizes.endless or sizes.element(field) is not None:
+            if field.choice is not None or field.record in sizes.endless or (field.value and field.value.width):
                 continue
-            if field.repeat is not None and id(layer) in bodies and sizes.has_tail(inner.name):
-                yield from _differing(layer, field)
-            else:
-                text = f"{inner.name} has no fixed size, so it cannot be part of another record"
-                help = (
-                    "list it with `repeat` in a message, and let one field of it, a `u8` or `u16`, count its last one"
-                )
-                ending = "repeats" if inner.fields[-1].repeat is not None else "varies in width"
-                related_label = label(inner.place, "fields", f"its last field {ending}")
-                yield finding(_CODE, field.place, "record", text, help, related_label)
+            differs = bool(field.record) and sizes.element(field) is None
+            if differs:
+                yield from _differing(sizes, device.records.get(field.record), layer, field)
+            if field is not layer.fields[-1] and (differs or field.repeat is not None):
+                yield from _followed(sizes, layer, field, id(layer) in bodies)
+            elif not differs:
+                continue
+            yield from _at_the_end(layer, field, bodies.get(id(layer)), layer.name in refusing)
 
 
-def _differing(layer: Record, field: Field) -> Iterator[Diagnostic]:
-    """The findings of fields that count the bytes of a list whose elements differ in size."""
+def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: Field) -> Iterator[Diagnostic]:
+    """The findings of a field with a record that has no fixed size."""
+    if inner is None:
+        return
+    untold = sizes.untold(inner)
+    if untold is not None:
+        text = f"{inner.name} has no fixed size, and nothing in it tells where {untold.name} ends"
+        help = (
+            "let a field of it, a `u8` or `u16` before it, count it with `measures`, or let a message have its fields"
+        )
+        yield finding(_CODE, field.place, "record", text, help, label(untold.place, "name", "has no fixed size"))
     for other in layer.fields:
         if other.measures is not None and other.measures.field == field.name and other.measures.of == "bytes":
             text = f"{other.name} counts the bytes of {field.name}, whose elements differ in size"
-            yield finding(
-                _CODE, other.place, "measures", text, f"count the elements: `measures: {{items: {field.name}}}`"
-            )
+            help = f"count the elements: `measures: {{items: {field.name}}}`"
+            yield finding(_CODE, other.place, "measures", text, help)
 
 
-def _inner(layer: Record, field: Field, message: Message | None) -> Iterator[Diagnostic]:
-    """The findings of a list with fields behind it; `message` is the one of which the fields are the data."""
+def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Iterator[Diagnostic]:
+    """The findings of what is behind a list, or behind a record that differs in size."""
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
-    last = later_fields[-1]
-    counts = [other for other in layer.fields if other.measures is not None and other.measures.field == field.name]
-    if message is None:
-        text = f"{field.name} repeats to the end of the data, but {last.name} comes after it"
-        help = "state its `count`, or list the fields in the order of the wire"
-        if counts:
-            text = f"{counts[0].name} counts {field.name}, but {last.name} comes after it, which only a message can say"
-            help = "state its `count` if it is always the same, or the fields in the message itself; no record has them"
-        yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
-        return
-    if not any(other in layer.fields[:index] for other in counts):
-        text = f"{field.name} repeats to the end of the data, but {last.name} comes after it"
+    counts = [
+        other for other in layer.fields[:index] if other.measures is not None and other.measures.field == field.name
+    ]
+    varying = next((other for other in later_fields if not sizes.is_fixed(other)), None)
+    is_open = field.repeat is not None and (varying is not None or not is_body)
+    last = varying or later_fields[-1]
+    if is_open and not counts:
+        problem = "behind it has no fixed size" if varying is not None else "comes after it in a record"
+        text = f"nothing says where {field.name} ends, as {last.name} {problem}"
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
-        return
-    following = next((other for other in later_fields if other.repeat is not None), None)
-    if following is not None and list_count(layer, field) is None:
-        count = next(other for other in layer.fields[:index] if other in counts)
-        text = f"{count.name} counts {field.name}, which {following.name} follows, and is no binary `u8` or `u16`"
-        related_label = label(following.place, "repeat", "repeats too")
-        yield finding(
-            _CODE,
-            count.place,
-            "type",
-            text,
-            "state the number as `u8` or `u16`, or a message of its own",
-            related_label,
-        )
+    elif is_open and list_count(layer, field) is None:
+        text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is no binary `u8` or `u16`"
+        help = "state the number as `u8` or `u16`, or a message of its own"
+        yield finding(_CODE, counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
     for other in later_fields:
         if other.choice is not None:
-            text = f"{other.name} has several types behind {field.name}, which repeats"
-            related_label = label(field.place, "repeat", "is counted by a field")
+            text = f"{other.name} has several types behind {field.name}, which has no fixed size"
+            related_label = label(field.place, "name", "has no fixed size")
             yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", related_label)
         for key in ("span", "word_span"):
             if key in other.place:
-                text = f"{other.name} has no place of its own, as {field.name} before it repeats"
+                text = f"{other.name} has no place of its own, as {field.name} before it has no fixed size"
                 yield finding(_CODE, other.place, key, text, "remove it")
-    if message.accesses is not None or message.access_steps:
-        text = f"{message.name} reads or writes registers, and {last.name} comes after {field.name}"
-        help = "list the repeated field last, or remove `accesses`"
-        yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
+
+
+def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Iterator[Diagnostic]:
+    """The finding of a list with fields behind it, or of a record that differs in size, where a last list may be."""
+    last = layer.fields[-1]
+    problem = f"{last.name} comes after {field.name}" if last is not field else f"{field.name} differs in size"
+    if message is not None and (message.accesses is not None or message.access_steps):
+        text = f"{message.name} reads or writes registers, and {problem}"
+        yield finding(_CODE, field.place, "name", text, "list the repeated field last, or remove `accesses`")
+    if refuses and message is None:
+        text = f"{layer.name} is the data of exceptions, and {problem}"
+        yield finding(_CODE, field.place, "name", text, "state a fixed `count`, or list the repeated field last")

@@ -33,7 +33,7 @@ def series_regular(device: Device) -> Iterator[Diagnostic]:
         rows = [row for row in group.registers if row.count == 1 and not row.copy_of]
         yield from _of_list((row, "at", row.address, row.width) for row in rows)
     for word in device.flags.values():
-        yield from _of_list((bit, "bit", bit.first, bit.width) for bit in word.bits)
+        yield from _of_list((bit, "bit", bit.first, bit.width) for bit in word.bits if not bit.pieces)
     for enum in device.enums.values():
         if enum.derived:
             continue

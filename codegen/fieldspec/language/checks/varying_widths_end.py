@@ -1,9 +1,9 @@
 """A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
 ends with the message or before a constant of one byte that it cannot have. The number of bytes of a text may be in one
 field before it, a whole number of one or two bytes without a sign, which may be any number of bytes of the text. A
-message with a value that varies in width has no list of free length, no field of several types and no other field that
-measures that value; the fields after it have no printed offset. A text that is counted so may also be the last field of
-a record, which messages list with `repeat`; it is the only value of it that varies in width.
+message with a value that varies in width has no list of free length, no record of no fixed size, no field of several
+types and no other field that measures that value; the fields after it have no printed offset. Texts that are counted so
+may also be fields of a record that is part of messages and of other records; all else in it has a fixed size.
 
 Why: where such a value ends is seen by what follows it. Without an end that no value can have, the next value would be
 read as a part of it.
@@ -40,8 +40,8 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
     sizes = RecordSizes(device)
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
-    ending = [own for name, own in device.records.items() if sizes.has_tail(name) and name not in refusing]
-    tails = {id(record.fields[-1]) for record in ending}
+    counted = [own for name, own in device.records.items() if sizes.tells_size(name) and name not in refusing]
+    parts = {id(field) for record in counted for field in record.fields}
     for fact, value in values(device):
         if not value.width:
             continue
@@ -50,14 +50,14 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
         if unused:
             continue
-        is_in_place = id(fact) in messages or id(fact) in tails
+        is_in_place = id(fact) in messages or id(fact) in parts
         problem = _form(value) or _place(fact, is_in_place)
         if problem:
             yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(value, is_in_place))
     for message in device.messages.values():
         for body in _bodies(message):
-            yield from _of_message(message, body)
-    for record in ending:
+            yield from _of_message(sizes, message, body)
+    for record in counted:
         yield from _of_record(record)
 
 
@@ -85,7 +85,7 @@ def _cure(value: Value, is_in_place: bool) -> str:
     """What to write for a value of one width; `is_in_place` says that it could vary where it stands."""
     form = value.text_form
     if not is_in_place and is_text(value.encoding):
-        return "remove it; or let the text end a record of a list, behind a `u8` or `u16` that `measures` its bytes"
+        return "remove it; or put a `u8` or `u16` before it that `measures` its bytes, and the record in a message"
     if form is None or form.terminator is None or form.encoding == UTF_16 or form.is_right or form.padding:
         return "remove it, and state the usual length"
     end = f"{{name: end, type: u8, const: 0x{form.terminator:02X}}}"
@@ -95,23 +95,23 @@ def _cure(value: Value, is_in_place: bool) -> str:
 def _place(fact: Fact, is_in_message: bool) -> str:
     """Why a fact has one width because of where it stands; empty for a field of a message."""
     if not isinstance(fact, Field) or not is_in_message:
-        return "is neither a field of a message nor a counted text at the end of a record of a list"
+        return "is neither a field of a message nor a counted text in a record"
     if fact.count is not None or fact.repeat is not None:
         return "is a list, whose elements have the same width"
     return "is reserved, and has the same width everywhere" if fact.reserved else ""
 
 
-def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
+def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[Diagnostic]:
     """The findings of the fields around those that vary in width."""
     varying = [field for field in body.fields if field.value is not None and field.value.width]
     if not varying:
         return
     for field in body.fields:
         other = body.named(field.measures.field) if field.measures is not None else None
-        if field.repeat is not None or field.choice is not None:
-            key, objection = (
-                ("repeat", "a list of free length") if field.repeat is not None else ("choice", "several types")
-            )
+        differs = bool(field.record) and not sizes.is_fixed(field)
+        if differs or field.repeat is not None or field.choice is not None:
+            key, objection = ("choice", "several types") if field.choice is not None else ("record", "no fixed size")
+            key, objection = ("repeat", "a list of free length") if field.repeat is not None else (key, objection)
             text = f"{field.name} has {objection}, and {varying[0].name} varies in width"
             yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
         elif other in varying and other is not None:
@@ -130,17 +130,18 @@ def _of_message(message: Message, body: Record) -> Iterator[Diagnostic]:
 
 
 def _of_record(record: Record) -> Iterator[Diagnostic]:
-    """The findings of a record that ends with a text whose bytes are counted; none for others."""
-    text = record.fields[-1]
-    if text.value is None or not text.value.width:
-        return
-    for field in record.fields:
-        if field.measures is not None and field.measures.field == text.name:
-            yield from _of_count(record, field, text)
-    for key in ("span", "word_span"):
-        if key in text.place:
-            message = f"{text.name} varies in width, and has no last byte"
-            yield finding(_CODE, text.place, key, message, "remove it")
+    """The findings of a record whose texts are counted; none for others."""
+    texts = [field for field in record.fields if field.value is not None and field.value.width]
+    for text in texts:
+        for field in record.fields:
+            if field.measures is not None and field.measures.field == text.name:
+                yield from _of_count(record, field, text)
+    for field in record.fields[record.fields.index(texts[0]) :] if texts else ():
+        for key in ("span", "word_span"):
+            if key in field.place:
+                problem = "has no last byte" if field in texts else "has no place of its own"
+                message = f"{field.name} {problem}, as {texts[0].name} varies in width"
+                yield finding(_CODE, field.place, key, message, "remove it")
 
 
 def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:

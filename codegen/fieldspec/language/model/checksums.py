@@ -14,9 +14,12 @@ class Checksum:
 
     The polynomial of a CRC is without its highest bit. `reflect_in` takes the lowest bit of each byte first, and
     `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
-    last number that is not complete is padded with zeros. `complement` is `ones`, `twos` or empty.
+    last number that is not complete is filled up with zeros behind its bytes. The bytes of a number are in the order
+    of the checksum, or in the `unit_order` where it is another one; a CRC takes them in the opposite order of the wire.
+    `complement` is `ones`, `twos` or empty.
     A Fletcher checksum has two sums modulo `modulus`: the lower half of its bits is the sum of the numbers, the upper
-    half the sum of all values that the lower one takes. The bytes of `suffix` come behind those that it covers.
+    half the sum of all values that the lower one takes. The bytes of `suffix` come behind those that it covers. Each
+    byte of the result that is one of `avoided` is sent as the byte at the same place of `replacements`.
     """
 
     method: str
@@ -30,6 +33,9 @@ class Checksum:
     unit_size: int = 1
     modulus: int = 0
     suffix: bytes = b""
+    unit_order: str = ""
+    avoided: bytes = b""
+    replacements: bytes = b""
 
     @property
     def size(self) -> int:
@@ -46,6 +52,21 @@ class Checksum:
         """The greatest result."""
         return (1 << self.width) - 1
 
+    def arranged(self, data: bytes) -> bytes:
+        """The bytes in the order in which a CRC takes them."""
+        if self.unit_size == 1:
+            return data
+        filled = data + bytes(-len(data) % self.unit_size)
+        starts = range(0, len(filled), self.unit_size)
+        return b"".join(filled[start : start + self.unit_size][::-1] for start in starts)
+
+    def as_sent(self, number: int) -> int:
+        """The result with a replacement in place of each byte that it avoids."""
+        if not self.avoided:
+            return number
+        table = bytes.maketrans(self.avoided, self.replacements)
+        return int.from_bytes(number.to_bytes(self.size, "big").translate(table), "big")
+
 
 SIMPLE = {
     "crc16_modbus": Checksum("crc", 16, 0x8005, 0xFFFF, True, True),
@@ -61,10 +82,12 @@ FLETCHER = {
 }
 """The Fletcher checksums that have public names: those of Fletcher's article, and the one of RFC 1950."""
 
-_DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)")
-_DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
+_DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)(?:_of(\d))?")
+_DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d)([bl]?))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
 _SUFFIX = re.compile(r"(\w+)_then_((?:[0-9a-f]{2})+)")
-_DERIVED_FLETCHER = re.compile(r"fletcher(\d+)_of(\d)_modulo_([0-9a-f]+)_from_([0-9a-f]+)")
+_AVOIDED = re.compile(r"(\w+)_but_((?:[0-9a-f]{2})+)_as_((?:[0-9a-f]{2})+)")
+_DERIVED_FLETCHER = re.compile(r"fletcher(\d+)_of(\d)([bl]?)_modulo_([0-9a-f]+)_from_([0-9a-f]+)")
+_ORDERS = {"b": "big", "l": "little"}
 
 
 @cache
@@ -90,6 +113,10 @@ def public_crcs() -> dict[str, Checksum]:
 @cache
 def checksum_named(name: str) -> Checksum:
     """The algorithm with a name: a word of the schema, or what `algorithm_name` returns. Raises KeyError."""
+    avoiding = _AVOIDED.fullmatch(name)
+    if avoiding is not None:
+        avoided, replacements = bytes.fromhex(avoiding[2]), bytes.fromhex(avoiding[3])
+        return replace(checksum_named(avoiding[1]), avoided=avoided, replacements=replacements)
     followed = _SUFFIX.fullmatch(name)
     if followed is not None:
         return replace(checksum_named(followed[1]), suffix=bytes.fromhex(followed[2]))
@@ -98,20 +125,25 @@ def checksum_named(name: str) -> Checksum:
             return algorithms[name]
     derived = _DERIVED_CRC.fullmatch(name)
     if derived is not None:
-        width, polynomial, initial, reflect_in, reflect_out, final_xor = derived.groups()
+        width, polynomial, initial, reflect_in, reflect_out, final_xor, unit_size = derived.groups()
         numbers = int(width), int(polynomial, 16), int(initial, 16)
-        return Checksum("crc", *numbers, reflect_in == "r", reflect_out == "r", int(final_xor, 16))
+        reflected, final = (reflect_in == "r", reflect_out == "r"), int(final_xor, 16)
+        return Checksum("crc", *numbers, *reflected, final, unit_size=int(unit_size or 1))
     derived = _DERIVED_SUM.fullmatch(name)
     if derived is not None:
-        method, width, unit_size, initial, complement = derived.groups()
+        method, width, unit_size, unit_order, initial, complement = derived.groups()
         unit = int(unit_size) if unit_size else 1 if method == "sum" else int(width) // 8
         start = int(initial, 16) if initial else 0
-        return Checksum(method, int(width), initial=start, complement=complement or "", unit_size=unit)
+        order = _ORDERS.get(unit_order, "")
+        return Checksum(
+            method, int(width), initial=start, complement=complement or "", unit_size=unit, unit_order=order
+        )
     derived = _DERIVED_FLETCHER.fullmatch(name)
     if derived is not None:
-        width, unit_size, modulus, initial = derived.groups()
-        start = int(initial, 16)
-        return Checksum("fletcher", int(width), initial=start, unit_size=int(unit_size), modulus=int(modulus, 16))
+        width, unit_size, unit_order, modulus, initial = derived.groups()
+        start, order = int(initial, 16), _ORDERS.get(unit_order, "")
+        unit, limit = int(unit_size), int(modulus, 16)
+        return Checksum("fletcher", int(width), initial=start, unit_size=unit, modulus=limit, unit_order=order)
     return public_crcs()[name]
 
 
@@ -127,6 +159,9 @@ def catalogue_name(name: str) -> str:
 
 def algorithm_name(checksum: Checksum) -> str:
     """The name of an algorithm: the public one where it has one, else one that states its parameters."""
+    if checksum.avoided:
+        name = algorithm_name(replace(checksum, avoided=b"", replacements=b""))
+        return f"{name}_but_{checksum.avoided.hex()}_as_{checksum.replacements.hex()}"
     if checksum.suffix:
         return f"{algorithm_name(replace(checksum, suffix=b''))}_then_{checksum.suffix.hex()}"
     for algorithms in (SIMPLE, FLETCHER, public_crcs()):
@@ -136,12 +171,14 @@ def algorithm_name(checksum: Checksum) -> str:
     if checksum.method == "crc":
         reflected = ("r" if checksum.reflect_in else "f") + ("r" if checksum.reflect_out else "f")
         numbers = f"{checksum.polynomial:x}_{checksum.initial:x}_{reflected}_{checksum.final_xor:x}"
-        return f"crc{checksum.width}_{numbers}"
+        unit = f"_of{checksum.unit_size}" if checksum.unit_size > 1 else ""
+        return f"crc{checksum.width}_{numbers}{unit}"
+    order = checksum.unit_order[:1]
     if checksum.method == "fletcher":
-        parameters = f"of{checksum.unit_size}_modulo_{checksum.modulus:x}_from_{checksum.initial:x}"
+        parameters = f"of{checksum.unit_size}{order}_modulo_{checksum.modulus:x}_from_{checksum.initial:x}"
         return f"fletcher{checksum.width}_{parameters}"
     usual = 1 if checksum.method == "sum" else checksum.width // 8
-    unit = f"_of{checksum.unit_size}" if checksum.unit_size != usual else ""
+    unit = f"_of{checksum.unit_size}{order}" if order or checksum.unit_size != usual else ""
     start = f"_from_{checksum.initial:x}" if checksum.initial else ""
     complement = f"_{checksum.complement}" if checksum.complement else ""
     return f"{checksum.method}{checksum.width}{unit}{start}{complement}"
@@ -156,7 +193,7 @@ def preceded(checksum: Checksum, prefix: bytes, order: str) -> Checksum:
     number = checksum.initial
     if checksum.method == "crc":
         highest = checksum.width - 1
-        for byte in prefix:
+        for byte in checksum.arranged(prefix):
             for bit in range(8) if checksum.reflect_in else reversed(range(8)):
                 feedback = number >> highest & 1 ^ byte >> bit & 1
                 number = (number << 1 & checksum.mask) ^ (checksum.polynomial if feedback else 0)
@@ -168,6 +205,7 @@ def combined(checksum: Checksum, data: bytes, order: str) -> int:
     """The numbers of some data as a sum, an xor or a Fletcher checksum combines them, before any complement."""
     size, number = checksum.unit_size, checksum.initial
     filled = data + bytes(-len(data) % size)
+    order = checksum.unit_order or order
     units = [
         int.from_bytes(filled[offset : offset + size], "little" if order == "little" else "big")
         for offset in range(0, len(filled), size)

@@ -63,9 +63,26 @@ class Enum(Fact):
         return next((member for member in self.members if name in (member.name, *member.aliases)), None)
 
 
+@dataclass(frozen=True, slots=True)
+class Run:
+    """Adjacent bits of a word from `first` on, which are those of a number from bit `weight` on."""
+
+    first: int
+    width: int
+    weight: int
+
+    @property
+    def most(self) -> int:
+        """The greatest number of so many bits."""
+        return (1 << self.width) - 1
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bit(Fact):
     """Bit `first`, or the bits `first` to `last`; bit 0 is the least significant.
+
+    Where the bits of a field lie apart, `pieces` are the first and the last of each run of bits that are adjacent, the
+    least significant run of the number first; else it is empty.
 
     A field of several bits may be `signed`, in two's complement, and count in parts of a unit: its number in the
     unit is count * scale + offset. `ranges` are the counts that may be sent, None for all that the bits hold, and
@@ -89,6 +106,7 @@ class Bit(Fact):
     unit: str = ""
     ranges: Ranges | None = None
     default: int | None = None
+    pieces: tuple[tuple[int, int], ...] = ()
 
     @property
     def as_value(self) -> Value:
@@ -128,14 +146,23 @@ class Bit(Fact):
 
     @property
     def images(self) -> tuple[tuple[int, int], ...]:
-        """The numbers that may be sent as they are in a word whose other bits are 0: intervals in ascending order."""
+        """The numbers that may be sent as they are in a word whose other bits are 0: intervals in ascending order.
+
+        Those of bits that lie apart are as `joined` has them.
+        """
         turn = 1 << self.width
+        first = 0 if self.pieces else self.first
         pairs = [
             pair
             for low, high in (self.ranges or Ranges(((self.low, self.high),))).intervals
             for pair in _unsigned(low, high, turn)
         ]
-        return tuple((low << self.first, high << self.first) for low, high in merged(pairs))
+        return tuple((low << first, high << first) for low, high in merged(pairs))
+
+    @property
+    def greatest_image(self) -> int:
+        """The greatest number in the form of `images` that the bits hold."""
+        return (1 << self.width) - 1 if self.pieces else self.mask
 
     @property
     def is_number(self) -> bool:
@@ -144,7 +171,7 @@ class Bit(Fact):
 
     def number_in(self, word: int) -> int:
         """The number that the bit field has in a word."""
-        number = (word & self.mask) >> self.first
+        number = self.joined(word)
         return number - (1 << self.width) if self.signed and number >> (self.width - 1) else number
 
     def reason_to_give(self, enum: Enum | None) -> str:
@@ -158,14 +185,41 @@ class Bit(Fact):
         return f"0 is {self.offset:f} {self.unit}".rstrip() if self.offset else ""
 
     @property
+    def runs(self) -> tuple[Run, ...]:
+        """The adjacent bits that the number consists of, the least significant first; one run unless they lie apart."""
+        runs: list[Run] = []
+        for first, last in self.pieces or ((self.first, self.last),):
+            runs.append(Run(first, last - first + 1, sum(run.width for run in runs)))
+        return tuple(runs)
+
+    @property
+    def places(self) -> tuple[int, ...]:
+        """The bits of the word that the bits of the number are, the least significant first."""
+        return tuple(run.first + bit for run in self.runs for bit in range(run.width))
+
+    @property
+    def number_text(self) -> str:
+        """The bits as specs write them: `3`, `9..10`, or `8..14, 0`."""
+        runs = self.pieces or ((self.first, self.last),)
+        return ", ".join(str(first) if first == last else f"{first}..{last}" for first, last in runs)
+
+    def joined(self, word: int) -> int:
+        """The bits in a word beside each other, as a number without a sign."""
+        return sum((word >> run.first & run.most) << run.weight for run in self.runs)
+
+    def placed(self, number: int) -> int:
+        """The word in which the bits are those of a number, and all others are 0."""
+        return sum((number >> run.weight & run.most) << run.first for run in self.runs)
+
+    @property
     def width(self) -> int:
         """The number of bits."""
-        return self.last - self.first + 1
+        return sum(run.width for run in self.runs)
 
     @property
     def mask(self) -> int:
         """The word in which all bits of the field, and only these, are 1."""
-        return ((1 << self.width) - 1) << self.first
+        return sum(run.most << run.first for run in self.runs)
 
 
 def _unsigned(low: int, high: int, turn: int) -> list[tuple[int, int]]:
@@ -196,7 +250,7 @@ class Flags(Fact):
     @property
     def initial(self) -> int:
         """The word of which nothing is given: the defaults of its fields of bits, else 0."""
-        return sum((bit.default << bit.first) & bit.mask for bit in self.bits if bit.default is not None)
+        return sum(bit.placed(bit.default) for bit in self.bits if bit.default is not None)
 
     @property
     def bounded(self) -> tuple[Bit, ...]:
@@ -212,7 +266,7 @@ class Flags(Fact):
         for bit in self.bounded:
             if bit.ranges is not None and bit.number_in(word) not in bit.ranges:
                 bound = min((end for interval in bit.ranges.intervals for end in interval), key=abs)
-                word = word & ~bit.mask | (bound << bit.first) & bit.mask
+                word = word & ~bit.mask | bit.placed(bound)
         return word
 
     def named(self, name: str) -> Bit | None:

@@ -57,7 +57,7 @@ def number_places(flags: Mapping[str, Flags], record: Record, name: str) -> Iter
             yield NumberPlace(field, 0, 8 * value.size, low, high)
         word = flags.get(value.flags)
         for bit in word.bits if word is not None else ():
-            if bit.name == name and not bit.signed and bit.last < 8 * value.size:
+            if bit.name == name and not bit.signed and not bit.pieces and bit.last < 8 * value.size:
                 width = bit.last - bit.first + 1
                 yield NumberPlace(field, bit.first, width, 0, (1 << width) - 1)
 

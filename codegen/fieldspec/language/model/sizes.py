@@ -25,7 +25,7 @@ class RecordSizes:
             for name in ready:
                 record = waiting.pop(name)
                 self._bounds[name] = self.bounds(record)
-                if any(field.repeat is not None for field in record.fields):
+                if any(field.repeat is not None or field.record in self._open for field in record.fields):
                     self._open.add(name)
             if not ready:
                 break
@@ -73,17 +73,28 @@ class RecordSizes:
         bounds = self.bounds(record)
         return bounds[0] if bounds is not None and bounds[0] == bounds[1] else None
 
-    def has_tail(self, name: str) -> bool:
-        """Whether a record has one size but for its last field, a list or a text that a field before it counts."""
+    def tells_size(self, name: str) -> bool:
+        """Whether a record has no fixed size, and its bytes tell where it ends."""
         record = self._records.get(name)
-        if record is None or not record.fields:
+        if record is None or name in self.endless or all(self.is_fixed(field) for field in record.fields):
             return False
-        *before, last = record.fields
-        if not all(self.element(field) is not None and field.repeat is None for field in before):
-            return False
-        if last.repeat is None:
-            return last.count is None and text_count(record, last) is not None
-        return self.element(last) is not None and list_count(record, last) is not None
+        return self.untold(record) is None
+
+    def is_fixed(self, field: Field) -> bool:
+        """Whether a field has the same number of bytes in all data."""
+        return field.repeat is None and self.element(field) is not None
+
+    def untold(self, record: Record) -> Field | None:
+        """The first field of a record of which nothing before it tells where it ends, None where there is none."""
+        has_texts = any(field.value is not None and field.value.width for field in record.fields)
+        for field in record.fields:
+            if self.is_fixed(field):
+                continue
+            is_told = field.repeat is None or list_count(record, field) is not None
+            is_told &= self.element(field) is not None or self.tells_size(field.record)
+            if not (text_count(record, field) is not None and not field.is_list if has_texts else is_told):
+                return field
+        return None
 
     def named(self, name: str) -> int | None:
         """The bytes of the record with a name, None unless it always has the same size."""

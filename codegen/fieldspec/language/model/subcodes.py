@@ -15,19 +15,14 @@ Place = tuple[int, int, str]
 """The offset of a constant in the data, its bytes, and its byte order."""
 
 WIDEST = 4
-"""The bytes of the widest constant that tells messages apart."""
-
-WIDEST_MARK = 2
-"""The bytes of the widest constant that marks exception responses."""
+"""The bytes of the widest constant that tells messages apart, or marks exception responses."""
 
 Numbers = tuple[int, ...]
 """The numbers that a field may have, in the order of the spec."""
 
 
-def constant_at(
-    field: Field, offset: int, order: str, word_order: str = "", widest: int = WIDEST_MARK
-) -> tuple[Place, int] | None:
-    """The place and the unsigned number of a constant of at most `widest` bytes, None for any other field.
+def constant_at(field: Field, offset: int, order: str, word_order: str) -> tuple[Place, int] | None:
+    """The place and the unsigned number of a constant of at most `WIDEST` bytes, None for any other field.
 
     `order` and `word_order` are those of values without their own. The number is that of the bytes as they are sent, in
     the order of the bytes of a word: that of 0x12345678 with its low word first is 0x56781234.
@@ -35,7 +30,7 @@ def constant_at(
     value = field.value
     if value is None or value.const is None or field.reserved or field.count is not None or field.repeat is not None:
         return None
-    if not is_count(value.encoding) or value.size > widest:
+    if not is_count(value.encoding) or value.size > WIDEST:
         return None
     own = (value.byte_order or order) if value.size > 1 else "big"
     number = value.const & (1 << 8 * value.size) - 1
@@ -49,7 +44,7 @@ def numbers_at(field: Field, offset: int, order: str, word_order: str) -> tuple[
 
     The numbers are its constant, or those of the range of an unsigned byte. The orders are as in `constant_at`.
     """
-    constant = constant_at(field, offset, order, word_order, WIDEST)
+    constant = constant_at(field, offset, order, word_order)
     if constant is not None:
         return constant[0], (constant[1],)
     value = field.value

@@ -170,7 +170,7 @@ def keys(node: Node, path: str) -> list[str | int] | None:
     """
     current: Node = node
     path_keys: list[str | int] = []
-    for step in _with_number_of_row(node, path).split("/"):
+    for step in with_number_of_row(node, path).split("/"):
         steps = _keys(current, step)
         if steps is None:
             return None
@@ -179,7 +179,7 @@ def keys(node: Node, path: str) -> list[str | int] | None:
     return path_keys
 
 
-def _with_number_of_row(tree: Node, path: str) -> str:
+def with_number_of_row(tree: Node, path: str) -> str:
     """A path to a row of a table by its number, where a cell names it."""
     table_path, mark, row_name = path.partition("/rows/")
     column, sign, cell = row_name.partition("=")

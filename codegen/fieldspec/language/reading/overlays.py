@@ -19,7 +19,7 @@ from fieldspec.language.reading.nodes import (
     put,
     schema_path,
 )
-from fieldspec.language.reading.references import references
+from fieldspec.language.reading.references import Reference, references
 from fieldspec.language.reading.removals import RemovedFact, removal_findings, removed_changes
 from fieldspec.language.reading.renamed_paths import RenamedPaths, with_text
 from fieldspec.language.reading.scalars import part_at, typed_at
@@ -210,21 +210,36 @@ class _Application:
             assert isinstance(fact, Mapping)
             self._put([*node_keys], fact.with_value("name", fact.values["name"]))  # it is no longer that of an alias
         targets = {id(node_at(self.tree, [*node_keys])): new.name for node_keys, new in self.new_names.items()}
-        places = {
-            reference.keys: targets[id(reference.target)]
+        named = [
+            (reference, targets[id(reference.target)].text)
             for reference in references(self.tree)
             if id(reference.target) in targets
-            and reference.scalar.text == identity(reference.target)
             and reference.keys
             and reference.keys[0] not in _JUDGING
-        }
+            and reference.scalar.text[reference.start : reference.end] == identity(reference.target)
+            and "/" not in reference.scalar.text
+        ]
         paths = RenamedPaths(self.tree, {new.path: new.name.text for new in self.new_names.values()})
+        # What follows in a text, and what is below a key, has its place by what comes before it.
+        for reference, name in sorted(named, key=lambda pair: _place_of(pair[0]), reverse=True):
+            self._refer_by(reference, name)
         sections = {name: paths.renamed(node, name == "behaviour") for name, node in self.tree.values.items()}
         self.tree = Mapping(self.tree.file, self.tree.start, self.tree.end, sections, self.tree.keys)
-        for keys_of_name, new_name in places.items():
-            self._put([*keys_of_name], with_text(node_at(self.tree, [*keys_of_name]), new_name.text))
         for node_keys, new in self.new_names.items():
             self._put([*node_keys, "name"], new.name)
+
+    def _refer_by(self, reference: Reference, name: str) -> None:
+        """Puts a new name where a reference has the old one."""
+        *holder_keys, key = reference.keys
+        node = node_at(self.tree, [*reference.keys])
+        if not reference.is_key:
+            text = node.text if isinstance(node, Scalar) else ""
+            self._put([*reference.keys], with_text(node, f"{text[: reference.start]}{name}{text[reference.end :]}"))
+            return
+        holder = node_at(self.tree, holder_keys)
+        assert isinstance(holder, Mapping)
+        values = {name if own == key else own: value for own, value in holder.values.items()}
+        self._put(holder_keys, Mapping(holder.file, holder.start, holder.end, values, holder.keys))
 
     def _drop_taken_names(self) -> None:
         """Refuses new names that something else in the same list has, or is to have."""
@@ -304,6 +319,11 @@ class _Application:
 
 
 _LISTS = frozenset(key for key, part in schema()["properties"].items() if part["type"] == "array")
+
+
+def _place_of(reference: Reference) -> tuple[int, bool, int]:
+    """What is replaced later has a lower place: what is nearer to the root, a key, and what is nearer to its start."""
+    return len(reference.keys), not reference.is_key, reference.start
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from typing import TypeAlias
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import Span
 from fieldspec.language.model.task import ACTIONS
-from fieldspec.language.reading.meanings import VALUED, VALUES, Meanings
+from fieldspec.language.reading.meanings import VALUED, VALUES, Meanings, value_of
 from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, Sequence, identity, mappings
 from fieldspec.language.reading.yaml_reader import key_spans
 
@@ -57,9 +57,9 @@ def place_in_file(node: Node) -> PlaceInFile:
 class Reference:
     """A name of the fact `target`, or of a state of a machine, under a `key` of the fact at the path `holder`.
 
-    The name is the text `start` to `end` of the scalar: all of it, or a step of a path, of which each step is one. The
-    scalar may be a key. It may have a role of the target in place of its name. It is at some `keys` of the tree, which
-    are not known where it is a key, or what a value means.
+    The name is the text `start` to `end` of the scalar: all of it, a step of a path, of which each step is one, or a
+    member beside its bit. It may have a role of the target in place of its name. It is at some `keys` of the tree, or
+    `is_key`: these lead to the value of that key.
     """
 
     scalar: Scalar
@@ -69,6 +69,7 @@ class Reference:
     holder: str
     target: Node
     keys: Keys = ()
+    is_key: bool = False
 
     @property
     def span(self) -> Span:
@@ -227,23 +228,55 @@ class _Search:
                 inner = path if key in LISTS else f"{path}/{key}"
                 yield from self.below(child, inner, holder, key, fact, (*keys, key))
             if isinstance(child, Mapping):
-                yield from self._by_keys(node, key, child, holder)
+                yield from self._by_keys(node, key, child, holder, (*keys, key))
+            if key == "segments" and isinstance(child, Mapping) and fact is not None:
+                yield from self._of_segments(child, holder, fact, (*keys, key))
+        yield from self._of_cases(node, holder, fact, keys)
         for key, value_key in VALUED.items() if self.section in _ACTING else ():
             signal, value = node.values.get(key), node.values.get(value_key)
             if isinstance(signal, Scalar) and value is not None:
-                yield from self._of_values(value, value_key, self.meanings.facts(signal.text), holder)
+                facts = self.meanings.facts(signal.text)
+                yield from self._of_values(value, value_key, facts, holder, (*keys, value_key))
         machine, state = node.values.get("enter"), node.values.get("state")
         if self.section == "behaviour" and isinstance(machine, Scalar) and state is not None:
             yield from self._of_states(state, "state", machine.text, holder)
 
-    def _by_keys(self, node: Mapping, key: str, child: Mapping, holder: str) -> Iterator[Reference]:
+    def _of_cases(self, node: Mapping, holder: str, fact: Mapping | None, keys: Keys) -> Iterator[Reference]:
+        """The members that select a case, of the field that a node names as the one that decides."""
+        by, cases = node.values.get("by"), node.values.get("cases")
+        decider = _part(fact, by.text, holder.split("/")[2:3]) if fact is not None and isinstance(by, Scalar) else None
+        for number, case in enumerate(cases.items if decider is not None and isinstance(cases, Sequence) else ()):
+            if isinstance(case, Mapping) and "when" in case.values:
+                own_keys = (*keys, "cases", number, "when")
+                yield from self._of_values(case.values["when"], "when", [decider] if decider else [], holder, own_keys)
+
+    def _of_segments(self, segments: Mapping, holder: str, fact: Mapping, keys: Keys) -> Iterator[Reference]:
+        """The members that say how a value is sent in pieces, and why a transfer is aborted."""
+        parts = [value_of(field, "parameter") for field in mappings(fact.values.get("response"))]
+        names = [value_of(value_of(part, "sizes"), "by") for part in parts]
+        deciders = [_part(fact, name.text, ["response"]) for name in names if isinstance(name, Scalar)]
+        for key in ("when", "unsized"):
+            if key in segments.values:
+                known = [decider for decider in deciders if decider is not None]
+                yield from self._of_values(segments.values[key], key, known, holder, (*keys, key))
+        abort = segments.values.get("abort")
+        message, reason = value_of(abort, "message"), value_of(abort, "reason")
+        told = self.names["messages"].get(message.text) if isinstance(message, Scalar) else None
+        field = _part(told, reason.text, []) if told is not None and isinstance(reason, Scalar) else None
+        for key in ("counter", "size"):
+            node = value_of(abort, key)
+            if node is not None and field is not None:
+                yield from self._of_values(node, key, [field], holder, (*keys, "abort", key))
+
+    def _by_keys(self, node: Mapping, key: str, child: Mapping, holder: str, keys: Keys) -> Iterator[Reference]:
         """The references in the keys of a mapping under a `key` of a node, and in what these have."""
         if key in VALUES:
-            yield from self._of_fields(child, key, [*self.meanings.fields(node, None)], holder)
+            yield from self._of_fields(child, key, [*self.meanings.fields(node, None)], holder, keys)
         elif key == "printed":
             for inner, values in child.values.items():
                 if inner in VALUES:
-                    yield from self._of_fields(values, inner, [*self.meanings.fields(child, node)], holder)
+                    fields = [*self.meanings.fields(child, node)]
+                    yield from self._of_fields(values, inner, fields, holder, (*keys, inner))
         elif key == "if":
             for signal in _keys(child):
                 for start, end, target in self._targets(signal.text, key, holder, None):
@@ -251,7 +284,7 @@ class _Search:
                 value, machine = child.values[signal.text], signal.text.removeprefix(_STATE)
                 if machine != signal.text:
                     yield from self._of_states(value, key, machine, holder)
-                yield from self._of_values(value, key, self.meanings.facts(signal.text), holder)
+                yield from self._of_values(value, key, self.meanings.facts(signal.text), holder, (*keys, signal.text))
 
     def _of_states(self, value: Node, key: str, machine: str, holder: str) -> Iterator[Reference]:
         """The states of a machine that a value means, or each of several."""
@@ -260,24 +293,27 @@ class _Search:
                 if isinstance(scalar, Scalar) and scalar.text == state.text:
                     yield Reference(scalar, 0, len(state.text), key, holder, state)
 
-    def _of_fields(self, values: Node, key: str, fields: list[Mapping], holder: str) -> Iterator[Reference]:
+    def _of_fields(self, values: Node, key: str, fields: list[Mapping], holder: str, keys: Keys) -> Iterator[Reference]:
         """The fields that values are given for, and what the values mean."""
         for name in _keys(values) if isinstance(values, Mapping) else ():
             field = next((field for field in fields if identity(field) == name.text), None)
             if field is not None and isinstance(values, Mapping):
-                yield Reference(name, 0, len(name.text), key, holder, field)
+                own_keys = (*keys, name.text)
+                yield Reference(name, 0, len(name.text), key, holder, field, own_keys, is_key=True)
                 value = values.values[name.text]
-                yield from self._of_values(value, key, [field], holder)
-                yield from self._of_fields(value, key, [*self.meanings.parts(field)], holder)
+                yield from self._of_values(value, key, [field], holder, own_keys)
+                yield from self._of_fields(value, key, [*self.meanings.parts(field)], holder, own_keys)
 
-    def _of_values(self, value: Node, key: str, facts: list[Mapping], holder: str) -> Iterator[Reference]:
+    def _of_values(self, value: Node, key: str, facts: list[Mapping], holder: str, keys: Keys) -> Iterator[Reference]:
         """The members, bits, states and special values that a value means, or each of several: also a `BIT=MEMBER`."""
-        nodes = value.items if isinstance(value, Sequence) else (value,)
-        for scalar in (node for node in nodes if isinstance(node, Scalar)):
+        items = enumerate(value.items) if isinstance(value, Sequence) else ()
+        nodes = [((*keys, number), item) for number, item in items] or [(keys, value)]
+        for own_keys, scalar in ((own_keys, node) for own_keys, node in nodes if isinstance(node, Scalar)):
             start, known = 0, facts
             for name in scalar.text.split("="):
                 known = [item for fact in known for item, _ in self.meanings.values(fact) if identity(item) == name]
-                yield from (Reference(scalar, start, start + len(name), key, holder, item) for item in known)
+                stop = start + len(name)
+                yield from (Reference(scalar, start, stop, key, holder, item, own_keys) for item in known)
                 start += len(name) + 1
 
     def _targets(self, text: str, key: str, holder: str, fact: Mapping | None) -> Iterator[tuple[int, int, Mapping]]:

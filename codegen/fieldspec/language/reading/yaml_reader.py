@@ -40,6 +40,8 @@ _NO_CHARACTERS = "\\ufdd0-\\ufdef" + "".join(chr(plane << 16 | low) for plane in
 _NO_CHARACTER = re.compile(f"[{_NO_CHARACTERS}]")
 # With them, all that YAML does not print, of what UTF-8 can encode.
 _CONTROL = re.compile(f"[\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x84\\x86-\\x9f{_NO_CHARACTERS}]")
+_PLAIN = b"\t\n\r" + bytes(range(0x20, 0x7F))
+"""Bytes that are printed wherever they are; texts have hardly others."""
 _HALF = re.compile("[\ud800-\udfff]")
 _TAG = re.compile(r"!(<[^>]*>|[^\s,\[\]{}]*)")
 
@@ -75,7 +77,7 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
         message = f"byte {data[error.start]:#04x} is not UTF-8"
         return file, [Diagnostic("not_utf8", message, Span(file, offset, offset + 1), help="save the file as UTF-8")]
     file = SourceFile(path, text)
-    bad = _CONTROL.search(text)
+    bad = _CONTROL.search(text) if data.translate(None, _PLAIN) else None
     if bad is not None:
         message = f"{_kind(bad[0])} {ord(bad[0]):#04x}"
         return file, [Diagnostic("yaml_syntax", message, Span(file, *bad.span()), help="remove it")]

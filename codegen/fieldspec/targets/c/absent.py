@@ -10,6 +10,7 @@ from fieldspec.codec.layout.accepted import Condition, range_conditions
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, infinity
 from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets.c.conditions import among_test, refused_number
@@ -38,18 +39,24 @@ from fieldspec.targets.c.values import type_name
 class AbsentValue:
     """A value that may be in a state, the noun under which `Naming` has it, and the words of its names.
 
-    `conditions` are those without which it is out of range.
+    An answer of the device is `answered`; that of a `trigger` is not what was written.
     """
 
     noun: Noun
     names: tuple[str, ...]
     value: Value
-    conditions: tuple[Condition, ...] = ()
+    answered: bool = False
+    trigger: bool = False
 
     @property
     def title(self) -> str:
         """The value in comments: `power`, `module.current`."""
         return ".".join(self.names)
+
+    def conditions(self, device: Device) -> tuple[Condition, ...]:
+        """The conditions without which it is out of range."""
+        value = self.value.as_answer(self.trigger) if self.answered else self.value
+        return range_conditions(device, value, self.trigger)
 
     def constant(self, naming: Naming, sentinel: Sentinel) -> str:
         """The name of the constant of a sentinel: `GADGET_REG_POWER_ABSENT_NOT_MEASURED`"""
@@ -70,38 +77,30 @@ def absent_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
 
 
 def ranged_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
-    """All values that may be out of range where they are read, in the same places."""
-    return (ranged for ranged in _every_value(layout) if ranged.conditions)
+    """All values of which a range is stated, in the same places: they may be out of it where they are read."""
+    return (ranged for ranged in _every_value(layout) if ranged.value.ranges is not None or ranged.value.flags)
 
 
 def _every_value(layout: DeviceLayout) -> Iterator[AbsentValue]:
-    device = layout.device
-
-    def field_value(noun: Noun, names: tuple[str, ...], value: Value) -> AbsentValue:
-        return AbsentValue(noun, names, value, range_conditions(device, value))
-
-    def answer_value(noun: Noun, names: tuple[str, ...], value: Value, trigger: bool) -> AbsentValue:
-        return AbsentValue(noun, names, value, range_conditions(device, value.as_answer(trigger), trigger))
-
-    for signal in device.signals.values():
-        yield field_value("signal", (signal.name,), signal.value)
+    for signal in layout.device.signals.values():
+        yield AbsentValue("signal", (signal.name,), signal.value)
     for record in all_records(layout):
         for field in record.fields:
             if field.value is not None and not field.field.reserved:
-                yield field_value("record", (record.name, field.name), field.value)
+                yield AbsentValue("record", (record.name, field.name), field.value)
             for case in field.cases:
-                yield field_value("record", (record.name, field.name, case.name), case.value)
+                yield AbsentValue("record", (record.name, field.name, case.name), case.value)
     for row in layout.registers:
         if not is_bit(row) and not row.register.reserved:
-            yield answer_value("register", (row.name,), row.register.value, row.register.trigger)
-    for parameters in device.parameters.values():
+            yield AbsentValue("register", (row.name,), row.register.value, True, row.register.trigger)
+    for parameters in layout.device.parameters.values():
         for parameter in parameters.parameters:
             if not parameter.reserved:
                 names = (parameters.name, parameter.name)
-                yield answer_value("parameter", names, parameter.value, parameter.trigger)
+                yield AbsentValue("parameter", names, parameter.value, True, parameter.trigger)
                 for inner in parameter.subindices:
                     if not inner.reserved:
-                        yield answer_value("parameter", (*names, inner.name), inner.value, parameter.trigger)
+                        yield AbsentValue("parameter", (*names, inner.name), inner.value, True, parameter.trigger)
 
 
 def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
@@ -137,13 +136,16 @@ def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
     ]
 
 
-def declare_out_of_range(naming: Naming, ranged: AbsentValue) -> list[Declaration]:
-    """The function that says whether a value that is read is out of range.
+def declare_out_of_range(naming: Naming, device: Device, ranged: AbsentValue) -> list[Declaration]:
+    """The function that says whether a value that is read is out of range; none where it cannot be.
 
     `bool gadget_reg_power_is_out_of_range(int16_t value)`
     """
     value = ranged.value
-    refusals = [refused_number(naming, value.encoding, condition.test, VALUE) for condition in ranged.conditions]
+    conditions = ranged.conditions(device)
+    if not conditions:
+        return []
+    refusals = [refused_number(naming, value.encoding, condition.test, VALUE) for condition in conditions]
     tests = [test for test in refusals if test is not None]
     return [
         comment(f"Whether {ranged.title} is outside of its stated range."),

@@ -16,6 +16,7 @@ from fieldspec.targets.c.absent import absent_values, declare_absent, declare_ou
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
 from fieldspec.targets.c.conversions import declare_conversion
 from fieldspec.targets.c.declarations import (
+    BLANK,
     Declaration,
     Define,
     Directive,
@@ -29,6 +30,7 @@ from fieldspec.targets.c.escapes import declare_escapes
 from fieldspec.targets.c.flags import declare_flags
 from fieldspec.targets.c.frames import declare_link
 from fieldspec.targets.c.fuzzing import write_fuzz_target
+from fieldspec.targets.c.inner_lists import sent_size
 from fieldspec.targets.c.literals import hexadecimal, string, unsigned
 from fieldspec.targets.c.messages import declare_messages
 from fieldspec.targets.c.naming import Naming
@@ -37,7 +39,7 @@ from fieldspec.targets.c.printer import Printer
 from fieldspec.targets.c.quantities import declare_fixed_quantity, declare_quantity, fixed_values, scaled_values
 from fieldspec.targets.c.records import declare_record
 from fieldspec.targets.c.registers import declare_register, declare_signal, declare_table
-from fieldspec.targets.c.runtime_files import copy_numbers, copy_runtime, runtime_macros
+from fieldspec.targets.c.runtime_files import all_records, copy_numbers, copy_runtime, runtime_macros
 from fieldspec.targets.c.selftest import write_selftest
 from fieldspec.targets.c.subcodes import has_subcode, subcodes_of
 from fieldspec.targets.c.usages import usage_rows, version_usages
@@ -158,10 +160,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
         ("Conversions, which need double", _conversions(naming, layout)),
         (
             "Records",
-            (
-                declare_record(naming, device, record, describe_fact(record.record))
-                for record in layout.records.values()
-            ),
+            _records(naming, layout),
         ),
         ("Data of requests and responses", _messages(naming, layout)),
         ("Registers", _registers(naming, layout)),
@@ -183,7 +182,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
         ),
         ("Texts of codes, in UTF-8", _code_texts(naming, layout)),
         ("Values that stand for a state", _absent_values(naming, layout)),
-        ("Values out of range", (declare_out_of_range(naming, ranged) for ranged in ranged_values(layout))),
+        ("Values out of range", _out_of_range(naming, layout)),
     )
 
 
@@ -269,6 +268,13 @@ def _absent_values(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         yield [Directive("endif")]
 
 
+def _out_of_range(naming: Naming, layout: DeviceLayout) -> Iterator[FactBlock]:
+    device = layout.device
+    for ranged in ranged_values(layout):
+        facts, words = facts_of(device, ranged.value), (ranged.noun, ranged.names, ranged.trigger)
+        yield FactBlock("out of range", facts, words, partial(declare_out_of_range, naming, device, ranged))
+
+
 def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
     """For each message its code and number, then the data of its request and of its response."""
     for layout_of_message in layout.messages.values():
@@ -302,6 +308,14 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         yield block
         for data in layout_of_message.bodies:
             yield declare_record(naming, layout.device, data, comment())
+
+
+def _records(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
+    elements = {field.record.name for record in all_records(layout) for field in record.fields if field.record}
+    for record in layout.records.values():
+        declarations = declare_record(naming, layout.device, record, describe_fact(record.record))
+        tells_size = record.name in elements and record.size is None
+        yield [*declarations, BLANK, sent_size(naming, record)] if tells_size else declarations
 
 
 def _code_texts(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:

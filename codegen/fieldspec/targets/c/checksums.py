@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from fieldspec.codec.layout.checksums import reflected
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.part import PartLayout
-from fieldspec.language.model.checksums import DIGITS, SIMPLE, Checksum, checksum_named
+from fieldspec.foundation.classes import replace
+from fieldspec.language.model.checksums import DIGITS, SIMPLE, Checksum, algorithm_name, checksum_named
 from fieldspec.targets.c.declarations import Declaration, Source
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, add, add_size, different, negate
 from fieldspec.targets.c.literals import decimal, hexadecimal, unsigned
@@ -30,14 +31,19 @@ def checksum_parts(layout: DeviceLayout) -> list[PartLayout]:
 def declare_checksums(naming: Naming, layout: DeviceLayout) -> list[list[Declaration]]:
     """The functions of the checksums that the device's links use."""
     parts = {_function_name(part): part for part in checksum_parts(layout)}
+    computed = {_computed_name(part): part for part in parts.values()}
     kinds = [checksum_named(part.algorithm) for part in parts.values()]
     shared: list[list[Declaration]] = []
     if any(kind.reflect_in != kind.reflect_out for kind in kinds):
         shared.append([copy_runtime(naming, _FORMS, "reverse")])
+    if any(kind.method == "crc" and kind.unit_size > 1 for kind in kinds):
+        shared.append([copy_runtime(naming, _FORMS, "swapped")])
     functions: list[list[Declaration]] = [
-        [_function(naming, name, part) if part.algorithm not in SIMPLE else copy_runtime(naming, "checksums.h", name)]
-        for name, part in sorted(parts.items())
+        [_function(naming, name, part) if name not in SIMPLE else copy_runtime(naming, "checksums.h", name)]
+        for name, part in sorted(computed.items())
     ]
+    avoiding = {name: part for name, part in sorted(parts.items()) if name not in computed}
+    functions += [[_avoiding(naming, name, part)] for name, part in avoiding.items()]
     if not all(map(_is_number, checksum_parts(layout))):
         functions.append([copy_runtime(naming, _FORMS, "characters")])
     return [*shared, *functions]
@@ -45,8 +51,19 @@ def declare_checksums(naming: Naming, layout: DeviceLayout) -> list[list[Declara
 
 def _function_name(part: PartLayout) -> str:
     """The name of the function of a checksum; one that adds numbers of several bytes depends on their order."""
-    kind = checksum_named(part.algorithm)
-    return f"{part.algorithm}_{'le' if part.order == 'little' else 'be'}" if kind.unit_size > 1 else part.algorithm
+    return _ordered_name(part.algorithm, part.order)
+
+
+def _computed_name(part: PartLayout) -> str:
+    """The name of the function that computes a checksum before bytes of it are replaced."""
+    kind = replace(checksum_named(part.algorithm), avoided=b"", replacements=b"")
+    return _ordered_name(algorithm_name(kind), part.order)
+
+
+def _ordered_name(algorithm: str, order: str) -> str:
+    kind = checksum_named(algorithm)
+    has_order = kind.method != "crc" and kind.unit_size > 1
+    return f"{algorithm}_{'le' if order == 'little' else 'be'}" if has_order else algorithm
 
 
 def _is_number(part: PartLayout) -> bool:
@@ -60,24 +77,50 @@ def _bits(width: int) -> int:
 
 def _function(naming: Naming, name: str, part: PartLayout) -> Source:
     kind = checksum_named(part.algorithm)
-    result = _bits(kind.width)
+    result, order = _bits(kind.width), kind.unit_order or part.order
     if kind.method == "crc":
         form, words = _crc_words(kind, result)
     elif kind.method == "fletcher":
-        form, words = "fletcher", _fletcher_words(kind, part.order)
+        form, words = "fletcher", _fletcher_words(kind, order)
     else:
-        form, words = "total", _total_words(kind, part.order)
+        form, words = "total", _total_words(kind, order)
     words |= {"ALGORITHM": name, "RESULT": f"uint{result}_t", **_suffix_words(kind)}
     return copy_runtime(naming, _FORMS, form, words)
 
 
+def _avoiding(naming: Naming, name: str, part: PartLayout) -> Source:
+    """The function of a checksum with other bytes in place of those that must not occur."""
+    kind = checksum_named(part.algorithm)
+    words = {
+        "ALGORITHM": name,
+        "COMPUTED": _computed_name(part),
+        "RESULT": f"uint{_bits(kind.width)}_t",
+        "COUNT": f"{len(kind.avoided)}u",
+        "AVOIDED": _array(kind.avoided),
+        "REPLACEMENTS": _array(kind.replacements),
+        "BITS": f"{8 * kind.size}u",
+    }
+    return copy_runtime(naming, _FORMS, "avoiding", words)
+
+
+def _array(data: bytes) -> str:
+    return f"{{{', '.join(f'0x{byte:02X}u' for byte in data)}}}"
+
+
 def _suffix_words(kind: Checksum) -> dict[str, str]:
     """How a loop takes the bytes that a checksum covers, and those behind them."""
-    if not kind.suffix:
-        return {"INDEX": "size_t at;", "SIZE": "size", "BYTE": "in[at]"}
-    array = ", ".join(f"0x{byte:02X}u" for byte in kind.suffix)
-    index = f"static const uint8_t suffix[{len(kind.suffix)}] = {{{array}}};\n    size_t at;"
-    return {"INDEX": index, "SIZE": f"size + {len(kind.suffix)}u", "BYTE": _BYTE_OR_SUFFIX}
+    words = {"INDEX": "size_t at;", "SIZE": "size", "BYTE": "in[at]"}
+    if kind.suffix:
+        index = f"static const uint8_t suffix[{len(kind.suffix)}] = {_array(kind.suffix)};\n    size_t at;"
+        words = {"INDEX": index, "SIZE": f"size + {len(kind.suffix)}u", "BYTE": _BYTE_OR_SUFFIX}
+    if kind.method == "crc" and kind.unit_size > 1:
+        unit, total = f"{kind.unit_size}u", words["SIZE"]
+        place = f"device_swapped(at, {unit})"
+        byte = words["BYTE"].replace("at - size", f"{place} - size").replace("at < size", f"{place} < size")
+        byte = byte.replace("in[at]", f"in[{place}]")
+        words["SIZE"] = f"({total} + {kind.unit_size - 1}u) / {unit} * {unit}"
+        words["BYTE"] = f"({place} < {total} ? {byte} : 0u)"
+    return words
 
 
 def _hexadecimal_number(number: int, bits: int) -> str:

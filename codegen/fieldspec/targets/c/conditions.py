@@ -46,6 +46,7 @@ from fieldspec.targets.c.expressions import (
     less,
     negate,
 )
+from fieldspec.targets.c.flags import joined_bits
 from fieldspec.targets.c.literals import INT64, TRUE, UINT64, hexadecimal, real, unsigned
 from fieldspec.targets.c.machine import literal, machine, machine_whole
 from fieldspec.targets.c.naming import Naming
@@ -162,8 +163,13 @@ def _part_outside(encoding: Encoding, test: PartWithin, number: Expression) -> E
     whole, mask = number_of(encoding), test.bit.mask
     assert whole is not None
     size = whole.bits // 8
-    masked = Group(Operation("&", (number, hexadecimal(mask, size))))
-    parts = [_between(masked, image, (0, mask), lambda bits: hexadecimal(bits, size)) for image in test.bit.images]
+    masked: Expression = Group(Operation("&", (number, hexadecimal(mask, size))))
+    if test.bit.pieces:
+        masked = joined_bits(test.bit, Cast(machine(whole).word, number), machine(whole).word, size)
+    parts = [
+        _between(masked, image, (0, test.bit.greatest_image), lambda bits: hexadecimal(bits, size))
+        for image in test.bit.images
+    ]
     refused = negate(_either([part for part in parts if part is not None]))
     return all_of([refused, *_beside(encoding, test.sentinels, number)])
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from fieldspec.codec.layout.needed_bits import needed_bits
 from fieldspec.language.model.encoding import Sign, Whole
@@ -103,7 +103,7 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
     declarations: list[Declaration] = [
         describe_fact(bit, *facts),
         Define(mask.name, hexadecimal(bit.mask, word.type.size)),
-        Define(shift.name, unsigned(bit.first)),
+        *([] if bit.pieces else [Define(shift.name, unsigned(bit.first))]),
     ]
     declarations += define_fractions(naming, "bit", (word.name, name), bit.scale, bit.offset)
     if bit.ranges is not None:
@@ -116,12 +116,16 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
         return [*declarations, Function(Type("bool"), get, (parameter,), (Return(different(masked, ZERO)),))]
     cleared = Group(Operation("&", (_WORD, Cast(kind.name, Unary("~", mask)))))
     number: Expression = Cast(kind.name, Operation(">>", (masked, shift)))
+    if bit.pieces:
+        number = joined_bits(bit, _WORD, kind.name, word.type.size)
     entered: Expression = VALUE
     number_type = kind
     if bit.signed:
         number_type, number = _signed_number(word, bit, number)
         entered = Cast(kind.name, VALUE)
-    shifted = Group(Operation("&", (Cast(kind.name, Operation("<<", (entered, shift))), mask)))
+    shifted: Expression = Group(Operation("&", (Cast(kind.name, Operation("<<", (entered, shift))), mask)))
+    if bit.pieces:
+        shifted = _placed_bits(bit, entered, kind.name, word.type.size)
     return [
         *declarations,
         Function(number_type, get, (parameter,), (Return(number),)),
@@ -132,6 +136,25 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
             (Return(Cast(kind.name, Operation("|", (cleared, shifted)))),),
         ),
     ]
+
+
+def joined_bits(bit: Bit, word: Expression, kind: str, size: int) -> Expression:
+    """`(uint32_t)((word >> 8u & 0x7Fu) | (word & 0x1u) << 7u)`, the bits beside each other where they lie apart."""
+    return _moved_bits(word, kind, size, [(run.first, run.most, run.weight) for run in bit.runs])
+
+
+def _placed_bits(bit: Bit, number: Expression, kind: str, size: int) -> Expression:
+    """The word in which the bits are those of a number, where they lie apart."""
+    return _moved_bits(number, kind, size, [(run.weight, run.most, run.first) for run in bit.runs])
+
+
+def _moved_bits(source: Expression, kind: str, size: int, moves: Sequence[tuple[int, int, int]]) -> Expression:
+    parts: list[Expression] = []
+    for first, ones, weight in moves:
+        shifted = Group(Operation(">>", (source, unsigned(first)))) if first else source
+        part: Expression = Cast(kind, Group(Operation("&", (shifted, hexadecimal(ones, size)))))
+        parts.append(Group(Operation("<<", (part, unsigned(weight)))) if weight else part)
+    return Cast(kind, Group(Operation("|", tuple(parts))))
 
 
 def number_of_bit(word: Flags, bit: Bit) -> Whole:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
-from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.layout.record import RecordLayout, inner_lists_of
 from fieldspec.targets.c.declarations import Source
 from fieldspec.targets.c.fields import words_around_images
 from fieldspec.targets.c.naming import Naming
@@ -33,6 +33,27 @@ _DECODE = """static inline {status} {decode}(const uint8_t *in, size_t length{re
 }}
 """
 
+_SENT_SIZE = """/** The bytes of {struct} in front of others, maybe more than `left`; 0 for a wrong count. */
+static inline size_t {sent_size}(const uint8_t *in, size_t left)
+{{
+{lists}
+    uint8_t fields[{room}u];
+    return {measure}(lists, {count}u, {fixed}u, fields, in, left);
+}}
+"""
+
+
+def sent_size(naming: Naming, record: RecordLayout) -> Source:
+    """`size_t tag_sent_size(const uint8_t *in, size_t left)`: what tells the size of a record that differs in size."""
+    inner = inner_lists_of(record, is_element=True)
+    names = {
+        "struct": naming.type("record", record.name),
+        "sent_size": naming.function("record", record.name, "sent_size"),
+        "measure": naming.own("sent_size"),
+        "room": str(max(inner.fixed, 1)),
+    }
+    return Source(_SENT_SIZE.format(**names, **_table(naming, record, inner)))
+
 
 def encode_inner_lists(naming: Naming, record: RecordLayout, inner: InnerLists) -> Source:
     """`codec_status scan_encode(const scan *in, uint8_t *out, size_t capacity, size_t *length)`"""
@@ -46,28 +67,28 @@ def decode_inner_lists(naming: Naming, record: RecordLayout, inner: InnerLists) 
 
 def _words(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str, str | int]:
     """The names and numbers in both functions."""
-    tails = [
-        f"    static const {naming.own('inner_list')} {row.name}_tail = {_inner_list_row(row.tail)};"
-        for row in inner.lists
-        if row.tail
-    ]
-    rows = ",\n".join(f"        {_inner_list_row(row)}" for row in inner.lists)
-    declared = f"    static const {naming.own('inner_list')} lists[] = {{\n{rows},\n    }};"
     return {
         **words_around_images(naming, record),
         "place": naming.own("place_lists"),
         "take": naming.own("take_lists"),
-        "lists": "\n".join([*tails, declared]),
-        "count": len(inner.lists),
         "size": inner.last.room + inner.last.most,
-        "fixed": inner.fixed,
+        **_table(naming, record, inner),
     }
 
 
-def _inner_list_row(inner: InnerList) -> str:
+def _table(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str, str | int]:
+    """The table of the lists of a record, how many there are, and the bytes of all other fields."""
+    rows = ",\n".join(f"        {_inner_list_row(naming, record, row)}" for row in inner.lists)
+    declared = f"    static const {naming.own('inner_list')} lists[] = {{\n{rows},\n    }};"
+    return {"lists": declared, "count": len(inner.lists), "fixed": inner.fixed}
+
+
+def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> str:
     """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     count = (inner.count_at, inner.count_size if inner.count else 0, inner.unit)
     is_little = "true" if inner.count_order == "little" else "false"
-    tail = f"&{inner.name}_tail" if inner.tail is not None else "NULL"
-    return f"{{{', '.join(f'{number}u' for number in (*numbers, *count))}, {inner.plus}L, {is_little}, {tail}}}"
+    field = record.named(inner.name)
+    element = field.record if field is not None and inner.parts is not None else None
+    measure = naming.function("record", element.name, "sent_size") if element is not None else "NULL"
+    return f"{{{', '.join(f'{number}u' for number in (*numbers, *count))}, {inner.plus}L, {is_little}, {measure}}}"

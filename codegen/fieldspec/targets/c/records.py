@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout, tail_of
+from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import bounds_of
 from fieldspec.targets.c.bit_counts import check_bit_count
@@ -307,7 +307,7 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
             body += refuse(naming, less(LENGTH, minimum), "err_incomplete")
         body += refuse(naming, greater(LENGTH, maximum), "err_wrong_length")
     if repeat is None:
-        return body
+        return (*body, *_counts_in_image(naming, record))
     # Where the list begins with the record, `- 0u` stays, so that all records read alike.
     rest = Operation("-", (LENGTH, unsigned(last.offset)))
     if last.cases or last.size > 1:
@@ -320,6 +320,8 @@ def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
     """`out->points_count = load_u8(in + 1) / 4u;` for each list of an image that has another one behind it."""
     body: Body = ()
     for room in record.rooms:
+        if not room.count:
+            continue
         field, count = record.named(room.name), record.named(room.count)
         assert field is not None
         assert count is not None
@@ -375,17 +377,11 @@ def _read_record(naming: Naming, device: Device, record: RecordLayout, value: Ex
     if is_packed(record) and not check_unpacked(naming, device, record):
         return (call(naming.function("record", record.name, "unpack"), source, address_of(value)),)
     decode = naming.function("record", record.name, "decode")
-    size = unsigned(record.size) if record.size is not None else _size_with_tail(naming, record, source)
+    size = unsigned(record.size) if record.size is not None else _sent_size(naming, record, source)
     arguments = source, size, *struct_argument(record, value)
     return return_error(naming, Call(decode, arguments))
 
 
-def _size_with_tail(naming: Naming, record: RecordLayout, source: Expression) -> Expression:
-    """`2u + load_u8(in + 3 + 1)`: the size of a record that counts the list at its end; its count has been judged."""
-    tail = tail_of(record)
-    count = record.named(tail.count)
-    assert count is not None
-    number = load(naming, field_value(count), Operation("+", (source, decimal(count.offset))))
-    units = number if tail.unit == 1 else multiply(number, unsigned(tail.unit))
-    fixed = tail.room - tail.plus * tail.unit
-    return Operation("+" if fixed >= 0 else "-", (units, unsigned(abs(fixed))))
+def _sent_size(naming: Naming, record: RecordLayout, source: Expression) -> Expression:
+    """`tag_sent_size(in + 3, 8u)`: the size of a record that tells it; it has been judged."""
+    return Call(naming.function("record", record.name, "sent_size"), (source, unsigned(record.most or 0)))

@@ -221,7 +221,7 @@ def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
             value = _fixed_value(field)
         for item in value if field.is_list else [value]:
             element = record_bytes(field.record, item) if field.record else _element_bytes(field, item)
-            data += element.ljust(field.size, b"\0") if field.count is None else element
+            data += element.ljust(field.size, b"\0") if field.varies and field.record is not None else element
         room = record.image.room_of(field)
         data = data if room is None else data.ljust(room.room + room.most, b"\0")
     if record.inner_lists is not None:

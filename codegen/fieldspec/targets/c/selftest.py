@@ -10,6 +10,7 @@ from typing import Any
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.language.model.encoding import bounds_of
+from fieldspec.targets.c.absent import ranged_values
 from fieldspec.targets.c.assertions import (
     LENGTH,
     clear_variable,
@@ -82,9 +83,9 @@ def write_selftest(layout: DeviceLayout, naming: Naming, header: str) -> str:
         test_quantities(layout, naming),
         (test_example(layout, naming, example) for example in layout.device.examples.values()),
         test_absent(layout, naming),
-        test_out_of_range(layout, naming),
     )
     tests += [_print_test(printer, body) for body in bodies]
+    tests += _range_tests(layout, naming, printer)
     switches = f"#define {naming.own_macro('with_texts')}\n" if code_tables(layout.device) else ""
     return fill(
         "c/selftest.c.j2",
@@ -110,6 +111,14 @@ def _value_tests(layout: DeviceLayout, naming: Naming, printer: Printer) -> Iter
         bodies = partial(test_value, layout.device, naming, noun, names, wire.value, order, size, trigger)
         facts, words = facts_of(layout.device, wire.value), (noun, names, order, size, trigger)
         yield from piece("c test", facts, words, partial(_print_tests, printer, bodies), naming)
+
+
+def _range_tests(layout: DeviceLayout, naming: Naming, printer: Printer) -> Iterator[str]:
+    """The function for the range of each value that may be out of it where it is read."""
+    for ranged in ranged_values(layout):
+        bodies = partial(test_out_of_range, layout.device, naming, ranged)
+        facts, words = facts_of(layout.device, ranged.value), (ranged.noun, ranged.names, ranged.trigger)
+        yield from piece("c range test", facts, words, partial(_print_tests, printer, bodies), naming)
 
 
 def _print_tests(printer: Printer, bodies: Callable[[], Iterator[list[Statement]]]) -> tuple[str, ...]:

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.accepted import passes
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
-from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.absent import AbsentValue, absent_values, ranged_values
+from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.assertions import expect, expect_equal
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type, address_of, at_least, at_most
 from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, double, whole_double
@@ -72,26 +72,24 @@ def test_absent(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement
             yield [CompileIf("ifndef", naming.own_macro("without_double"), body)]
 
 
-def test_out_of_range(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
-    """Tests at the ends of what is stated of values, and beside them, which numbers are out of range."""
-    for ranged in ranged_values(layout):
-        value, function = ranged.value, ranged.range_function(naming)
-        low, high = _neighbour_bounds(value)
-        intervals = value.ranges.intervals if value.ranges is not None else ()
-        ends = {end for interval in (*intervals, *value.special_intervals) for end in interval}
-        ends |= {end for bit in _bits(layout, value) for interval in bit.images for end in interval}
-        numbers = sorted({end + step for end in ends for step in (-1, 0, 1)})
-        yield [
-            expect_equal(f"{function} {number}", Call(function, (literal(value.encoding, number),)), expected)
-            for number in numbers
-            if low <= number <= high
-            and (expected := FALSE if all(passes(own.test, number) for own in ranged.conditions) else TRUE)
-        ]
-
-
-def _bits(layout: DeviceLayout, value: Value) -> tuple[Bit, ...]:
-    """The fields of bits of a value that have a range."""
-    return layout.device.flags[value.flags].bounded if value.flags else ()
+def test_out_of_range(device: Device, naming: Naming, ranged: AbsentValue) -> Iterator[list[Statement]]:
+    """Tests at the ends of what is stated of a value, and beside them, which numbers are out of range."""
+    conditions = ranged.conditions(device)
+    if not conditions:
+        return
+    value, function = ranged.value, ranged.range_function(naming)
+    low, high = _neighbour_bounds(value)
+    intervals = value.ranges.intervals if value.ranges is not None else ()
+    bits = device.flags[value.flags].bounded if value.flags else ()
+    ends = {end for interval in (*intervals, *value.special_intervals) for end in interval}
+    ends |= {end for bit in bits for interval in bit.images for end in interval}
+    numbers = sorted({end + step for end in ends for step in (-1, 0, 1)})
+    yield [
+        expect_equal(f"{function} {number}", Call(function, (literal(value.encoding, number),)), expected)
+        for number in numbers
+        if low <= number <= high
+        and (expected := FALSE if all(passes(own.test, number) for own in conditions) else TRUE)
+    ]
 
 
 def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterator[Statement]:

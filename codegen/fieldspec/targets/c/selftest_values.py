@@ -92,7 +92,7 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
     """The mask of each bit field, and what its function gives of a word with only its bits, and of all others."""
     size = word.type.size
     for name, bit in named_bits(word):
-        ones = hexadecimal(sum(1 << number for number in range(bit.first, bit.last + 1)), size)
+        ones = hexadecimal(sum(1 << number for number in bit.places), size)
         mask, get = naming.macro("bit", word.name, name, "mask"), naming.function("bit", word.name, name)
         other_bits = Cast(machine(word.type.encoding).word, Unary("~", ones))
         wide = bit.width > 1

@@ -157,7 +157,7 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             if bit.reserved:
                 continue
             text = "; ".join(f"{n} = {meaning}" for n, meaning in enumerate((bit.zero, bit.one)) if meaning)
-            place = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
+            place = f"bit{'s' * (bit.width > 1)} {bit.number_text}"
             number = f"{'signed, ' * bit.signed}1 count = {count_of(bit.as_value)}." if bit.is_number else ""
             limits = f"Counts: {bit.ranges.text()}." if bit.ranges is not None else ""
             default = f"Default: {bit.default}." if bit.default is not None else ""
@@ -166,7 +166,7 @@ def _masks(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
             facts = f"{place} {printed(bit)} {text} {number} {limits} {default} {reason_to_give}"
             comment = cited(" ".join(facts.split()), bit)
             yield Draft(f"{word.name}_{bit.name}", kind, bit.mask, comment, bit, hexadecimal=True)
-            if bit.width > 1:
+            if bit.width > 1 and not bit.pieces:
                 yield Draft(f"{word.name}_{bit.name}_first", UINT, bit.first, "its lowest bit", bit, derived=True)
         for state in word.states:
             mask, value = word.masked(state)

@@ -140,8 +140,8 @@ def bit_names(flags: Flags) -> dict[int, tuple[str, Fact]]:
     for bit in flags.bits:
         if bit.reserved:
             continue
-        for number in range(bit.width):
-            names[bit.first + number] = (f"{bit.name}_{number}" if bit.width > 1 else bit.name, bit)
+        for number, place in enumerate(bit.places):
+            names[place] = (f"{bit.name}_{number}" if bit.width > 1 else bit.name, bit)
     return names
 
 

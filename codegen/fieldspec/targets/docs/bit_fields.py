@@ -101,7 +101,7 @@ def _bit_row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> Tabl
         lines.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
     return TableRow(
         (
-            cell(bits_text(bit)),
+            cell(bit.number_text),
             cell(code(f"0x{bit.mask:0{2 * word.type.size}X}")),
             names(bit, bit.name, mark=marks.all_marks(bit.inferred)),
             cell(bit.zero),
@@ -129,11 +129,6 @@ def _state(word: Flags, state: State) -> TableRow:
     )
 
 
-def bits_text(bit: Bit) -> str:
-    """`3`, or `9..10`"""
-    return str(bit.first) if bit.width == 1 else f"{bit.first}..{bit.last}"
-
-
 def drawn(word: Flags) -> Bits:
     """A word as boxes, and in characters."""
     width = 8 * word.type.size
@@ -144,12 +139,13 @@ def drawn(word: Flags) -> Bits:
 def _boxes(word: Flags, high: int) -> BitRow:
     """The boxes of up to sixteen bits, from bit `high` down."""
     low = max(0, high - IN_A_ROW + 1)
-    holders = {number: bit for bit in word.bits for number in range(bit.first, bit.last + 1)}
+    holders = {number: bit for bit in word.bits for number in bit.places}
     boxes: list[Box] = []
     position = high
     while position >= low:
         bit = holders.get(position)
-        last = max(low, bit.first) if bit else position
+        run = next((run for run in bit.runs if run.first <= position < run.first + run.width), None) if bit else None
+        last = max(low, run.first) if run else position
         boxes.append(_box(bit, position - last + 1))
         position = last - 1
     return BitRow(f"Layout of {word.name}, bits {high} to {low}", tuple(range(high, low - 1, -1)), tuple(boxes))
@@ -164,7 +160,7 @@ def _box(bit: Bit | None, width: int) -> Box:
 def _characters(word: Flags, width: int) -> str:
     """Boxes of four characters a bit, and from each named bit a line down to its name."""
     labelled = [bit for bit in word.bits if not bit.reserved]
-    named_numbers = {number for bit in labelled for number in range(bit.first, bit.last + 1)}
+    named_numbers = {number for bit in labelled for number in bit.places}
     numbers = range(width - 1, -1, -1)
     rule = "+---" * width + "+"
     boxes = "".join("| x " if number in named_numbers else "|   " for number in numbers) + "|"
@@ -182,4 +178,4 @@ def _leader(labelled: list[Bit], index: int, width: int) -> str:
     line = [" "] * (column(labelled[index]) + 1)
     for later in labelled[index + 1 :]:
         line[column(later)] = "|"
-    return "".join(line[:-1]) + f"+- {bits_text(labelled[index])} {labelled[index].name}"
+    return "".join(line[:-1]) + f"+- {labelled[index].number_text} {labelled[index].name}"

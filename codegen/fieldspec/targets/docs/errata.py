@@ -202,7 +202,7 @@ GETTERS: tuple[tuple[type, dict[str, Callable[..., object]]], ...] = (
     (Table, {"base": lambda t: address(t.base), "decimal": lambda t: t.base}),
     (PrintedElement, {"at": lambda e: "..".join(_elements(e))}),
     (Field, {"at": lambda f: None if f.at is None else address(f.at), "span": lambda f: _span(f.span)}),
-    (Bit, {"bit": lambda b: b.first, "bits": lambda b: f"{b.first}..{b.last}"}),
+    (Bit, {"bit": lambda b: b.first, "bits": lambda b: b.number_text}),
     (Member, {"value": lambda m: m.value}),
     (Enum, {"gaps": lambda e: e.gaps}),
     (Message, {"code": lambda m: m.code}),

@@ -288,7 +288,7 @@ def length_text(framing_size: int, record: RecordLayout) -> str:
     if record.chosen:
         upper_end = f" to {framing_size + record.most}" if record.most is not None else " or more"
         return f"{framing_size + record.least}{upper_end} bytes"
-    if record.spans:
+    if record.spans or not record.has_single_list:
         return f"{framing_size + record.least} to {framing_size + (record.most or 0)} bytes"
     last = record.fields[-1]
     step = f"{last.size}n" if last.size > 1 else "n"

@@ -56,7 +56,7 @@ def _starts_around(record: RecordLayout, inner: InnerLists) -> list[Position]:
             starts.append(position)
             continue
         starts.append(position.shifted(own.first - own.room))
-        if own.tail is not None:
+        if own.parts is not None:
             position = position.stepped(1, f"bytes of {field.name}")
             continue
         number = f"number of {field.name}"

@@ -140,10 +140,15 @@ def _part(part: PartLayout) -> dict[str, Data]:
 def _algorithm(part: PartLayout) -> dict[str, Data]:
     """The parameters of a checksum; numbers that may be wide are texts of digits."""
     kind = checksum_named(part.algorithm)
-    suffix: dict[str, Data] = {"suffix": kind.suffix.hex()} if kind.suffix else {}
+    surrounding: dict[str, Data] = {
+        key: code.hex()
+        for key, code in (("suffix", kind.suffix), ("avoided", kind.avoided), ("replacements", kind.replacements))
+        if code
+    }
     if kind.method == "crc":
         return {
-            **suffix,
+            **surrounding,
+            **({"unitSize": kind.unit_size} if kind.unit_size > 1 else {}),
             "method": "crc",
             "width": kind.width,
             "polynomial": str(kind.polynomial),
@@ -153,13 +158,13 @@ def _algorithm(part: PartLayout) -> dict[str, Data]:
             "finalXor": str(kind.final_xor),
         }
     return {
-        **suffix,
+        **surrounding,
         "method": kind.method,
         "width": kind.width,
         "initial": str(kind.initial),
         **({"modulus": str(kind.modulus)} if kind.modulus else {"complement": kind.complement}),
         "unitSize": kind.unit_size,
-        "order": part.order,
+        "order": kind.unit_order or part.order,
     }
 
 

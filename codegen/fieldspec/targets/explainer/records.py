@@ -6,7 +6,7 @@ from fieldspec.codec.explain.parameters import index_field
 from fieldspec.codec.explain.row import errata_of_message
 from fieldspec.codec.layout.inner_lists import inner_lists_data
 from fieldspec.codec.layout.message import MessageLayout
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import span_data
 from fieldspec.codec.program.lowering import field_program
 from fieldspec.codec.program.operations import Load, LoadVarying
@@ -63,6 +63,7 @@ def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str
                 "valueBytes": _value_bytes(field, device.word_order) if field.carries_bytes else None,
                 "valueOrder": [field.order, field.swapped] if _is_read_again(field) else None,
                 "record": field.record.name if field.record is not None else "",
+                "parts": _parts(field),
                 "cases": bool(field.cases),
                 "reserved": own.reserved,
                 "measures": [measures.of, measures.field, *plus] if measures is not None else None,
@@ -72,6 +73,13 @@ def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str
             }
         ),
     }
+
+
+def _parts(field: FieldLayout) -> Data:
+    """What tells the size of a record that differs in size; None for other fields."""
+    if field.record is None or field.record.size is not None:
+        return None
+    return inner_lists_data(inner_lists_of(field.record, is_element=True))
 
 
 def _exponent(device: Device, record: RecordLayout, field: FieldLayout) -> str:

@@ -201,6 +201,7 @@ def _bit(bit: Bit) -> dict[str, Data]:
         "width": bit.width,
         **stated(
             {
+                "runs": [[run.first, run.width] for run in bit.runs] if bit.pieces else None,
                 "name": bit.name,
                 "label": bit.label,
                 "text": bit_text(bit) if bit.width == 1 else bit.doc,

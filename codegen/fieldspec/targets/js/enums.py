@@ -10,7 +10,7 @@ from fieldspec.language.model.enums import Bit, Enum, Flags, Member
 from fieldspec.targets.fact_texts import described, sentence
 from fieldspec.targets.js.declaration import Declaration
 from fieldspec.targets.js.naming import Scope, property_scope
-from fieldspec.targets.js.text import comment, literal
+from fieldspec.targets.js.text import comment, flag, literal, runs_of
 from fieldspec.targets.js.units import unit_of_bits
 from fieldspec.targets.runtime_values import is_wide
 
@@ -89,12 +89,12 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
         code += [f"    {key}: {unit}," for key, unit in units.items()]
         code.append("  }),")
     code += ["});", ""]
-    table = ", ".join(f"{key}: [{bit.first}, {bit.width}{', true' * bit.signed}]" for key, bit in bits)
+    table = ", ".join(f"{key}: [{_place(bit)}]" for key, bit in bits)
     code.insert(0, f"const BITS_OF_{name} = {{ __proto__: null{', ' + table if table else ''} }};")
     types = comment(described(Name.of(flags.name).title(), flags))
     types.append(f"export interface {name} {{")
     for key, bit in bits:
-        number = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
+        number = f"bit{'s' * (bit.width > 1)} {bit.number_text}"
         meanings = [f"{value} = {sentence(text)}" for value, text in ((0, bit.zero), (1, bit.one)) if text]
         if bit.default is not None:
             meanings.append(f"{bit.default} where it is left out.")
@@ -112,7 +112,15 @@ def declare_flags(flags: Flags, name: str, enums: Mapping[str, Enum]) -> Declara
     return Declaration(code, types)
 
 
+def _place(bit: Bit) -> str:
+    """The first bit, the number of bits and whether there is a sign, and the runs of bits that lie apart."""
+    runs = f", {flag(bit.signed)}, {runs_of(bit)}" if bit.pieces else ", true" * bit.signed
+    return f"{bit.first}, {bit.width}{runs}"
+
+
 def _bit(bit: Bit, wide: bool) -> str:
+    if bit.pieces:
+        return f"Number(bitsNumber({runs_of(bit)}, raw, {flag(bit.signed)}))"
     if wide:
         mask = bit.mask >> bit.first
         field = f"(raw >> {bit.first}n) & {mask}n"

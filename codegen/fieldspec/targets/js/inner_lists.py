@@ -36,13 +36,16 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
     lengths, sizes = [], []
     for member in members_of(record):
         field, repeat = member.field, member.field.field.repeat
-        if repeat is None:
+        if not field.varies:
             continue
-        length = list_length(member.key, repeat.high)
-        lengths.append(length if field.size == 1 else f"{length} * {field.size}")
-        differs = field.record is not None and field.record.size is None
-        inner = names.records[field.record.record.name] if field.record is not None else ""
-        sizes.append(f"({length} && elementsLength(value.{member.key}, {inner}))" if differs else lengths[-1])
+        items = list_length(member.key, repeat.high) if repeat is not None else str(field.count)
+        lengths.append(items if field.size == 1 else f"{items} * {field.size}")
+        if field.record is None or field.record.size is not None:
+            sizes.append(lengths[-1])
+            continue
+        elements = f"value.{member.key}" if field.is_list else f"[value.{member.key}]"
+        size = f"elementsLength({elements}, {names.records[field.record.record.name]})"
+        sizes.append(f"({items} && {size})" if repeat is not None else size)
     last = record.inner_lists.last
     return [
         f"function size{name}(value) {{",

@@ -234,9 +234,16 @@ def checksum_function(algorithm: str, order: str) -> str:
     if short is not None:
         return short
     kind = checksum_named(algorithm)
+    if kind.avoided:
+        function = checksum_function(algorithm_name(replace(kind, avoided=b"", replacements=b"")), order)
+        return f"{PURE} avoiding({function}, {kind.size}, {list(kind.avoided)}, {list(kind.replacements)})"
     if kind.suffix:
         function = checksum_function(algorithm_name(replace(kind, suffix=b"")), order)
         return f"{PURE} followedBy({function}, {list(kind.suffix)})"
+    if kind.method == "crc" and kind.unit_size > 1:
+        function = checksum_function(algorithm_name(replace(kind, unit_size=1)), order)
+        return f"{PURE} swapping({function}, {kind.unit_size})"
+    order = kind.unit_order or order
     if kind.method == "crc":
         parameters = {
             "width": str(kind.width),

@@ -20,7 +20,7 @@ from fieldspec.targets.js.units import declare_conversion
 
 IMPORTS = {
     "absent": ("absentValues",),
-    "checksums": ("crc16", "crcOf", "fletcherOf", "followedBy", "lrc", "sum8", "totalOf"),
+    "checksums": ("avoiding", "crc16", "crcOf", "fletcherOf", "followedBy", "lrc", "sum8", "swapping", "totalOf"),
     "digits": ("bcdOf", "blankDigitsOf", "digitsOf", "putBcd", "putBlankDigits", "putDigits"),
     "end_framer": ("endFramer",),
     "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),
@@ -32,6 +32,7 @@ IMPORTS = {
     "record": ("checkSize", "record"),
     "register": ("readRequestsOf", "register", "registerArray", "table", "valueOf", "writeRequestsOf"),
     "values": (
+        "bitsNumber",
         "bitsOf",
         "booleanOf",
         "checkList",

@@ -36,7 +36,7 @@ HELPERS = _words(
     " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
     " parameterSet putBytes putText record refusedBits refusedMember refusedNumber register registerArray"
     " spans table textOf unit encodedTextOf narrowedImage putEncodedText readImage wordsOf wrongNumber"
-    " crc16 crcOf fletcherOf followedBy totalOf lrc sum8"
+    " avoiding crc16 crcOf fletcherOf followedBy lrc sum8 swapping totalOf"
 )
 
 

@@ -79,7 +79,8 @@ def _read_member(record: RecordLayout, member: Member, names: Names) -> tuple[li
         return _read_list(record, member, names), member.variable
     if field.record is not None:
         inner = names.records[field.record.record.name]
-        return [f"const {member.variable} = read{inner}(b, {place('o', field.offset)});"], member.variable
+        expression = _element(record, field, inner, names, place("o", field.offset))
+        return [f"const {member.variable} = {expression};"], member.variable
     reading = slot_of(field, names).read(member.variable, "o", field.offset)
     if reading.throws and not reading.lines:
         return [f"const {member.variable} = {reading.expression};"], member.variable
@@ -91,12 +92,12 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
     start = place("o", field.offset)
     count = str(field.count) if field.count is not None else f"Math.floor((end - ({start})) / {field.size})"
     room = record.room_of(field)
-    if room is not None:
+    if room is not None and room.count:
         number = _count_number(record, room, names)
         number = f"({plus(number, -room.plus)})" if room.plus else number
         count = number if room.unit == room.element else f"{number} / {room.element}"
     if field.record is not None:
-        element, checks = _element(record, field, names.records[field.record.record.name], names), []
+        element, checks = _element(record, field, names.records[field.record.record.name], names, "at"), []
     else:
         reading = slot_of(field, names).read("item", "at", 0)
         element, checks = reading.expression, list(reading.lines)
@@ -109,14 +110,14 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
     ]
 
 
-def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names) -> str:
+def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names, start: str) -> str:
     """The expression of an element that is a record, with the bytes that it has where these differ."""
     assert field.record is not None
     if field.record.size is not None:
-        return f"read{name}(b, at)"
-    lists = [own.name for own in record.record.fields if own.repeat is not None]
-    tail = f"inner{names.records[record.name]}.lists[{lists.index(field.name)}].tail"
-    return f"check{name}(b, at, at + elementBytes({tail}, b.subarray(at, at + {field.size})))"
+        return f"read{name}(b, {start})"
+    parts = f"inner{names.records[record.name]}.lists[{record.rooms_before(field)}].parts"
+    size = f"elementBytes({parts}, b.subarray({start}, {plus(start, field.size)}))"
+    return f"check{name}(b, {start}, {start} + {size})"
 
 
 def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]:
@@ -144,7 +145,7 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
     number, position = slot.number("o", field.offset), place("o", field.offset)
     if other.count is not None:
         measured = str(measure.number(other.count if other.is_list else 1, other.size))
-    elif (room := record.room_of(other)) is not None:
+    elif (room := record.room_of(other)) is not None and room.count:
         if room.count == field.name:
             return []
         unit = room.unit if measure.of == "bytes" else room.unit / room.element

@@ -6,6 +6,8 @@ import json
 import textwrap
 from collections.abc import Iterable, Mapping
 
+from fieldspec.language.model.enums import Bit
+
 WIDTH = 110
 
 PURE = "/* @__PURE__ */"
@@ -56,3 +58,8 @@ def _visible(text: str) -> str:
     escaped = "".join(char if char.isprintable() else "".join(f"\\u{{{ord(char):x}}}") for char in text)
     # `@` would begin a tag, and `*/` would end the comment.
     return escaped.replace("*/", "*\\/").replace("@", "\\@")
+
+
+def runs_of(bit: Bit) -> str:
+    """The first bit and the number of bits of each run of a field of bits: `[[8, 7], [0, 1]]`"""
+    return f"[{', '.join(f'[{run.first}, {run.width}]' for run in bit.runs)}]"

@@ -13,7 +13,7 @@ from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth,
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.value import Conversion, Sentinel, Value
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.text import comment, flag, literal
+from fieldspec.targets.js.text import comment, flag, literal, runs_of
 from fieldspec.targets.runtime_values import is_wide
 
 POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
@@ -91,8 +91,10 @@ def absent_of(device: Device, value: Value, trigger: bool = False) -> str:
 def _stated(stated: StatedNumbers, suffix: str) -> str:
     """What is stated of numbers, beside special values: `{ ranges: [[1, 10]], bits: [[0xen, [[0n, 10n]]]] }`"""
     ranges = ", ".join(f"[{low}{suffix}, {high}{suffix}]" for low, high in stated.intervals)
-    images = ((bit.mask, ", ".join(f"[{low}n, {high}n]" for low, high in bit.images)) for bit in stated.bits)
-    bits = ", ".join(f"[{mask:#x}n, [{intervals}]]" for mask, intervals in images)
+    images = ((bit, ", ".join(f"[{low}n, {high}n]" for low, high in bit.images)) for bit in stated.bits)
+    bits = ", ".join(
+        f"[{bit.mask:#x}n, [{intervals}]{f', {runs_of(bit)}' if bit.pieces else ''}]" for bit, intervals in images
+    )
     parts = [*([f"ranges: [{ranges}]"] * bool(ranges)), *([f"bits: [{bits}]"] * bool(bits))]
     return f"{{ {', '.join(parts)} }}"
 

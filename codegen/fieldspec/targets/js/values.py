@@ -33,7 +33,7 @@ from fieldspec.targets.js.number_bytes import (
     stored_bits,
     whole_number,
 )
-from fieldspec.targets.js.text import flag, literal
+from fieldspec.targets.js.text import flag, literal, runs_of
 from fieldspec.targets.runtime_values import is_wide, sign_data
 
 INLINE = 6
@@ -292,13 +292,17 @@ class Slot:
     def _bit_test(self, number: str, bit: Bit) -> str:
         """The condition that a field of bits of a word is in its range."""
         masked = f"({number} & {bit.mask}n)" if self.wide else f"(({number} & {bit.mask}) >>> 0)"
-        if self.value.size > BYTES_OF_OPERATOR and not self.wide:
+        if bit.pieces:
+            masked = f"bitsNumber({runs_of(bit)}, {number}, false)"
+        elif self.value.size > BYTES_OF_OPERATOR and not self.wide:
             # `&` has 32 bits, so the bits of a number of five or six bytes are divided out.
             first = bit.mask & -bit.mask
             masked = f"(Math.floor({number} / {first}) % {bit.mask // first + 1} * {first})"
         end = "n" * self.wide
         tests = [
-            " && ".join([f"{masked} >= {low}{end}"] * (low > 0) + [f"{masked} <= {high}{end}"] * (high < bit.mask))
+            " && ".join(
+                [f"{masked} >= {low}{end}"] * (low > 0) + [f"{masked} <= {high}{end}"] * (high < bit.greatest_image)
+            )
             for low, high in bit.images
         ]
         return " || ".join(f"({test})" for test in tests)

@@ -133,7 +133,7 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
         enum = device.enums.get(bit.enum) if bit.enum else None
         yield place | {
             "words": 1,
-            "bits": bits_text(places[bit.first : bit.last + 1], word),
+            "bits": bits_text([places[place] for place in bit.places], word),
             "name": f"{placed_value.title}.{bit.name}",
             "type": "bit" if bit.width == 1 else f"i{bit.width}" if bit.signed else "bits",
             "scale": (bit.scale_text or "1") if bit.as_value.scaled else None,

@@ -116,7 +116,7 @@ def wanted(layout: DeviceLayout, operand: Operand, value: Value | None, stated: 
     number = raw_number(layout, value, bit, stated)
     if bit is None:
         return str(number), ""
-    return f"0x{number << bit.first:X}", f"0x{bit.mask:X}"
+    return f"0x{bit.placed(number):X}", f"0x{bit.mask:X}"
 
 
 def raw_number(layout: DeviceLayout, value: Value | None, bit: Bit | None, stated: ScalarValue | object) -> int:

@@ -13,6 +13,7 @@ from fieldspec.language.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.targets.fact_texts import described, sentence, unit_word
 from fieldspec.targets.pieces import piece
 from fieldspec.targets.python.naming import FLAGS, STATES, TYPES, Scope
+from fieldspec.targets.python.runs import joined, runs_of
 from fieldspec.targets.python.scaling import in_unit, quantity, ratio
 from fieldspec.targets.python.text import docstring, filled, item_lines, literal
 
@@ -190,7 +191,8 @@ def _flags_view(
     bits = [_bit(bit, taken_name, device, enums) for bit, taken_name in bit_names]
     bits = [replace(bit, snapshot=bit.name) if bit.name in bound else bit for bit in bits]
     remark = f"{8 * flags.type.size} bits; those without a name are kept in `raw`."
-    table = [f'"{taken_name}": ({bit.first}, {bit.mask >> bit.first:#x})' for bit, taken_name in bit_names]
+    table = [f'"{taken_name}": ({bit.first}, {(1 << bit.width) - 1:#x})' for bit, taken_name in bit_names]
+    runs = [f"{literal(taken_name)}: {runs_of(bit)}" for bit, taken_name in bit_names if bit.pieces]
     signed = [literal(taken_name) for bit, taken_name in bit_names if bit.signed]
     scaled = [
         (bit, view.name, _scaled(bit, view, names))
@@ -219,6 +221,7 @@ def _flags_view(
         bits=bits,
         table=[
             *item_lines("_BITS = {", table, "}", 4),
+            *(item_lines("_RUNS = {", runs, "}", 4) if runs else []),
             *(filled("_SIGNED = frozenset({", signed, "})", 4) if signed else []),
             *(item_lines("_QUANTITIES = {", units, "}", 4) if units else []),
             *([f"_INITIAL = {flags.initial:#x}"] if flags.initial else []),
@@ -268,7 +271,7 @@ def _fitting(flags: Flags, state: State, number: int, states: EnumView) -> str:
 
 
 def _bit(bit: Bit, name: str, device: Device, enums: Mapping[str, EnumView]) -> BitView:
-    number = f"bit {bit.first}" if bit.width == 1 else f"bits {bit.first}..{bit.last}"
+    number = f"bit{'s' * (bit.width > 1)} {bit.number_text}"
     meanings = [f"{value} = {text}" for value, text in ((0, bit.zero), (1, bit.one)) if text]
     facts = [f" {meaning}" for meaning in meanings]
     if bit.edge:
@@ -286,8 +289,7 @@ def _bit(bit: Bit, name: str, device: Device, enums: Mapping[str, EnumView]) -> 
     doc = docstring(described(f"{Name.of(bit.name).title()}, {number}", bit, *facts), 8)
     if bit.width == 1:
         return _view(name, "bool", f"{{raw}} & {bit.mask:#x} != 0", doc)
-    maximum = bit.mask >> bit.first
-    read = f"{{raw}} >> {bit.first} & {maximum:#x}" if bit.first else f"{{raw}} & {maximum:#x}"
+    read = joined("{raw}", bit)
     if not bit.enum:
         sign = 1 << bit.width - 1
         return _view(name, "int", f"(({read}) ^ {sign:#x}) - {sign:#x}" if bit.signed else read, doc)

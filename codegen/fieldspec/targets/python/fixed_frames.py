@@ -60,7 +60,7 @@ class FixedFrame:
 def has_fixed_length(shaped: RecordShape, frame: FrameLayout) -> bool:
     """Whether the frames of a message are packed and unpacked in one call."""
     lists = sum(field.is_list and not field.skipped for field in shaped.fields)
-    if shaped.tail is not None or shaped.selector is not None or shaped.record.spans or lists > 1:
+    if shaped.record.size is None or shaped.selector is not None or lists > 1:
         return False
     if not is_simple(frame):
         return False

@@ -149,16 +149,22 @@ def check_rows(frame: FrameLayout) -> str:
 def _checksum(check: PartLayout) -> str:
     """`_Sum(8)`, `_Crc(16, 0x1021, 0xFFFF, False, False, 0x0)`: the function of an algorithm."""
     kind = checksum_named(check.algorithm)
+    function = _function(kind, check.order)
+    if kind.method == "crc" and kind.unit_size > 1:
+        function = f"_Swapped({function}, {kind.unit_size})"
     if kind.suffix:
-        return f'_Followed({_function(kind, check.order)}, bytes.fromhex("{kind.suffix.hex()}"))'
-    return _function(kind, check.order)
+        function = f'_Followed({function}, bytes.fromhex("{kind.suffix.hex()}"))'
+    if kind.avoided:
+        pairs = dict(zip(kind.avoided, kind.replacements, strict=True))
+        function = f"_Avoiding({function}, {kind.size}, {pairs})"
+    return function
 
 
 def _function(kind: Checksum, byte_order: str) -> str:
     if kind.method == "crc":
         numbers = f"{kind.width}, {kind.polynomial:#x}, {kind.initial:#x}"
         return f"_Crc({numbers}, {kind.reflect_in}, {kind.reflect_out}, {kind.final_xor:#x})"
-    order = literal("little" if byte_order == "little" else "big")
+    order = literal("little" if (kind.unit_order or byte_order) == "little" else "big")
     if kind.method == "fletcher":
         return f"_Fletcher({kind.width}, {kind.initial:#x}, {kind.modulus}, {kind.unit_size}, {order})"
     name = "_Sum" if kind.method == "sum" else "_Xor"

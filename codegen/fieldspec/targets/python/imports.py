@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from fieldspec.foundation.classes import dataclass
+from fieldspec.targets.python.parts import words_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +42,7 @@ def client_imports(body: str) -> list[str]:
 
 
 def _private_names(text: str) -> set[str]:
-    return set(re.findall(r"\b_[A-Za-z0-9]\w*", text))
+    return {word for word in words_of(text) if word.startswith("_")}
 
 
 _STANDARD = (
@@ -56,7 +55,7 @@ _SHARED = {
     "_absent": "LEFT_OUT LeftOut counts_or_absent real_or_absent state_of",
     "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
-    "_checksums": "Crc Fletcher Followed Sum Xor",
+    "_checksums": "Avoiding Crc Fletcher Followed Sum Swapped Xor",
     "_choices": "Choice",
     "_can": "CanFrame CanIdentifier",
     "_codes": "by_number by_printed_name",
@@ -72,7 +71,7 @@ _SHARED = {
     "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_inner_lists": "InnerList InnerLists",
+    "_inner_lists": "InnerList InnerLists Parts",
     "_mark_framer": "MarkFramer",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",

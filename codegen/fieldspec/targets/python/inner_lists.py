@@ -12,14 +12,19 @@ from fieldspec.targets.python.text import filled, literal
 def inner_lists_lines(variable: str, name: str, lists: Sequence[Slots], inner: InnerLists, letters: str) -> list[str]:
     """The definition of the lists of a record, in the order of the wire; `letters` are those of all other fields."""
     by_name = {field.title: field for field in lists}
-    rows = [_inner_list_row(by_name[own.name], own) for own in inner.lists]
+    rows = [_inner_list_row(own, by_name[own.name].letters) for own in inner.lists]
     return filled(f"{variable} = _InnerLists(", [literal(name), literal(letters), *rows], ")", 0)
 
 
-def _inner_list_row(field: Slots, inner: InnerList) -> str:
+def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     """`_InnerList("H", 2, (0, 4), 2, 7)`: see the class."""
     bounds = (inner.least // inner.element, inner.most // inner.element)
     order = literal(inner.count_order)
     count = f", ({inner.count_at}, {inner.count_size}, {order}, {inner.unit}, {inner.plus})" if inner.count else ""
-    tail = f", tail={_inner_list_row(field, inner.tail)}" if inner.tail is not None else ""
-    return f"_InnerList({literal(field.letters)}, {inner.element}, {bounds}, {inner.first}, {inner.room}{count}{tail})"
+    parts = f", parts={_parts(inner.parts)}" if inner.parts is not None else ""
+    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {inner.first}, {inner.room}{count}{parts})"
+
+
+def _parts(parts: InnerLists) -> str:
+    """`_Parts(3, _InnerList(...))`: what tells the size of an element."""
+    return f"_Parts({', '.join([str(parts.fixed), *map(_inner_list_row, parts.lists)])})"

@@ -34,14 +34,15 @@ def _parts(texts: Iterable[str]) -> Iterator[list[str]]:
         yield part
 
 
-def defined_names(text: str) -> list[str]:
-    """The names of the classes, tables and registers of a part."""
-    return sorted({match[1] or match[2] for match in _DEFINED.finditer(text)})
+@lru_cache(maxsize=128)
+def defined_names(text: str) -> tuple[str, ...]:
+    """The names of the classes, tables and registers of a part. Most parts are the same in the next build."""
+    return tuple(sorted({match[1] or match[2] for match in _DEFINED.finditer(text)}))
 
 
 @lru_cache(maxsize=128)
 def words_of(text: str) -> frozenset[str]:
-    """The words of a text, among which are all names that it uses. Most parts are the same in the next build."""
+    """The words of a text, among which are all names that it uses."""
     return frozenset(_WORDS.findall(text))
 
 

@@ -54,7 +54,7 @@ class ListPlace:
 
     def behind(self, field: Slots) -> ListPlace:
         """The place behind a field."""
-        if field.repeated and not field.decided:
+        if field.in_room and not field.decided:
             return replace(self, lists=self.lists + 1)
         return replace(self, slots=self.slots + (0 if field.skipped else field.parted or field.count))
 
@@ -72,7 +72,9 @@ class ListPlace:
 
 def sources(field: Slots, place: ListPlace) -> str:
     """The raw value of a field in a tuple `raws`, from a place on."""
-    if field.repeated or field.decided:
+    if field.in_room and not field.is_list:
+        return f"raws[{place.text()}]"
+    if field.in_room or field.decided:
         return f"raws[{place.rest}]"
     if field.is_list:
         return f"raws[{place.slots}:{place.slots + field.count}]"

@@ -29,8 +29,8 @@ class RecordShape:
 
     @property
     def lists(self) -> list[Slots]:
-        """The fields that are repeated as often as the data or another field says."""
-        return [field for field in self.fields if field.repeated]
+        """The lists of free length, and the records that differ in size."""
+        return [field for field in self.fields if field.in_room]
 
     @property
     def selector(self) -> Slots | None:
@@ -40,8 +40,8 @@ class RecordShape:
 
     @property
     def letters(self) -> str:
-        """The letters of all fields but one that is repeated or decided."""
-        return "".join(field.letters * field.count for field in self.fields)
+        """The letters of all fields but those of `lists` and one that is decided."""
+        return "".join(field.letters * field.count for field in self.fields if not field.in_room)
 
     @property
     def stored(self) -> list[Slots]:

@@ -122,10 +122,10 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
     letters = shaped.sign + shaped.letters
     if shaped.selector is not None:
         return choice_lines(f"{upper}_STRUCT", shaped.record, shaped.fields, letters, shaped.order)
+    inner = shaped.record.inner_lists
+    if inner is not None:
+        return inner_lists_lines(f"{upper}_STRUCT", shaped.record.name, shaped.lists, inner, letters)
     if shaped.tail is not None:
-        inner = shaped.record.inner_lists
-        if inner is not None:
-            return inner_lists_lines(f"{upper}_STRUCT", shaped.record.name, shaped.lists, inner, letters)
         return [f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"]
     packing = filled(f"{upper}_PACK, {upper}_UNPACK = _packing(", [literal(letters)], ")", 0)
     return [*packing, *_widths(shaped.record, upper)]
@@ -161,7 +161,7 @@ def _pack(shaped: RecordShape, upper: str) -> str:
     if shaped.selector is not None:
         return f"{CASE}.structs[{number}].pack"
     if shaped.record.inner_lists is not None:
-        numbers = ", ".join(f"len({local(field)})" for field in shaped.lists)
+        numbers = ", ".join(f"len({local(field)})" if field.is_list else "1" for field in shaped.lists)
         return f"{upper}_STRUCT[{numbers}{',' * (len(shaped.lists) == 1)}].pack"
     return f"{upper}_STRUCT[{number}].pack" if shaped.tail is not None else f"{upper}_PACK"
 
@@ -174,13 +174,13 @@ def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
     if shaped.selector is not None:
         lines, assignments = unpacking_lines(shaped, "record", f"{struct}.unpack(data)", 8)
         return [new_record, *lines], assignments
+    if shaped.record.inner_lists is not None:
+        lines, assignments = unpacking_lines(shaped, "record", f"{struct}[counts].unpack(data)", 8)
+        return [new_record, *lines], assignments
     if tail is None:
         lines, assignments = unpacking_lines(shaped, "record", f"{upper}_UNPACK(data)", 12)
         tried = [f"    {line}" for line in lines]
         return [new_record, "try:", *tried, "except _StructError:", f"{wrong}) from None"], assignments
-    if shaped.record.inner_lists is not None:
-        lines, assignments = unpacking_lines(shaped, "record", f"{struct}[counts].unpack(data)", 8)
-        return [new_record, *lines], assignments
     fixed_size, unit = sum(field.field.size * field.count for field in shaped.fields), tail.field.size
     lines, assignments = unpacking_lines(shaped, "record", _unpacked(struct, fixed_size, unit), 8)
     test = f"if {_length_test(record, fixed_size, unit)}:"
@@ -188,12 +188,14 @@ def _read(shaped: RecordShape, upper: str) -> tuple[list[str], list[str]]:
 
 
 def _sent_elements(shaped: RecordShape, upper: str) -> list[str]:
-    """Lines that take what is sent of the elements that differ in size, of which the image has all bytes."""
-    differing = [field for field in shaped.lists if field.field.record is not None and field.field.record.size is None]
-    names = [inner.name for inner in shaped.record.inner_lists.lists] if shaped.record.inner_lists is not None else []
-    return [
-        f"{local(field)} = {upper}_STRUCT.elements({names.index(field.title)}, {local(field)})" for field in differing
-    ]
+    """Lines that take what is sent of the records that differ in size, of which the image has all bytes."""
+    lines = []
+    for number, inner in enumerate(shaped.record.inner_lists.lists if shaped.record.inner_lists is not None else ()):
+        field = next(field for field in shaped.lists if field.title == inner.name)
+        if inner.parts is not None:
+            raws = local(field) if field.is_list else f"({local(field)},)"
+            lines.append(f"{raws} = {upper}_STRUCT.elements({number}, {raws})")
+    return lines
 
 
 def _quoted(variable: str, names: list[str]) -> list[str]:

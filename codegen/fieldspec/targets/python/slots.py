@@ -105,6 +105,11 @@ class Slots:
         return self.field.count is None
 
     @property
+    def in_room(self) -> bool:
+        """Whether it is a list of free length, or a record that differs in size."""
+        return self.repeated or (self.field.varies and self.field.value is None)
+
+    @property
     def constant(self) -> int | None:
         """The only raw value that the field may have; None where it may have several."""
         return self.value.const if self.whole else None

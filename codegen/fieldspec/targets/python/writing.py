@@ -23,6 +23,7 @@ from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.value import Value
 from fieldspec.targets.python.enums import EnumView
+from fieldspec.targets.python.runs import image, place_of
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal
 
@@ -126,7 +127,7 @@ def _number_tests(field: Slots, value: str) -> list[str]:
     elif field.ranges is not None:
         tests.append(within(raw, field.ranges, field.sentinels, packed(field.value.encoding)))
     bounded = field.words.bounded(field.value.flags)
-    tests += [within(f"({raw} & {bit.mask:#x})", Ranges(bit.images), (), (0, bit.mask)) for bit in bounded]
+    tests += [within(f"({image(raw, bit)})", Ranges(bit.images), (), (0, bit.greatest_image)) for bit in bounded]
     return [test for test in tests if test]
 
 
@@ -357,7 +358,7 @@ def bounded_bits(bits: tuple[Bit, ...]) -> list[str]:
     if not bits:
         return []
     rows = [
-        f"({literal(bit.name)}, {bit.mask:#x}, {pairs(Ranges(bit.images))}, {literal(bit.ranges.text())})"
+        f"({literal(bit.name)}, {place_of(bit)}, {pairs(Ranges(bit.images))}, {literal(bit.ranges.text())})"
         for bit in bits
         if bit.ranges is not None
     ]

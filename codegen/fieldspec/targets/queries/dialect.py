@@ -9,6 +9,7 @@ from typing import Protocol, TypeAlias
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import Precision, Sign
+from fieldspec.language.model.enums import Bit
 
 Body: TypeAlias = Callable[[str], str]
 """The expression of something about the bytes of one element."""
@@ -70,7 +71,7 @@ class Dialect(Protocol):
     def real(self, data: str, slot: Slot, precision: Precision) -> str:
         """The expression of a floating-point number."""
 
-    def bits(self, word: str, first: int, width: int, signed: bool) -> str:
+    def bits(self, word: str, bit: Bit) -> str:
         """The number in some bits of an unsigned number."""
 
     def bit(self, word: str, place: int) -> str:

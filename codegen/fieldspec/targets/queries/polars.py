@@ -9,6 +9,7 @@ from math import lcm
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import MACHINE_BITS, Precision, Sign
+from fieldspec.language.model.enums import Bit
 from fieldspec.targets.queries.dialect import Body, DecimalScale, Slot
 
 ELEMENT = "_pl.element()"
@@ -62,9 +63,12 @@ class Polars:
         expression = call.format(data)
         return expression if data.startswith("_") else self.bind(expression)
 
-    def bits(self, word: str, first: int, width: int, signed: bool) -> str:
+    def bits(self, word: str, bit: Bit) -> str:
         """The number in some bits of an unsigned number."""
-        return f"_bits({word}, {first}, {width}, {signed})"
+        if not bit.pieces:
+            return f"_bits({word}, {bit.first}, {bit.width}, {bit.signed})"
+        runs = ", ".join(f"({run.first}, {run.width}, {run.weight})" for run in bit.runs)
+        return f"_bits(_bits_apart({word}, [{runs}]), 0, {bit.width}, {bit.signed})"
 
     def bit(self, word: str, place: int) -> str:
         """Whether a bit of an unsigned number is 1."""

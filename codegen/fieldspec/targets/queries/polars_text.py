@@ -20,7 +20,12 @@ _HEAD = '''"""{title}
 """
 '''
 
-_FURTHER = {"reals": ("_power(", "_is_within("), "halves": ("_half(",), "magnitudes": ("_magnitude(",)}
+_FURTHER = {
+    "reals": ("_power(", "_is_within("),
+    "halves": ("_half(",),
+    "magnitudes": ("_magnitude(",),
+    "bits_apart": ("_bits_apart(",),
+}
 """The parts of the program that only some modules need, with the functions that they have."""
 
 

@@ -10,6 +10,7 @@ from math import lcm
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Precision, Sign
+from fieldspec.language.model.enums import Bit
 from fieldspec.targets.queries.dialect import Body, DecimalScale, Slot
 
 _TYPES = {1: "TINYINT", 2: "SMALLINT", 4: "INTEGER", 8: "BIGINT"}
@@ -155,11 +156,13 @@ class Sql:
             return f"{self.piece(data, slot.offset, slot.size)}::BIT::{kind}"
         return f"{self._unsigned(data, slot)}::{type_of(slot.size, False)}::BIT::{kind}"
 
-    def bits(self, word: str, first: int, width: int, signed: bool) -> str:
+    def bits(self, word: str, bit: Bit) -> str:
         """The number in some bits of an unsigned number."""
-        number = f"(({word} >> {first}) & {(1 << width) - 1})"
-        size = (width + 7) // 8
-        if not signed:
+        parts = [(f"(({word} >> {run.first}) & {run.most})", run.weight) for run in bit.runs]
+        texts = [f"({part} << {weight})" if weight else part for part, weight in parts]
+        number = texts[0] if len(texts) == 1 else f"({' | '.join(texts)})"
+        width, size = bit.width, (bit.width + 7) // 8
+        if not bit.signed:
             return f"{number}::{type_of(size, False)}"
         if width == 64:
             return f"{number}::UBIGINT::BIT::BIGINT"

@@ -212,7 +212,7 @@ class ValueQuery:
                 return dialect.both(dialect.negated(dialect.is_nan(number)), condition) if test.takes_nan else condition
             case PartWithin():
                 bit = test.bit
-                part = dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
+                part = dialect.bits(self.word(data, offset), bit)
                 condition = dialect.negated(dialect.is_in(part, bit.ranges.intervals if bit.ranges is not None else ()))
                 is_other = dialect.negated(dialect.is_in(number, test.sentinels)) if test.sentinels else ""
                 return dialect.both(is_other, condition) if is_other else condition
@@ -259,7 +259,7 @@ class ValueQuery:
 
     def _bit(self, bit: Bit) -> Iterator[ValueColumn]:
         def number(data: str, offset: int) -> str:
-            return self.dialect.bits(self.word(data, offset), bit.first, bit.width, bit.signed)
+            return self.dialect.bits(self.word(data, offset), bit)
 
         if bit.enum:
             yield ValueColumn(

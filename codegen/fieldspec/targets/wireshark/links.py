@@ -146,6 +146,8 @@ def checksum_data(algorithm: str, order: str) -> dict[str, Data]:
     data: dict[str, Data] = {"method": kind.method, "width": kind.width}
     if kind.suffix:
         data["suffix"] = list(kind.suffix)
+    if kind.avoided:
+        data["replacements"] = list(zip(kind.avoided, kind.replacements, strict=True))
     if kind.method == "crc":
 
         def aligned(number: int) -> list[int]:
@@ -158,7 +160,9 @@ def checksum_data(algorithm: str, order: str) -> dict[str, Data]:
             "final": _pair(kind.final_xor),
             "reflect_in": kind.reflect_in,
             "reflect_out": kind.reflect_out,
+            "unit_size": kind.unit_size if kind.unit_size > 1 else None,
         }
+    order = kind.unit_order or order
     if kind.method == "fletcher":
         half = kind.width // 2
         return {

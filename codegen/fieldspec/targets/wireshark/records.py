@@ -77,8 +77,11 @@ def record_data(
     def names(word: str) -> tuple[str, ...]:
         return tuple(f"{prefix}.{word}" for prefix in prefixes)
 
+    placed = _placed(record, message)
     fields = [
-        field_data(filters, layout, names(field.name), field, message) for field in record.fields if not field.cases
+        {**field_data(filters, layout, names(field.name), field, message), "has_place": field.name in placed}
+        for field in record.fields
+        if not field.cases
     ]
     data: dict[str, Data] = {
         "fields": fields,
@@ -94,9 +97,17 @@ def record_data(
         choice = record.fields[-1]
         for number, chosen in record.chosen.items():
             case = next(case for case in choice.cases if number in case.numbers)
-            cases[str(number)] = field_data(filters, layout, names(case.name), chosen.fields[-1], message)
+            chosen_data = field_data(filters, layout, names(case.name), chosen.fields[-1], message)
+            cases[str(number)] = {**chosen_data, "has_place": choice.name in placed}
         data |= {"by": record.fields.index(record.selector) + 1, "cases": cases}
     return data
+
+
+def _placed(record: RecordLayout, message: Message | None) -> set[str]:
+    """The names of the fields whose place is asked for: what others measure, and what a message reads or writes."""
+    measured = {field.field.measures.field for field in record.fields if field.field.measures is not None}
+    accessed = {message.accesses.values} if message is not None and message.accesses is not None else set()
+    return measured | accessed | {field.bits_of for field in record.fields}
 
 
 def opaque_data(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
@@ -206,7 +217,7 @@ def _step(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
         return {}
     inner = record.inner_lists
     if inner is not None:
-        single = inner.last if len(inner.lists) == 1 and inner.last.tail is None else None
+        single = inner.last if len(inner.lists) == 1 and inner.last.parts is None else None
         return {"step": {"fixed": inner.fixed, "unit": single.element}} if single is not None else {}
     tail = record.fields[-1]
     if tail.count is not None or tail.size < 2 or _extent(record) is not None:
@@ -225,7 +236,7 @@ def _varying_extent(record: RecordLayout) -> Data:
             ((field, own) for field, own in measuring_fields if own is not None and own.field == inner.name),
             (None, None),
         )
-        if further or inner.tail is not None or measures is None:
+        if further or inner.parts is not None or measures is None:
             return None
         unit = measures.unit(inner.element)
         fixed_size = record.inner_lists.fixed - measures.plus * unit

@@ -94,25 +94,48 @@ class _ValueCode:
             yield "if entry.errata then values.cite(item, entry.errata) end"
             yield "return item, number, nil"
             return
-        yield "local state, name, reason, detail"
-        yield from self._state()
-        yield from self._judged()
+        judged = [*self._state(), *self._judged()]
+        bits = list(self._bits(self.functions.words[word])) if word else []
+        can_fail = any("reason, detail =" in line for line in (*judged, *bits))
+        yield from (f"local {name}" for name, is_used in self._locals(can_fail) if is_used)
+        yield from judged
         yield from self._quantity()
-        yield f'item:set_text(title .. ": " .. (meaning and meaning .. " (" .. {digits} .. ")" or {digits}))'
+        yield f'item:set_text(title .. ": " .. {self._meaning(digits)})'
         yield from self._remarks()
         if "scale" in value:
             yield "if approximate and entry.quantity then"
             yield "    values.show_quantity(item, entry, range, quantity, approximate)"
             yield "end"
-        if word:
-            yield from self._bits(self.functions.words[word])
-        yield "if reason and not options.lenient then"
-        yield "    reason = options.reason or reason"
-        yield '    local name = entry.name .. (options.index or "")'
-        yield f'    values.report(item, reason, name .. " is " .. {digits} .. ": " .. detail)'
-        yield "end"
+        yield from bits
+        if can_fail:
+            yield "if reason and not options.lenient then"
+            yield "    reason = options.reason or reason"
+            yield '    local name = entry.name .. (options.index or "")'
+            yield f'    values.report(item, reason, name .. " is " .. {digits} .. ": " .. detail)'
+            yield "end"
         yield "if entry.errata then values.cite(item, entry.errata) end"
-        yield "return item, number, not options.lenient and reason or nil"
+        yield f"return item, number, {'not options.lenient and reason or nil' if can_fail else 'nil'}"
+
+    @property
+    def _has_states(self) -> bool:
+        return bool(self.value.get("special") or self.value.get("special_ranges"))
+
+    @property
+    def _has_quantity(self) -> bool:
+        return self.value.get("scale") is not None or bool(self.value.get("unit"))
+
+    def _locals(self, can_fail: bool) -> Iterator[tuple[str, bool]]:
+        """The names that statements below give a value, and whether there are such statements."""
+        yield "state", self._has_states
+        yield "name", self._has_states or bool(self.value.get("enum"))
+        yield "reason, detail", can_fail
+
+    def _meaning(self, digits: str) -> str:
+        """What the text of the item says of the number: the name or the quantity before the digits, or only these."""
+        if not self._has_states and not self.value.get("enum"):
+            return f'quantity .. " (" .. {digits} .. ")"' if self._has_quantity else digits
+        name = "(name or quantity)" if self._has_quantity else "name"
+        return f'({name} and {name} .. " (" .. {digits} .. ")" or {digits})'
 
     def _load(self) -> Iterator[str]:
         """The number, and of a word of few bytes the same without a sign."""
@@ -157,7 +180,7 @@ class _ValueCode:
         if const is not None:
             text = f'"should be " .. numbers.text({self._number(const)})'
             branches.append((f"number ~= {self._number(const)}", [_because("wrong_const", text)]))
-        if value.get("special") or value.get("special_ranges"):
+        if self._has_states:
             branches.append(("state", ["name = state"]))
         rest = [*self._named(), *self._within()]
         for place, (condition, lines) in enumerate(branches):
@@ -192,7 +215,9 @@ class _ValueCode:
         yield from self._outside("not reason and not options.is_write", ranges)
 
     def _outside(self, condition: str, ranges: Sequence[Sequence[int | str]] | None) -> Iterator[str]:
-        if ranges is not None:
+        if ranges is not None and [self.value.get("low"), self.value.get("high")] not in [
+            list(pair) for pair in ranges
+        ]:
             text = literal(f"should be {_ranges_text(ranges)}{' counts' if 'scale' in self.value else ''}")
             yield f"if {condition} and not ({self._is_in(ranges)}) then {_because('out_of_range', text)} end"
 
@@ -212,18 +237,14 @@ class _ValueCode:
         value = self.value
         unit = f" {value['unit']}" if value.get("unit") else ""
         scale = value.get("scale")
-        has_states = bool(value.get("special") or value.get("special_ranges"))
-        meaning = "local meaning = name or quantity"
-        if scale is None and not unit:
-            yield "local meaning = name"
+        if not self._has_quantity:
             return
         yield "local quantity, approximate"
         if scale is None:
             lines = [f"quantity = {'key' if self._has_key else 'number'} .. {literal(unit)}"]
         else:
             lines = [*self._scaled(scale), *([f"quantity = quantity .. {literal(unit)}"] if unit else ())]
-        yield from (["if not state then", *(f"    {line}" for line in lines), "end"] if has_states else lines)
-        yield meaning
+        yield from (["if not state then", *(f"    {line}" for line in lines), "end"] if self._has_states else lines)
 
     def _scaled(self, scale: Mapping[str, int]) -> Iterator[str]:
         factor, shift, divisor, places = (scale[key] for key in ("factor", "shift", "divisor", "places"))

@@ -126,6 +126,8 @@ def word_data(device: Device, flags: Flags) -> list[Data]:
             "title": title_of(bit),
             "first": bit.first,
             "width": bit.width,
+            "runs": [[run.first, run.width] for run in bit.runs] if bit.pieces else None,
+            "place": bit.number_text if bit.pieces else None,
             "zero": line_text(bit.zero) or None,
             "one": line_text(bit.one) or None,
             "enum": bit.enum or None,

@@ -191,7 +191,7 @@ def _of_parameter(device: Device, parameter_set: ParameterSet, parameter: Parame
 
 
 def _of_bit(device: Device, word: Flags, bit: Bit) -> Iterator[Hazard]:
-    place_text = f"{word.name}, bit {bit.first}" + (f"..{bit.last}" if bit.width > 1 else "")
+    place_text = f"{word.name}, bit {bit.number_text}"
     if bit.edge:
         yield _hazard("edge", bit, place_text, f"its {bit.edge} edge", key="edge")
     if bit.active == "low" and not bit.reserved:

@@ -8,8 +8,8 @@ from itertools import groupby, takewhile
 import numpy as np
 import numpy.typing as npt
 
-from fieldspec.codec.layout.inner_lists import InnerList
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout, tail_of
+from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_with_counts
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
@@ -52,16 +52,15 @@ UNKNOWN, MISCOUNT = -2, -1
 class Slot:
     """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
 
-    Of an element of the list at the end of a record that counts it, `tail` is that list, and `number` its number there.
-    Of a text there, `text` are its bytes as a list.
+    In a record that differs in size, it is an element of some lists: `places` are these, each with the offset of the
+    record that counts it and with the number of the element. Of a counted text, `text` are its bytes as a list.
     """
 
     path: str
     offset: int
     layout: FieldLayout
     field: FieldLayout
-    tail: InnerList | None = None
-    number: int = 0
+    places: tuple[tuple[int, InnerList, int], ...] = ()
     text: InnerList | None = None
 
 
@@ -77,19 +76,53 @@ class FieldRows:
 
 def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
     """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
+    parts = inner_lists_of(record, is_element=True).lists if outer is not None and record.size is None else ()
+    by_name = {inner.name: inner for inner in parts}
     for field in record.sent_fields:
         is_list = field.is_list and not (outer is None and field.count is None)
-        tail = tail_of(record) if outer is not None and field.count is None else None
-        element_count = 1 if tail is None else tail.most // tail.element
-        for index in range(field.count or element_count):
+        inner = by_name.get(field.name)
+        for index in range(field.count or (inner.most // inner.element if inner is not None else 1)):
             path = f"{prefix}{field.name}[{index}]" if is_list else f"{prefix}{field.name}"
             place = start + field.offset + index * field.size
             if field.record is not None:
                 own = slots(field.record, f"{path}.", place, outer or field)
-                yield from own if tail is None else (replace(slot, tail=tail, number=index) for slot in own)
-            elif field.value is not None:
-                text = tail_of(record) if outer is not None and field.value.width else None
-                yield Slot(path, place, field, outer or field, tail, index, text)
+            elif inner is not None and field.value is not None and field.value.width:
+                count = record.named(inner.count)
+                assert count is not None
+                text = replace(inner, room=field.offset, count_at=count.offset)
+                own = iter([Slot(path, place, field, outer or field, text=text)])
+                inner = None
+            else:
+                own = iter([Slot(path, place, field, outer or field)])
+            for slot in own:
+                if inner is not None and inner.count:
+                    slot = replace(slot, places=((start, inner, index), *slot.places))
+                yield slot
+
+
+def deepened(record: RecordLayout, image: bytes) -> bytes:
+    """The image of a record in which the elements that differ in size are images, too."""
+    result = bytearray(image)
+    for field in record.fields:
+        if field.record is None or field.record.size is not None:
+            continue
+        parts, room = inner_lists_of(field.record, is_element=True), record.room_of(field)
+        stop = len(image) if room is None else field.offset + (room.size_in(image) or 0)
+        for place in range(field.offset, min(stop, len(image)), field.size):
+            sent = parts.sent_bytes(image[place : place + field.size])
+            element = _element_image(field.record, parts, sent)
+            result[place : place + len(element)] = element
+    return bytes(result)
+
+
+def _element_image(record: RecordLayout, parts: InnerLists, data: bytes) -> bytes:
+    """The image of an element that differs in size, from what is sent of it."""
+    if record.spans:
+        pairs = zip(record.spans, extents(record.spans, data), strict=True)
+        return b"".join(data[extent.start : extent.stop].ljust(span.size, b"\0") for span, extent in pairs)
+    list_extents, _ = parts.extents_in(data)
+    *rooms, _ = parts.lists
+    return deepened(replace(record, rooms=tuple(rooms)), parts.image_of(data, list_extents))
 
 
 class BodyReader:
@@ -172,15 +205,16 @@ class BodyReader:
         sizes = np.zeros(len(offsets), np.int64)
         inner = self.record.inner_lists
         assert inner is not None
-        rooms = {own.name: np.full(len(offsets), UNKNOWN) for own in inner.lists[:-1]}
+        ending = inner.lists[:-1] if self.record.fields[-1].count is None else inner.lists
+        rooms = {own.name: np.full(len(offsets), UNKNOWN) for own in ending}
         verdicts = {own.name: np.full(len(offsets), OK, np.int8) for own in inner.lists}
         for row, (first, length) in enumerate(zip(offsets.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
             list_extents, fault = inner.extents_in(data)
-            images.append(inner.image_of(data, list_extents))
+            images.append(deepened(self.record.image, inner.image_of(data, list_extents)))
             sizes[row] = len(images[-1])
-            for own, extent in zip(inner.lists[:-1], list_extents, strict=False):
-                rooms[own.name][row] = len(extent.elements) if own.tail is not None else extent.size // own.element
+            for own, extent in zip(ending, list_extents, strict=False):
+                rooms[own.name][row] = len(extent.elements) if own.parts is not None else extent.size // own.element
             if fault is None:
                 continue
             own = inner.lists[len(list_extents)]
@@ -190,7 +224,7 @@ class BodyReader:
                 inner.place_in_data(list_extents, own.count_at),
             ):
                 rooms[own.name][row] = MISCOUNT
-            elif own.tail is not None:
+            elif own.parts is not None:
                 verdicts[own.name][row] = VERDICT_NUMBERS[fault.reason]
         return *_joined(images), sizes, Rooms(rooms, verdicts)
 
@@ -215,6 +249,8 @@ class BodyReader:
                 if field.count is None:
                     items = np.maximum(counts[field.name], 0)
                     rows, index = spread(items)
+                elif field.varies and self.has_lists:
+                    rows, index = np.flatnonzero(counts[field.name] == field.count), None
                 else:
                     rows, index = np.flatnonzero(field.offset + field.size * field.count <= size), None
                     blame(verdict, field.offset + field.size * field.count > size, INCOMPLETE)
@@ -262,11 +298,11 @@ class BodyReader:
         assert value is not None
         key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
         place = offsets[rows] + (0 if index is None else index * slot.field.size)
-        if slot.tail is not None and index is not None:
-            tail = slot.tail
-            units = number_at(buffer, place + slot.field.offset + tail.count_at, tail.count_size, tail.count_order)
-            is_there = (units - tail.plus) * tail.unit // tail.element > slot.number
-            rows, index, place = rows[is_there], index[is_there], place[is_there]
+        for start, inner, number in slot.places:
+            units = number_at(buffer, place + start + inner.count_at, inner.count_size, inner.count_order)
+            is_there = (units - inner.plus) * inner.unit // inner.element > number
+            rows, place = rows[is_there], place[is_there]
+            index = index if index is None else index[is_there]
             if not len(rows):
                 return
         place = place + slot.offset

@@ -159,14 +159,24 @@ def passing(test: Test, numbers: Counts) -> Mask:
         case Within():
             return is_in(numbers, (*test.sentinels, *test.intervals))
         case PartWithin():
-            part = numbers.view(np.uint64) & np.uint64(test.bit.mask)
-            return is_in(numbers, test.sentinels) | is_in(part, test.bit.images)
+            return is_in(numbers, test.sentinels) | is_in(_part(numbers.view(np.uint64), test.bit), test.bit.images)
         case HasDigits():
             return np.ones(len(numbers), np.bool_)  # what is no number has none to judge
         case HasCharacters() | RealWithin() | Fits():
             raise AssertionError(f"{test} is no test of whole numbers")
         case _:
             assert_never(test)
+
+
+def _part(words: npt.NDArray[np.uint64], bit: Bit) -> npt.NDArray[np.uint64]:
+    """The bits of a field in the form that its `images` have."""
+    if not bit.pieces:
+        masked: npt.NDArray[np.uint64] = words & np.uint64(bit.mask)
+        return masked
+    part = np.zeros(len(words), np.uint64)
+    for run in bit.runs:
+        part |= (words >> np.uint64(run.first) & np.uint64(run.most)) << np.uint64(run.weight)
+    return part
 
 
 def is_in(numbers: Counts, intervals: Iterable[tuple[int, int]]) -> Mask:

@@ -12,8 +12,7 @@ from typing import Any, Literal
 from fieldspec.codec.explain.registers import Occupant
 from fieldspec.codec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.codec.layout.inner_lists import InnerList
-from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, tail_of
+from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import Extent, Span, WidthError, data_of, image_of
 from fieldspec.codec.reference.frames import Decoded, codec
 from fieldspec.codec.reference.parameters import stated_bytes
@@ -95,6 +94,18 @@ class Redaction:
         record = decoded.body
         if record is None:
             return bytes(len(data))
+        access = (
+            _access(decoded.message.message, direction) if decoded.message is not None and not decoded.error else None
+        )
+        values = {**request_values, **decoded.values}
+        if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
+            values[_FIRST] = values.get(indexed.name)
+        return self._sent(record, data, values, access)
+
+    def _sent(
+        self, record: RecordLayout, data: bytes, values: Mapping[str, Any], access: RegisterAccess | None
+    ) -> bytes:
+        """What remains of the bytes of a record."""
         inner = record.inner_lists
         if inner is not None:
             extents, fault = inner.extents_in(data)
@@ -103,18 +114,12 @@ class Redaction:
             data = inner.image_of(data, extents)
         fields: list[Extent] = []
         size = len(data)
-        if record.spans and inner is None:
+        if record.spans:
             try:
                 data, fields = image_of(record.spans, data)
             except WidthError:
                 return bytes(size)
         result = bytearray(len(data))
-        access = (
-            _access(decoded.message.message, direction) if decoded.message is not None and not decoded.error else None
-        )
-        values = {**request_values, **decoded.values}
-        if decoded.message is not None and (indexed := part_of(decoded.message.request, "subindex")) is not None:
-            values[_FIRST] = values.get(indexed.name)
         self._record(record.image, data, result, 0, values, access)
         if fields:
             return _data_of(record.spans, fields, result, size)
@@ -128,14 +133,12 @@ class Redaction:
         start: int,
         values: Mapping[str, Any],
         access: RegisterAccess | None,
-        tail: InnerList | None = None,
     ) -> None:
-        """Takes over the fields of a record from `start` on; `tail` is the list at its end that it counts."""
+        """Takes over the fields of a record from `start` on."""
         for field in (record.of_data(data[start:]) or record).fields:
             offset = start + field.offset
             own_room = record.room_of(field)
-            own_room = tail if field.count is None and tail is not None else own_room
-            room = len(data) - offset if own_room is None else own_room.size_of(own_room.count_in(data[start:])) or 0
+            room = len(data) - offset if own_room is None else own_room.size_in(data[start:]) or 0
             count = field.count if field.count is not None else room // field.size if field.size else 0
             if access is not None and field.name == access.values:
                 end = offset + min(field.size * count, room)
@@ -143,11 +146,13 @@ class Redaction:
                 continue
             for index in range(count):
                 own = offset + index * field.size
-                if field.record is not None:
-                    own_tail = tail_of(field.record) if field.record.size is None else None
-                    self._record(field.record, data, result, own, values, None, own_tail)
+                piece = data[own : own + field.size]
+                if field.record is not None and field.record.size is None:
+                    sent = inner_lists_of(field.record, is_element=True).sent_bytes(piece)
+                    result[own : own + len(sent)] = self._sent(field.record, sent, values, None)
+                elif field.record is not None:
+                    self._record(field.record, data, result, own, values, None)
                 elif own + field.size <= len(data):
-                    piece = data[own : own + field.size]
                     result[own : own + field.size] = self._field(field, piece, index, values)
 
     def _field(self, field: FieldLayout, piece: bytes, index: int, values: Mapping[str, Any]) -> bytes:

@@ -58,7 +58,7 @@ class UnitEvidence:
                 own = (bit.place.path, path, operation)
                 if own not in self.bits:
                     self.bits[own] = Series(place_text)
-                self.bits[own].add((value & bit.mask) >> bit.first, moment)
+                self.bits[own].add(bit.joined(value), moment)
 
     def add_trouble(self, item: Observable, path: str, verdict: str, value: str, place_text: str) -> None:
         """Adds a value that does not fit the spec."""

@@ -54,7 +54,7 @@ def _flags(word: Flags) -> Iterator[FactRow]:
     cells: FactRow = {"type": word.type.name, "bytes": word.type.size, **of_ranges(word.ranges)}
     yield from of_fact("flags", word, None, **cells)
     for bit in word.bits:
-        number: Cell = bit.first if bit.width == 1 else f"{bit.first}..{bit.last}"
+        number: Cell = bit.first if bit.width == 1 else bit.number_text
         cells = {"bit": number, "default": bit.default, **of_ranges(bit.ranges)}
         if bit.is_number:
             scale = bit.as_value.scale_number if bit.as_value.scaled else None

@@ -136,9 +136,9 @@ def place(text: str) -> Place | None:
         return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless, pointed=pointed)
     for separator in (_SPAN, _SEVERAL):
         ends = [address_text(part) for part in separator.split(normalized)]
-        known = [end for end in ends if end is not None]
-        if len(ends) > 1 and len(known) == len(ends) and (len(ends) == 2 or separator is _SEVERAL):
-            return _span(known, separator is _SEVERAL)
+        addresses = [end for end in ends if end is not None]
+        if len(ends) > 1 and len(addresses) == len(ends) and (len(ends) == 2 or separator is _SEVERAL):
+            return _span(addresses, separator is _SEVERAL)
     if pair := _PAIR.fullmatch(normalized):
         first, other = address_text(pair[1]), address_text(pair[2])
         if first is not None and other is not None:
@@ -148,11 +148,11 @@ def place(text: str) -> Place | None:
 
 def _joined(pieces: Sequence[Place | None]) -> Place | None:
     """The places in the lines of a cell as one."""
-    known = [piece for piece in pieces if piece is not None]
-    if len(known) < len(pieces):
+    places = [piece for piece in pieces if piece is not None]
+    if len(places) < len(pieces):
         return None
-    joined = _span([piece.first for piece in known], True)
-    return replace(joined, other=known[0].other)
+    joined = _span([piece.first for piece in places], True)
+    return replace(joined, other=places[0].other)
 
 
 def _span(ends: list[AddressText], is_list: bool) -> Place:

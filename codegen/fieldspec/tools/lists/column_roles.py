@@ -90,8 +90,8 @@ def _with_further_tables(first: Columns) -> Columns:
     """The columns of a sheet, with the rows of the tables below in them, each of which has a heading of its own."""
     tables = [(first, 0, first.headings)]
     for index, row in enumerate(first.rows):
-        known = [_whole_words().get(folded(cell)) for cell in row.cells if cell]
-        is_heading = "address" in known and known.count(None) * 2 <= len(known) and row.cells != tables[-1][2]
+        roles = [_whole_words().get(folded(cell)) for cell in row.cells if cell]
+        is_heading = "address" in roles and roles.count(None) * 2 <= len(roles) and row.cells != tables[-1][2]
         if is_heading and len(tables) < _MOST_TABLES:
             sample = first.rows[index + 1 : index + 1 + _LOOKED_AT]
             further = _guessed([[cell] if cell else [] for cell in row.cells], {}, sample)
@@ -144,8 +144,8 @@ def _is_heading(row: SheetRow) -> bool:
 def _continues(rows: Sequence[SheetRow]) -> bool:
     """Whether the last of some rows goes on with the heading above: half of its cells are headings, or in brackets."""
     counts = [sum(map(bool, row.cells)) for row in rows]
-    known = sum(folded(cell) in _whole_words() or cell.startswith(("(", "[")) for cell in rows[-1].cells if cell)
-    return counts[0] > 1 and counts[-1] <= max(counts[:-1]) and known * 2 >= counts[-1]
+    labels = sum(folded(cell) in _whole_words() or cell.startswith(("(", "[")) for cell in rows[-1].cells if cell)
+    return counts[0] > 1 and counts[-1] <= max(counts[:-1]) and labels * 2 >= counts[-1]
 
 
 def _heading_parts(rows: Sequence[SheetRow]) -> list[list[str]]:
@@ -182,22 +182,22 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
         fits = _ranked(heads, role_words, used_columns)
         if role == "address" and not fits:
             fits = _ranked(heads, words("fallbacks")["address"], used_columns)
-        known = [column for column in fits if _holds(role, [text for row in sample if (text := row.cell(column))])]
-        if role in _NOTED and not known:
-            known = [column for column in fits if not {*heads[column]}.isdisjoint(role_words)]
+        columns = [column for column in fits if _holds(role, [text for row in sample if (text := row.cell(column))])]
+        if role in _NOTED and not columns:
+            columns = [column for column in fits if not {*heads[column]}.isdisjoint(role_words)]
         if role == "address" and "address" not in places:
-            known = (
-                known or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
+            columns = (
+                columns or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
             )
-        if role == "address" and (len(known) > 1 or "address" in places):
-            known = [column for column in known if not folded(headings[column]).endswith("offset")] or known
+        if role == "address" and (len(columns) > 1 or "address" in places):
+            columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
         if role == "name" and "name" not in places:
-            known = sorted(known, key=lambda column: _repeats(sample, column))
-        if role not in places and known:
-            places[role] = known[0]
-            known = known[1:]
-        if role in ("address", "name", NOTE) and known and not (role == "address" and "address" in names):
-            further[role] = tuple(known)
+            columns = sorted(columns, key=lambda column: _repeats(sample, column))
+        if role not in places and columns:
+            places[role] = columns[0]
+            columns = columns[1:]
+        if role in ("address", "name", NOTE) and columns and not (role == "address" and "address" in names):
+            further[role] = tuple(columns)
     if "address" not in places:
         return None
     return Columns(places, headings, rows, further)

@@ -305,8 +305,8 @@ def _differences(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator
     if "values" in aspects:
         yield from _value_differences(item, row)
     if "bits" in aspects:
-        for number, _, text in row.meanings.bits:
-            yield from _bit_difference(item, number, text)
+        for bit in row.meanings.bits:
+            yield from _bit_difference(item, bit.low, bit.name)
     default = value.default if value.const is None else value.const  # what never changes begins as it is
     ranges = value.writable_ranges
     bounds = (

@@ -25,12 +25,13 @@ _MOST_WORDS = 1 << 20
 
 @dataclass(frozen=True, slots=True)
 class Bit:
-    """One bit of a register, or several neighbours."""
+    """One bit of a register, or several; `pieces` says where those are that are no neighbours."""
 
     low: int
     high: int
     name: str
     row: ListRow | None
+    pieces: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,18 +180,18 @@ def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
         words += own_shape.count * own_shape.words
         if words > _MOST_WORDS:
             raise ListError(f"has more words than a device, up to row {row.row}")
-        own = owners.setdefault(entry.space, {})
+        rows_by_address = owners.setdefault(entry.space, {})
         numbers = [row.address + n * stride + word for n in range(own_shape.count) for word in range(own_shape.words)]
-        clash = next((number for number in numbers if number in own), None)
+        clash = next((number for number in numbers if number in rows_by_address), None)
         if clash is not None or numbers[-1] > _HIGHEST_ADDRESS:
             reason = (
-                f"holds 0x{clash:04X}, as row {own[clash]} does"
+                f"holds 0x{clash:04X}, as row {rows_by_address[clash]} does"
                 if clash is not None
                 else "ends beyond the last address"
             )
             refused.append(Refusal(row.row, "", "", reason))
             continue
-        own.update(dict.fromkeys(numbers, row.row))
+        rows_by_address.update(dict.fromkeys(numbers, row.row))
         disjoint_entries.append(entry)
     return disjoint_entries
 

@@ -85,17 +85,13 @@ def row(item: Item) -> dict[str, Cell]:
         "label": item.label or None,
         "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,
         "special": "; ".join(f"{number} {name}" for number, name in item.special) or None,
-        "bits": "; ".join(_bit(*bit) for bit in item.bits) or None,
+        "bits": "; ".join(f"{text} {name}" for _, text, name in item.bits) or None,
         "bytes": value.size if value is not None and (value.digits or value.type.name in ("text", "bytes")) else None,
         "order": item.order or None,
         "section": source.section or None if source else None,
         "line": source.line() if source else None,
         "unverified": "yes" if item.unverified else None,
     }
-
-
-def _bit(first: int, last: int, name: str) -> str:
-    return f"{_run(first, last)} {name}"
 
 
 def _run(first: int, last: int) -> str:

@@ -42,9 +42,9 @@ class Imported:
 
     def has_usual_spaces(self) -> bool:
         """Whether all registers are in spaces that lists usually have, each in units of words or bits."""
-        own = [entry for entry in self.registers if entry.kind != PARAMETER]
-        in_words = all(entry.shape.type == BIT or entry.row.words for entry in own if entry.row.is_own)
-        return bool(own) and in_words and all(entry.space in SPACES for entry in own)
+        list_registers = [entry for entry in self.registers if entry.kind != PARAMETER]
+        in_words = all(entry.shape.type == BIT or entry.row.words for entry in list_registers if entry.row.is_own)
+        return bool(list_registers) and in_words and all(entry.space in SPACES for entry in list_registers)
 
     def has_objects(self) -> bool:
         """Whether the list is one of objects with elements, as files of other programs have them."""
@@ -58,8 +58,8 @@ class Imported:
 
     def used_rows(self) -> set[int]:
         """The numbers of the rows that are registers or bits."""
-        own = {row.row for entry in self.registers if entry.is_own for row in entry.rows or (entry.row,)}
-        return own | {bit.row.row for entry in self.registers for bit in entry.bits if bit.row is not None}
+        register_rows = {row.row for entry in self.registers if entry.is_own for row in entry.rows or (entry.row,)}
+        return register_rows | {bit.row.row for entry in self.registers for bit in entry.bits if bit.row is not None}
 
 
 def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:

@@ -51,7 +51,7 @@ class Item:
     label: str = ""
     members: tuple[tuple[str, str], ...] = ()
     special: tuple[tuple[str, str], ...] = ()
-    bits: tuple[tuple[int, int, str], ...] = ()
+    bits: tuple[tuple[int, str, str], ...] = ()
     other_names: Mapping[str, frozenset[str]] = field(default_factory=dict)
     order: str = ""
     source: Citation | None = None
@@ -95,7 +95,7 @@ def _named(device: Device, value: Value | None) -> dict[str, Any]:
             *((number, name) for number, name in special if ".." not in number),
         ),
         "special": special,
-        "bits": tuple((bit.first, bit.last, bit.name) for bit in bits),
+        "bits": tuple((bit.first, bit.number_text.replace(" ", ""), bit.name) for bit in bits),
         "other_names": other_names,
     }
 
@@ -197,8 +197,8 @@ def _parts(record: RecordLayout, before: str = "") -> Iterator[tuple[str, FieldL
 
 
 def _space(device: Device, name: str) -> str:
-    own = device.space_name(name)
-    return REGISTERS if own == device.space_name("") else own
+    full_name = device.space_name(name)
+    return REGISTERS if full_name == device.space_name("") else full_name
 
 
 def _flat(

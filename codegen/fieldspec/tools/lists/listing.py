@@ -182,12 +182,12 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
     ordered = sorted(
         [*((number, None) for number in titles), *((row.row, row) for row in rows)], key=lambda pair: pair[0]
     )
-    for number, own in ordered:
-        if own is None:
+    for number, list_row in ordered:
+        if list_row is None:
             title = titles[number]
         else:
-            used |= dict([title]) if title[0] and not own.space else {}
-            result.append(replace(own, space=own.space or title[0]))
+            used |= dict([title]) if title[0] and not list_row.space else {}
+            result.append(replace(list_row, space=list_row.space or title[0]))
     if used:
         reading = ", ".join(f"{space} below `{text}`" for space, text in used.items())
         assumptions.append(Assumption("address space", reading, "the titles", "--space"))
@@ -322,12 +322,12 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
         texts = {role: text for role in register_list.columns.places if (text := register_list.columns.cell(row, role))}
         cells = _cells(register_list.columns, row, texts)
         match = next((match for name in cells.names if (match := _BIT_NAME.fullmatch(name))), None)
-        own = read_row(cells, POINT, "")
-        if own.bits is not None and "bit" in texts and cells.names:
-            yield replace(own, address=-1)
+        list_row = read_row(cells, POINT, "")
+        if list_row.bits is not None and "bit" in texts and cells.names:
+            yield replace(list_row, address=-1)
         elif match and match[3]:
             low, high = int(match[1]), int(match[2] or match[1])
-            yield replace(own, address=-1, bits=(min(low, high), max(low, high)), names=(match[3], *cells.names))
+            yield replace(list_row, address=-1, bits=(min(low, high), max(low, high)), names=(match[3], *cells.names))
 
 
 def _with_gaps(rows: list[ListRow]) -> list[ListRow]:

@@ -40,7 +40,7 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     `enums` has the names of enums by their members, `used_names` all names.
     """
     meanings = entry.row.meanings
-    bits = list(entry.bits) or [Bit(low, high, text, None) for low, high, text in meanings.bits]
+    bits = list(entry.bits) or [Bit(own.low, own.high, own.name, None, own.pieces) for own in meanings.bits]
     members = meanings.members
     text = entry.row.texts.get("values", "")
     doubt = (f"Values in the list: {text}.",) if text else ()
@@ -81,9 +81,9 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
 
 def enum_of(members: Members, name: str, row: int, enums: dict[object, str], used_names: set[str]) -> tuple[str, str]:
     """The name of the enum with some members, and its line, which is empty where another value has the same one."""
-    known = enums.get(members)
-    if known:
-        return known, ""
+    known_name = enums.get(members)
+    if known_name:
+        return known_name, ""
     enum_name = enums[members] = fresh(name, "values", used_names)
     ordered = sorted(members)
     sparse = ", sparse: true" if ordered[-1][0] - ordered[0][0] >= len(ordered) else ""
@@ -134,7 +134,7 @@ def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str
     for place, bit in enumerate(ordered):
         texts = [bit.name] if bit.row is None else list(bit.row.names)
         name = fresh(next(filter(None, map(snake, texts)), "") or f"bit_{bit.low}", str(bit.low), names)
-        number = f"bit: {bit.low}" if bit.low == bit.high else f'bits: "{bit.low}..{bit.high}"'
+        number = f"bit: {bit.low}" if bit.low == bit.high else f'bits: "{bit.pieces or f"{bit.low}..{bit.high}"}"'
         facts = ""
         if bit.row is not None:
             doubts = list(bit.row.doubts)

@@ -53,10 +53,10 @@ def messages(entries: Sequence[Entry], fact: Callable[[int], str]) -> Iterator[L
         yield f"  - {{{fact(place)}, {code}, {only}, {'response' if is_response else 'request'}: [", row.row
         end, last = 0, row.row
         for number in fields.get(row.address, ()):
-            own = place_of(entries[number].row)
-            yield from _unused(end, own.first_byte, last)
+            part_place = place_of(entries[number].row)
+            yield from _unused(end, part_place.first_byte, last)
             yield f"      {{{fact(number)}}},", entries[number].row.row
-            end, last = own.last_byte + 1, entries[number].row.row
+            end, last = part_place.last_byte + 1, entries[number].row.row
         yield from _unused(end, data.size // 8, last)
         yield "    ]}", 0
 

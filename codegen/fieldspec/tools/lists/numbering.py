@@ -56,16 +56,16 @@ def placed(columns: Columns) -> Placed:
             skipped.append(row)
     if not rows:
         _refuse_all(columns, refused)
-    known = list(_with_bits(rows))
-    shortened = {row.number for row in _shortened(known)}
+    placed_rows = list(_with_bits(rows))
+    shortened = {row.number for row in _shortened(placed_rows)}
     reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
     refused += [
         Refusal(row.number, heading, columns.cell(row, "address"), reason)
-        for row, _ in known
+        for row, _ in placed_rows
         if row.number in shortened
     ]
-    known = [(row, row_place) for row, row_place in known if row.number not in shortened]
-    return Placed(tuple(known), tuple(skipped), tuple(refused))
+    placed_rows = [(row, row_place) for row, row_place in placed_rows if row.number not in shortened]
+    return Placed(tuple(placed_rows), tuple(skipped), tuple(refused))
 
 
 def _refuse_all(columns: Columns, refused: Sequence[Refusal]) -> None:

@@ -71,11 +71,11 @@ def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[in
     end = entries[next(_places({"": ordered[0][1]}))].row.address
     for key, inner in ordered:
         if isinstance(inner, int) and entries[inner].rows:
-            own = entries[inner].row
-            if own.address > end:
-                keys = f"type: bytes, length: {2 * (own.address - end)}, reserved: true"
-                yield f"      - {{name: unused_{end:04x}, {keys}, source: L{own.row}, unverified: true}}", own.row
-            end = own.address + entries[inner].shape.words
+            part = entries[inner].row
+            if part.address > end:
+                keys = f"type: bytes, length: {2 * (part.address - end)}, reserved: true"
+                yield f"      - {{name: unused_{end:04x}, {keys}, source: L{part.row}, unverified: true}}", part.row
+            end = part.address + entries[inner].shape.words
         if isinstance(inner, dict):
             row = entries[next(_places(inner))].row.row
             yield f"      - {{name: {key}, record: {name}_{key}, source: L{row}, unverified: true}}", row
@@ -117,7 +117,7 @@ def parameters(
         yield "    rows:", 0
         for number in sorted({*wholes, *common}):
             if number in wholes:
-                names = {subindex: name for (own, subindex), name in protocol_names.items() if own == number}
+                names = {subindex: name for (index, subindex), name in protocol_names.items() if index == number}
                 yield from _parameter(entries, fact, wholes[number], elements.get(number, ()), names)
             else:
                 yield f"      - {{number: {number}, name: {common[number]}, source: 1 L1, unverified: true}}", 0

@@ -39,11 +39,11 @@ class Quantity:
 
 
 def _units() -> dict[str, str]:
-    known = {}
+    symbols = {}
     for unit in reversed(standard_units().values()):
         for symbol in (*unit.others, unit.symbol):
-            known[_key(symbol)] = unit.symbol
-    return {**meanings("units"), **known}
+            symbols[_key(symbol)] = unit.symbol
+    return {**meanings("units"), **symbols}
 
 
 def _key(text: str) -> str:

@@ -128,14 +128,14 @@ class _Writer:
             lines += [(line, 0) for line in spaces(self._registers)]
         lines += self._units()
         for section in ("enums", "flags"):
-            own = [
+            declarations = [
                 (line, entry.row.row)
                 for entry, meaning in zip(self._registers, self._meant, strict=True)
                 for line in (meaning.enum_lines if section == "enums" else (meaning.flags_line,))
                 if line
             ]
             used = [(line, 0) for line in uses.get(section, ())]
-            lines += [(f"{section}:", 0), *used, *own] if used or own else []
+            lines += [(f"{section}:", 0), *used, *declarations] if used or declarations else []
         space_names = dict.fromkeys((*SPACES, *(entry.space for entry in self._registers)))
         groups = {
             space: [n for n, entry in enumerate(self._registers) if entry.space == space and entry.kind == REGISTER]
@@ -152,9 +152,9 @@ class _Writer:
         """The units that the language does not have."""
         first: dict[str, int] = {}
         for entry in self._registers:
-            for own in (entry.row, *(bit.row for bit in entry.bits if bit.row is not None)):
-                if own.unit and not known_unit(own.unit):
-                    first.setdefault(own.unit, own.row)
+            for list_row in (entry.row, *(bit.row for bit in entry.bits if bit.row is not None)):
+                if list_row.unit and not known_unit(list_row.unit):
+                    first.setdefault(list_row.unit, list_row.row)
         used: set[str] = set()
         if first:
             yield "units:", 0
@@ -254,7 +254,7 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
         first_number = whole(row.texts.get("first", ""))
         parts += [f"index_from: {first_number}"] if first_number else []
         if entry.rows:
-            parts.append(f"element_sources: {quoted('L' + ', '.join(str(own.row) for own in entry.rows))}")
+            parts.append(f"element_sources: {quoted('L' + ', '.join(str(row.row) for row in entry.rows))}")
         if entry.element_name not in ("", f"{name}_{{n}}"):
             parts.append(f"element_name: {quoted(entry.element_name)}")
     return parts

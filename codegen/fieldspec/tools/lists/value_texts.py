@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import unicodedata
+from typing import NamedTuple
 
 from fieldspec.foundation.classes import dataclass
 
@@ -13,17 +14,26 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 _SIMPLE = re.compile(r"(-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
-_BIT = re.compile(r"([0-9]{1,2})(?:\.\.([0-9]{1,2}))?\s+(\S.*)")
+_BIT = re.compile(r"([0-9]{1,2}(?:\.\.[0-9]{1,2})?(?:,[0-9]{1,2}(?:\.\.[0-9]{1,2})?)*)\s+(\S.*)")
 _JSON_KEY = re.compile(r"(bit\s*|b)?(0x[0-9a-f]+|-?[0-9]+)", re.IGNORECASE)
 _MOST = 1 << 16
 
 
+class NamedBits(NamedTuple):
+    """A bit or several, from `low` to `high`. Where they lie apart, `pieces` are they as specs write them."""
+
+    low: int
+    high: int
+    name: str
+    pieces: str = ""
+
+
 @dataclass(frozen=True, slots=True)
 class Meanings:
-    """The texts of values, or those of bits by their lowest and highest numbers, in the order of the cell."""
+    """The texts of values, or those of bits by their numbers, in the order of the cell."""
 
     members: tuple[tuple[int, str], ...] = ()
-    bits: tuple[tuple[int, int, str], ...] = ()
+    bits: tuple[NamedBits, ...] = ()
 
 
 def value_meanings(text: str, single: bool = False) -> Meanings | None:
@@ -70,26 +80,30 @@ def _of_json(text: str) -> Meanings | None:
 
 
 def _sorted(pairs: list[tuple[bool, int, str]]) -> Meanings | None:
-    bits = tuple((number, number, text) for is_bit, number, text in pairs if is_bit)
+    bits = tuple(NamedBits(number, number, text) for is_bit, number, text in pairs if is_bit)
     members = tuple((number, text) for is_bit, number, text in pairs if not is_bit)
     if len({(is_bit, number) for is_bit, number, _ in pairs}) < len(pairs) or len(pairs) > _MOST:
         return None
-    if not pairs or (bits and members) or any(not 0 <= number < 64 for number, _, _ in bits):
+    if not pairs or (bits and members) or any(not 0 <= bit.low < 64 for bit in bits):
         return None
     return Meanings(members, bits)
 
 
-def bit_names(text: str) -> tuple[tuple[int, int, str], ...] | None:
-    """The bits in a cell of a column of bits: `0 ready; 8..15 hours`. None if the cell has anything else."""
+def bit_names(text: str) -> tuple[NamedBits, ...] | None:
+    """The bits in a cell of a column of bits: `0 ready; 8..15 hours; 4,1..2 part`. None for anything else."""
     meanings = value_meanings(text)
     if meanings is not None and meanings.bits:
         return meanings.bits
     bits = [_BIT.fullmatch(piece.strip()) for piece in text.split(";") if piece.strip()]
     if not bits:
         return None
-    bit_texts = [(int(bit[1]), int(bit[2] or bit[1]), bit[3]) for bit in bits if bit]
-    return (
-        tuple(bit_texts)
-        if len(bit_texts) == len(bits) and all(low <= high < 64 for low, high, _ in bit_texts)
-        else None
-    )
+    named = [_named_bits(bit[1], bit[2]) for bit in bits if bit]
+    return tuple(named) if len(named) == len(bits) and all(bit.low <= bit.high < 64 for bit in named) else None
+
+
+def _named_bits(text: str, name: str) -> NamedBits:
+    pieces = [piece.partition("..") for piece in text.split(",")]
+    ends = [(int(low), int(high or low)) for low, _, high in pieces]
+    if len(ends) == 1:
+        return NamedBits(*ends[0], name)
+    return NamedBits(min(low for low, _ in ends), max(high for _, high in ends), name, text.replace(",", ", "))

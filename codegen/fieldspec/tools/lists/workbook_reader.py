@@ -28,7 +28,7 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
         if not matches:
             raise ListError(f"has no sheet {sheet_name}; there are {', '.join(sheet.title for sheet in sheets)}")
         return _filled(content, _sheet(sheets[matches[0]], area), matches[0], area)
-    read = {number: own for number, sheet in enumerate(sheets) if (own := _sheet(sheet, area)).rows}
+    read = {number: sheet_rows for number, sheet in enumerate(sheets) if (sheet_rows := _sheet(sheet, area)).rows}
     role_counts = {number: role_count(sheet) for number, sheet in read.items()}
     if joined := _joined([sheet for number, sheet in read.items() if role_counts[number]]):
         return replace(joined, others=tuple(sheet.name for number, sheet in read.items() if not role_counts[number]))

@@ -15,6 +15,7 @@ from fieldspec.tools.simulator.memory import Element, Memory, default_raw, eleme
 
 if TYPE_CHECKING:
     from fieldspec.codec.layout.values import Raw
+    from fieldspec.language.model.enums import Bit
     from fieldspec.language.model.value import Value
 
 _INDEX = re.compile(r"(.*)\[([0-9]+)\]")
@@ -87,21 +88,21 @@ class FieldCell(Cell):
 class BitCell(Cell):
     """A bit, or a field of bits, of another cell."""
 
-    def __init__(self, path: str, cell: Cell, first: int, width: int, enum: str) -> None:
+    def __init__(self, path: str, cell: Cell, bit: Bit) -> None:
         super().__init__(path, None)
-        self.cell, self.first, self.mask, self.enum = cell, first, (1 << width) - 1, enum
+        self.cell, self.bit, self.enum = cell, bit, bit.enum
 
     def read(self) -> Raw:
         """The number in the bits."""
         word = self.cell.read()
-        return word >> self.first & self.mask if isinstance(word, int) else 0
+        return self.bit.joined(word) if isinstance(word, int) else 0
 
     def write(self, raw: Raw) -> None:
         """Sets the bits and leaves the others as they are."""
         word = self.cell.read()
-        number = int(raw) & self.mask if isinstance(raw, int | float) else 0
+        number = int(raw) if isinstance(raw, int | float) else 0
         old = word if isinstance(word, int) else 0
-        self.cell.write(old & ~(self.mask << self.first) | number << self.first)
+        self.cell.write(old & ~self.bit.mask | self.bit.placed(number))
 
 
 class Cells:
@@ -147,7 +148,7 @@ class Cells:
         if bit is None:
             return self._of_fact(operand, operand.path, index)
         whole = operand.path.rpartition("/")[0]
-        return BitCell(operand.path, self._of_fact(operand, whole, index), bit.first, bit.width, bit.enum)
+        return BitCell(operand.path, self._of_fact(operand, whole, index), bit)
 
     def _of_fact(self, operand: Operand, path: str, index: int | None) -> Cell:
         fact, memory = operand.holder, self.memory

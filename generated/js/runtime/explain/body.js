@@ -74,7 +74,7 @@ export class ExplainedBody {
     let at = this.start;
     let numberOfList = 0;
     for (const [number, field] of sent.entries()) {
-      if (!field.repeat) {
+      if (!inner.lists.some(({ name }) => name === field.name)) {
         const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
         yield this.tracedField(field, at, new Array(room).fill(field.size));
         at += room * field.size;
@@ -93,7 +93,7 @@ export class ExplainedBody {
       const count = this.itemsOf(field);
       yield this.tracedField(field, at, elements.length ? elements : new Array(count).fill(field.size));
       at = elements.length ? stop : at + count * field.size;
-      if (count < field.repeat[0]) yield this.missingRow([field], at, stop);
+      if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
       else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
       at = stop;
     }
@@ -106,7 +106,7 @@ export class ExplainedBody {
       const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
-    if (list.tail) {
+    if (list.parts) {
       const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
       return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
@@ -118,7 +118,7 @@ export class ExplainedBody {
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
     const { size, elements } = this.extents[number];
-    return this.record.inner.lists[number].tail ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+    return this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
   }
 
   /** Whether the first list whose bytes nobody knows has a count that cannot be right. */

@@ -1,6 +1,7 @@
 import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
 import { decodedText } from "../encodings.js";
 import { digitsNumber } from "../digit_texts.js";
+import { extentsIn } from "../lists.js";
 import { widenedBytes } from "../widths.js";
 
 /** The bytes up to which a whole number is no bigint. */
@@ -98,6 +99,24 @@ function run(device, record, data, start, stop, path, rows) {
   return values;
 }
 
+/** The same of a record that differs in size, as `parts` tell; its size has been judged. */
+function runAround(device, record, parts, data, start, stop, path, rows) {
+  const { extents } = extentsIn(parts, data.subarray(start, stop));
+  const byName = new Map(parts.lists.map(({ name }, number) => [name, extents[number]]));
+  const values = new Map();
+  const beside = new Map();
+  let at = start;
+  for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
+    const field = record.named.get(name);
+    const { size, elements } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
+    const all = field.isList ? new Array(field.count ?? Math.floor(size / field.size)).fill(field.size) : [size];
+    const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
+    values.set(name, field.isList ? contents : contents[0]);
+    at += size;
+  }
+  return values;
+}
+
 /**
  * The contents of the elements of a field, which follow each other from `start` on and have some sizes. Adds what gave
  * them to `rows`, and to `beside`, those of the same record by the names of their fields.
@@ -108,7 +127,9 @@ export function runEach(device, field, data, start, sizes, path, rows, beside) {
     const offset = stop;
     stop += size;
     const own = `${path}${field.name}${field.isList ? `[${index}]` : ""}`;
-    if (field.record) return run(device, device.records.get(field.record), data, offset, stop, `${own}.`, rows);
+    const record = field.record && device.records.get(field.record);
+    if (field.parts) return runAround(device, record, field.parts, data, offset, stop, `${own}.`, rows);
+    if (record) return run(device, record, data, offset, stop, `${own}.`, rows);
     const row = { ...loaded(field, data.subarray(offset, stop)), path: own, index, offset, beside };
     rows.push(row);
     beside.set(field.name, row);

@@ -167,9 +167,22 @@ function setBitsOf(device, word, number) {
   return meanings;
 }
 
+/** The adjacent bits of a field of bits: the first one, and as many as there are, the least significant run first. */
+const runsOf = ({ runs, first, width }) => runs ?? [[first, width]];
+
 /** The bits of a field of bits in its word. */
-export function bitMask({ first, width }) {
-  return ((1n << BigInt(width)) - 1n) << BigInt(first);
+export function bitMask(bit) {
+  return bitsPlaced(bit, -1n);
+}
+
+/** The word in which the bits of a field are those of a number, and all others are 0. */
+export function bitsPlaced(bit, number) {
+  let [word, rest] = [0n, number];
+  for (const [first, width] of runsOf(bit)) {
+    word |= BigInt.asUintN(width, rest) << BigInt(first);
+    rest >>= BigInt(width);
+  }
+  return word;
 }
 
 /** The first field of bits whose number in a word is not in its range. */
@@ -180,13 +193,18 @@ export function refusedBitOf(word, number) {
 
 /** The number of a field of bits in a word. */
 export function bitsNumber(bit, raw) {
-  const number = (raw & bitMask(bit)) >> BigInt(bit.first);
+  let [number, weight] = [0n, 0n];
+  for (const [first, width] of runsOf(bit)) {
+    number |= BigInt.asUintN(width, raw >> BigInt(first)) << weight;
+    weight += BigInt(width);
+  }
   const signed = bit.signed ? BigInt.asIntN(bit.width, number) : number;
   return bit.width > 8 * WIDE ? signed : Number(signed);
 }
 
 function bitMeaning(device, bit, number) {
-  const bits = bit.width === 1 ? String(bit.first) : `${bit.first}..${bit.first + bit.width - 1}`;
+  const runs = runsOf(bit).map(([first, width]) => (width === 1 ? String(first) : `${first}..${first + width - 1}`));
+  const bits = runs.join(", ");
   const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
   if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
   if (bit.width > 1) {

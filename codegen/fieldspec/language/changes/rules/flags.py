@@ -55,9 +55,9 @@ def flags_changed(comparison: Comparison) -> Iterator[Change]:
         yield change("flags_changed", effect, value_pair, "flags", text, old, new, ALL)
 
 
-def _names(device: Device, name: str) -> set[tuple[int, int, str]]:
+def _names(device: Device, name: str) -> set[tuple[str, str]]:
     flags = device.flags.get(name)
-    return {(bit.first, bit.last, bit.name) for bit in flags.bits if not bit.reserved} if flags else set()
+    return {(bit.number_text, bit.name) for bit in flags.bits if not bit.reserved} if flags else set()
 
 
 def polarity_changed(comparison: Comparison) -> Iterator[Change]:

@@ -9,14 +9,13 @@ from fieldspec.language.reading.building.context import Entry
 _OWNERS = {
     **dict.fromkeys(("polynomial", "reflect_in", "reflect_out", "final_xor"), (("crc",), "a CRC")),
     "complement": (("sum", "xor"), "a sum or an xor"),
-    "unit_size": (("sum", "xor", "fletcher"), "a sum, an xor or a Fletcher checksum"),
     "modulus": (("fletcher",), "a Fletcher checksum"),
 }
 """The methods that have a parameter, and what these are called."""
 
 
-def algorithm_of(entry: Entry) -> str:
-    """The name of the algorithm that a part states; empty where it states none."""
+def algorithm_of(entry: Entry, link_order: str) -> str:
+    """The name of the algorithm that a part states; empty where it states none. `link_order` is that of the link."""
     parameters = entry.entry("checksum")
     name = entry.text("algorithm")
     if parameters is None:
@@ -41,7 +40,49 @@ def algorithm_of(entry: Entry) -> str:
             text = f"`{key}` has more than {width} bits"
             help = "leave out the highest bit of the polynomial" if key == "polynomial" else "correct it or the width"
             parameters.refuse("wrong_form", key, text, help)
-    return algorithm_name(_checksum(parameters, method, width))
+    order = entry.text("byte_order") or link_order
+    return algorithm_name(_with_units(parameters, _checksum(parameters, method, width), order or "little"))
+
+
+def _with_units(parameters: Entry, kind: Checksum, order: str) -> Checksum:
+    """An algorithm with the order of the numbers that it takes; `order` is that of the checksum.
+
+    A CRC takes the highest bit of each number first, or the lowest one: in one order of the bytes these come as they
+    are on the wire.
+    """
+    unit_order = parameters.text("unit_order") or order
+    size = parameters.integer("unit_size") or kind.unit_size
+    if size == 1 and "unit_order" in parameters.own:
+        text = "`unit_order` has no effect on single bytes"
+        parameters.refuse("wrong_form", "unit_order", text, "state `unit_size`, or remove it")
+    if kind.method != "crc":
+        return replace(kind, unit_order=unit_order) if size > 1 and unit_order != order else kind
+    if size > 1 and (unit_order == "little") == kind.reflect_in:
+        other = "big" if kind.reflect_in else "little"
+        text = f"`unit_size` has no effect on a CRC that takes the bytes of each number in the {unit_order} order"
+        help = f"remove it, or state `unit_order: {other}` if the last byte of each number comes first"
+        parameters.refuse("wrong_form", "unit_size", text, help)
+    return replace(kind, unit_size=size)
+
+
+def avoiding(entry: Entry, algorithm: str) -> str:
+    """The algorithm of a part with its replacements for the bytes that must not occur."""
+    stated = entry.entry("avoids")
+    if stated is None:
+        return algorithm
+    avoided, replacements = (bytes.fromhex(stated.text(key)) for key in ("bytes", "replacements"))
+    if entry.text("digits"):
+        text = "`avoids` has no effect on digits, which are no bytes of the number"
+        entry.refuse("wrong_form", "avoids", text, "remove `avoids` or `digits`")
+    if len(avoided) != len(replacements):
+        text = f"the number of replacements is {len(replacements)}, but that of the bytes {len(avoided)}"
+        stated.refuse("wrong_form", "replacements", text, "state one for each of the `bytes`, in their order")
+        return algorithm
+    if len(set(avoided)) < len(avoided) or set(avoided) & set(replacements):
+        text = "a byte that must not occur is there twice, or among the replacements"
+        stated.refuse("wrong_form", "replacements", text, "correct `bytes` and `replacements`")
+        return algorithm
+    return algorithm_name(replace(checksum_named(algorithm), avoided=avoided, replacements=replacements))
 
 
 def surrounded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
@@ -50,7 +91,7 @@ def surrounded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
     kind = checksum_named(algorithm)
     if not prefix:
         return algorithm_name(replace(kind, suffix=suffix)) if suffix else algorithm
-    if kind.method != "crc" and len(prefix) % kind.unit_size:
+    if len(prefix) % kind.unit_size:
         text = f"the prefix has {len(prefix)} bytes, but the algorithm takes {kind.unit_size} at a time"
         entry.refuse("wrong_form", "prefix", text, f"fill it up to a multiple of {kind.unit_size} bytes")
         return algorithm

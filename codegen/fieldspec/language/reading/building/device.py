@@ -6,14 +6,16 @@ from collections.abc import Callable
 from typing import TypeVar, cast
 
 from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import replace
 from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.address_space import WORDS, AddressSpace
 from fieldspec.language.model.device import Detection, Device, Manual, Version, VersionLine
 from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.language.model.texts import Erratum, Note
 from fieldspec.language.reading.building import enums, links, machines, records, registers, tasks, texts, values
 from fieldspec.language.reading.building.context import Entry, Reused, reused_items
-from fieldspec.language.reading.nodes import Mapping, Scalar, mappings
+from fieldspec.language.reading.nodes import Mapping, Scalar, mappings, with_number_of_row
 
 Item = TypeVar("Item")
 
@@ -59,15 +61,29 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             lookups=tuple(_by_name(root, "lookups", texts.lookup, reused).values()),
             limits=tuple(_by_name(root, "limits", texts.limit, reused).values()),
             tasks=tuple(_by_name(root, "tasks", tasks.task, reused).values()),
-            notes=tuple(_by_name(root, "notes", texts.note, reused).values()),
+            notes=tuple(_with_rows(tree, note) for note in _by_name(root, "notes", texts.note, reused).values()),
             examples=_by_name(root, "examples", texts.example, reused, "id"),
-            errata=tuple(_by_name(root, "errata", texts.erratum, reused, "id").values()),
+            errata=tuple(
+                _with_row(tree, erratum) for erratum in _by_name(root, "errata", texts.erratum, reused, "id").values()
+            ),
             accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
             machines=machines.state_machines(root),
             stated_changes=tuple(texts.stated_change(entry) for entry in root.named("changes", "changes")),
         ),
         findings,
     )
+
+
+def _with_row(tree: Mapping, erratum: Erratum) -> Erratum:
+    """An erratum about a row that it may name by a cell."""
+    fact = with_number_of_row(tree, erratum.fact)
+    return erratum if fact == erratum.fact else replace(erratum, fact=fact)
+
+
+def _with_rows(tree: Mapping, note: Note) -> Note:
+    """A note about rows that it may name by a cell."""
+    about = tuple(with_number_of_row(tree, path) for path in note.about)
+    return note if about == note.about else replace(note, about=about)
 
 
 def _by_name(

@@ -64,25 +64,14 @@ def flags(entry: Entry) -> Flags:
 
 def _bit(entry: Entry, highest: int | None) -> Bit:
     """A bit. Where the manual counts from the most significant bit, `highest` is the number of that one."""
-    first = entry.integer("bit")
-    last = first
-    if span := entry.text("bits"):
-        if first is not None:
-            entry.refuse("wrong_form", "bit", "`bit` has no effect beside `bits`", "remove one of them")
-        low, _, high = span.partition("..")
-        first, last = int(low), int(high)
-        if last < first:
-            entry.refuse("wrong_form", "bits", "`bits` ends before it starts", f"write {last}..{first}")
-            first, last = last, first
-    if first is None or last is None:
-        entry.refuse("wrong_form", "bits", "the bit has no number", "add `bit`, or `bits` as low..high")
-        first = last = 0
+    pieces = _pieces(entry)
     if highest is not None:
-        first, last = highest - last, highest - first
+        pieces = [(highest - last, highest - first) for first, last in reversed(pieces)]
+    first, last = min(first for first, _ in pieces), max(last for _, last in pieces)
     if first < 0:
         text = f"the word has no bit {entry.text('bits') or entry.integer('bit')}"
         entry.refuse("wrong_value", "bits" if entry.text("bits") else "bit", text, "correct the number or the type")
-        first = last = 0
+        first, last, pieces = 0, 0, pieces[:1]
     scale = scale_of(entry)
     offset = entry.decimal("offset") or Decimal(0)
     default = default_of(entry, scale if scale is not None else Decimal(1), offset)
@@ -111,4 +100,31 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
         unit=entry.text("unit"),
         ranges=counts_of(entry, scale if scale is not None else Decimal(1), offset),
         default=default if isinstance(default, int) else None,
+        pieces=tuple(pieces) if len(pieces) > 1 else (),
     )
+
+
+def _pieces(entry: Entry) -> list[tuple[int, int]]:
+    """The first and the last bit of each run of adjacent bits, as the manual counts; one unless they lie apart."""
+    number, text = entry.integer("bit"), entry.text("bits")
+    if text and number is not None:
+        entry.refuse("wrong_form", "bit", "`bit` has no effect beside `bits`", "remove one of them")
+    if not text:
+        if number is None:
+            entry.refuse("wrong_form", "bits", "the bit has no number", "add `bit`, or `bits` as low..high")
+        return [(number or 0, number or 0)]
+    pieces: list[tuple[int, int]] = []
+    for piece in text.split(","):
+        low, _, high = piece.strip().partition("..")
+        first, last = int(low), int(high or low)
+        if last < first:
+            entry.refuse("wrong_form", "bits", "`bits` ends before it starts", f"write {last}..{first}")
+            first, last = last, first
+        if pieces and first == pieces[-1][1] + 1:
+            joined = f"{pieces[-1][0]}..{last}"
+            entry.refuse("wrong_form", "bits", f"bit {first} follows bit {first - 1}", f"write {joined}")
+        if any(first <= other_last and other_first <= last for other_first, other_last in pieces):
+            entry.refuse("wrong_form", "bits", f"`bits` has bit {first} twice", "name each bit once")
+            continue
+        pieces.append((first, last))
+    return pieces

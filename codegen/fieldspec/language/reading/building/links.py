@@ -10,7 +10,7 @@ from fieldspec.language.model.escape import CAN_BITS, Escape
 from fieldspec.language.model.link import ExceptionResponse, Link, Network, Part, PartSpan, Serial, UnitAddresses
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.value import Value
-from fieldspec.language.reading.building.checksums import algorithm_of, surrounded_algorithm
+from fieldspec.language.reading.building.checksums import algorithm_of, avoiding, surrounded_algorithm
 from fieldspec.language.reading.building.context import Entry
 from fieldspec.language.reading.building.escapes import escape
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
@@ -22,14 +22,15 @@ _KEYS = {
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "counts"},
     "body": frozenset[str](),
-    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix"}),
+    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix", "avoids"}),
     "plain": VALUE_KEYS
     - {"characters", "places", "sentinels", "parameter", "default", "unit_default"}
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except those of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "reserved", "same_as"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "avoids"}
+_SPECIFIC |= {"reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
@@ -38,6 +39,7 @@ _HELP = {
     "covers": "move it to the part with `role: checksum`",
     "prefix": "move it to the part with `role: checksum`",
     "suffix": "move it to the part with `role: checksum`",
+    "avoids": "move it to the part with `role: checksum`",
     "checksum": "move it to the part with `role: checksum`",
     "digits": "remove `digits`, and state them at the fields of messages",
     "flags": "remove `flags`; only a part without a `role` is a word of bits",
@@ -147,13 +149,15 @@ def _exception_response(entry: Entry) -> ExceptionResponse:
 
 def _part(entry: Entry, link_order: str) -> Part:
     role = entry.text("role") or "plain"
-    algorithm = algorithm_of(entry)
+    algorithm = algorithm_of(entry, link_order)
     if (role == "checksum") != bool(algorithm):
         entry.refuse("wrong_form", "role", "a checksum has an algorithm, other parts have none", _HELP["algorithm"])
         algorithm = algorithm or "sum8"
     order, digits = entry.text("byte_order"), entry.text("digits") if role == "checksum" else ""
     if role == "checksum" and algorithm not in SIMPLE:
         order = order or link_order
+    if algorithm:
+        algorithm = avoiding(entry, algorithm)
     if digits and entry.text("byte_order"):
         text = "`byte_order` has no effect on digits, which begin with the highest one"
         entry.refuse("wrong_form", "byte_order", text, "remove `byte_order`")

@@ -62,6 +62,37 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
     FINISH
 }
 
+/* ---- avoiding ---- */
+
+/** The same with other bytes in place of those that must not occur. */
+static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
+{
+    static const uint8_t avoided[COUNT] = AVOIDED;
+    static const uint8_t replacements[COUNT] = REPLACEMENTS;
+    RESULT number = device_COMPUTED(in, size);
+    RESULT result = 0;
+    unsigned shift;
+    size_t at;
+    for (shift = 0; shift < BITS; shift += 8u) {
+        uint8_t byte = (uint8_t)(number >> shift);
+        for (at = 0; at < COUNT && avoided[at] != byte; at++) {
+        }
+        if (at < COUNT) {
+            byte = replacements[at];
+        }
+        result = (RESULT)(result | (RESULT)((RESULT)byte << shift));
+    }
+    return result;
+}
+
+/* ---- swapped ---- */
+
+/** The place of a byte where the bytes of each number of so many bytes are in the opposite order. */
+static inline size_t device_swapped(size_t at, size_t unit)
+{
+    return at / unit * unit + unit - 1u - at % unit;
+}
+
 /* ---- reverse ---- */
 
 /** The lowest bits of a number in the opposite order. */

@@ -1,11 +1,14 @@
 /* ---- inner_lists ---- */
 
+/** The bytes of an element that some bytes begin with, maybe more than the `left` ones; 0 for a wrong count. */
+typedef size_t (*device_element_size)(const uint8_t *in, size_t left);
+
 /**
  * A list with fields behind it, which begins behind `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
  * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
- * `count_size` of 0 is that of the list whose size the data decide. `tail` is the list at the end of each element whose
- * elements differ in size; each has `element` bytes in the image.
+ * `count_size` of 0 is that of a list that always has `most` bytes. The data decide the size of the last one.
+ * `element_size` is NULL where all elements have the same size.
  */
 typedef struct device_inner_list {
     size_t first;
@@ -18,21 +21,26 @@ typedef struct device_inner_list {
     size_t unit;
     long plus;
     bool is_little;
-    const struct device_inner_list *tail;
+    device_element_size element_size;
 } device_inner_list;
 
-/** The bytes of a list, as its count in an image says; SIZE_MAX for a count below the least one. */
+/** The bytes of a list, as its count in an image says; SIZE_MAX for a count that cannot be right. */
 static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
 {
     const uint8_t *count = image + list->count_at;
-    size_t number = count[0];
+    size_t number, size;
+    if (list->count_size == 0u) {
+        return list->most;
+    }
+    number = count[0];
     if (list->count_size > 1u) {
         number = list->is_little ? number + count[1] * 256u : number * 256u + count[1];
     }
     if (list->plus > 0 && number < (size_t)list->plus) {
         return SIZE_MAX;
     }
-    return (list->plus < 0 ? number + (size_t)-list->plus : number - (size_t)list->plus) * list->unit;
+    size = (list->plus < 0 ? number + (size_t)-list->plus : number - (size_t)list->plus) * list->unit;
+    return size < list->least || size > list->most || size % list->element != 0u ? SIZE_MAX : size;
 }
 
 static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t size)
@@ -43,20 +51,9 @@ static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t si
     }
 }
 
-/** The bytes of an element that ends with a list, in `left` bytes that begin with it; 0 for a wrong count. */
-static inline size_t device_element_size(const device_inner_list *tail, const uint8_t *in, size_t left)
-{
-    size_t size;
-    if (left < tail->room) {
-        return tail->room;
-    }
-    size = device_list_size(tail, in);
-    return size < tail->least || size > tail->most || size % tail->element != 0u ? 0u : tail->room + size;
-}
-
 /**
- * Writes the image of a list whose elements differ in size: as many of them as have `size` bytes there, or all to the
- * end, where that is SIZE_MAX. `*size` receives the bytes in the image, `*taken` those that were read.
+ * Writes the image of a list whose elements differ in size, unless `image` is NULL: as many of them as have `size` bytes
+ * there, or all to the end, where that is SIZE_MAX. `*size` receives the bytes in the image, `*taken` those that were read.
  */
 static inline device_codec_status device_take_elements(const device_inner_list *list, const uint8_t *in, size_t left,
         uint8_t *image, size_t *size, size_t *taken)
@@ -67,20 +64,61 @@ static inline device_codec_status device_take_elements(const device_inner_list *
         if (to == list->most) {
             return DEVICE_ERR_WRONG_LENGTH;
         }
-        own = device_element_size(list->tail, in + from, left - from);
+        own = list->element_size(in + from, left - from);
         if (own == 0u) {
             return DEVICE_ERR_WRONG_MEASURE;
         }
         if (own > left - from) {
             return DEVICE_ERR_INCOMPLETE;
         }
-        device_copy_bytes(image + to, in + from, own);
+        if (image != NULL) {
+            device_copy_bytes(image + to, in + from, own);
+        }
         from += own;
         to += list->element;
     }
     *size = to;
     *taken = from;
     return to < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
+}
+
+/**
+ * The bytes of a record that some bytes begin with, maybe more than the `left` ones; 0 for a wrong count. `fields` has
+ * room for its `fixed` bytes of other fields.
+ */
+static inline size_t device_sent_size(const device_inner_list *lists, size_t count, size_t fixed, uint8_t *fields,
+        const uint8_t *in, size_t left)
+{
+    size_t index, at = 0, from = 0;
+    for (index = 0; index < count; index++) {
+        const device_inner_list *list = &lists[index];
+        size_t size, taken;
+        if (left < from + (list->first - at)) {
+            break;
+        }
+        device_copy_bytes(fields + at, in + from, list->first - at);
+        from += list->first - at;
+        at = list->first;
+        size = taken = device_list_size(list, fields);
+        if (size == SIZE_MAX) {
+            return 0u;
+        }
+        if (list->element_size != NULL) {
+            switch (device_take_elements(list, in + from, left - from, NULL, &size, &taken)) {
+            case DEVICE_OK:
+                break;
+            case DEVICE_ERR_INCOMPLETE:
+                return left + 1u;
+            default:
+                return 0u;
+            }
+        }
+        from += taken;
+        if (from > left) {
+            break;
+        }
+    }
+    return from + (fixed - at);
 }
 
 /** Writes the image of a record with lists, whose other fields have `fixed` bytes. */
@@ -99,13 +137,13 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         from += list->first - at;
         at = list->first;
         left = length - from - (fixed - at);
-        if (list->count_size != 0u) {
+        if (index + 1u < count) {
             size = device_list_size(list, image);
-            if (size < list->least || size > list->most || size % list->element != 0u) {
+            if (size == SIZE_MAX) {
                 return DEVICE_ERR_WRONG_MEASURE;
             }
         }
-        if (list->tail != NULL) {
+        if (list->element_size != NULL) {
             device_codec_status status = device_take_elements(list, in + from, left, image + list->room, &size, &taken);
             if (status != DEVICE_OK) {
                 return status;
@@ -132,14 +170,14 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
 static inline size_t device_place_list(const device_inner_list *list, const uint8_t *image, size_t size, uint8_t *out)
 {
     size_t from, to = 0;
-    if (list->tail == NULL) {
+    if (list->element_size == NULL) {
         if (out != NULL) {
             device_copy_bytes(out, image, size);
         }
         return size;
     }
     for (from = 0; from < size; from += list->element) {
-        size_t own = device_element_size(list->tail, image + from, list->element);
+        size_t own = list->element_size(image + from, list->element);
         if (out != NULL) {
             device_copy_bytes(out + to, image + from, own);
         }
@@ -155,7 +193,7 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
     size_t index, at = 0, to = 0, total = fixed;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
-        size_t size = list->count_size != 0u ? device_list_size(list, image) : image_length - list->room;
+        size_t size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
         total += device_place_list(list, image + list->room, size, NULL);
     }
     if (capacity < total) {
@@ -163,7 +201,7 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
     }
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
-        size_t size = list->count_size != 0u ? device_list_size(list, image) : image_length - list->room;
+        size_t size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
         device_copy_bytes(out + to, image + at, list->first - at);
         to += list->first - at;
         at = list->first;

@@ -38,7 +38,7 @@ _Make = Callable[[Variable, Variable, Expression], tuple[tuple[Variable, ...], B
 def is_supported(algorithm: str) -> bool:
     """Whether there is a function: for CRCs of 8 and 16 bits, and sums and xors of bytes with 8 bits."""
     check = checksum_named(algorithm)
-    if check.suffix or check.unit_size != 1:
+    if check.suffix or check.avoided or check.unit_size != 1:
         return False
     if check.method == "crc":
         return check.width in (8, 16) and check.reflect_in == check.reflect_out

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.enums import Bit
-from fieldspec.targets.controllers.statements.expressions import INT, Elementary, Whole
+from fieldspec.targets.controllers.statements.expressions import INT, Elementary, Expression, Operation, Shift, Whole
 
 
 def named(value: int, kind: Elementary, *words: str, hexadecimal: bool = False) -> Whole:
@@ -27,3 +27,18 @@ def mask_of(bit: Bit, kind: Elementary) -> Whole:
     """The mask of a bit, or of a field of several, in its word: `MOTION_STATUS_MOVING_MASK`"""
     word, name = bit.place.path.split("/")[-2:]
     return named(bit.mask, kind, word, name, "mask", hexadecimal=True)
+
+
+def image_of(bit: Bit, word: Expression, kind: Elementary) -> Expression:
+    """The bits of a field in a word of a type of bits, in the form that its `images` have."""
+    return joined_bits(bit, word, kind) if bit.pieces else Operation("AND", (word, Whole(bit.mask, kind)), kind)
+
+
+def joined_bits(bit: Bit, word: Expression, kind: Elementary) -> Expression:
+    """The bits of a field in a word of a type of bits, beside each other, where they lie apart."""
+    parts: list[Expression] = []
+    for run in bit.runs:
+        masked = Operation("AND", (word, Whole(run.most << run.first, kind, True)), kind)
+        moved = run.weight - run.first
+        parts.append(Shift("SHL" if moved > 0 else "SHR", masked, abs(moved), kind) if moved else masked)
+    return Operation("OR", tuple(parts), kind)

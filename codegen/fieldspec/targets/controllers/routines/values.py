@@ -29,6 +29,7 @@ from fieldspec.language.model.encoding import number_of as number_of_encoding
 from fieldspec.language.model.ranges import Ranges, bound_text, merged
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.holders import Holder
+from fieldspec.targets.controllers.routines.named_numbers import image_of
 from fieldspec.targets.controllers.routines.reals import outside_precision
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
@@ -276,8 +277,8 @@ def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) ->
     word = world.layout.device.flags.get(wire.value.flags)
     kind = UNSIGNED[wire.value.size]
     for bit in word.bounded if word is not None else ():
-        masked = Operation("AND", (converted(source, wire.bits), Whole(bit.mask, wire.bits)), wire.bits)
-        wrong = outside(converted(masked, kind), bit.images, kind)
+        image = image_of(bit, converted(source, wire.bits), wire.bits)
+        wrong = outside(converted(image, kind), bit.images, kind)
         if wrong is not None:
             yield draft.refusal(wrong, "out_of_range")
 

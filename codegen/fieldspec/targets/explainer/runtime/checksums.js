@@ -110,6 +110,30 @@ export function followedBy(algorithm, suffix) {
   };
 }
 
+/** A function that computes a checksum of numbers of `unitSize` bytes, of which it takes the last byte first. */
+export function swapping(algorithm, unitSize) {
+  return (bytes, start, stop) => {
+    const data = new Uint8Array(Math.ceil((stop - start) / unitSize) * unitSize);
+    data.set(bytes.slice(start, stop));
+    for (let at = 0; at < data.length; at += unitSize) data.subarray(at, at + unitSize).reverse();
+    return algorithm(data, 0, data.length);
+  };
+}
+
+/** A function that computes a checksum of `size` bytes, with others in place of the bytes that must not occur. */
+export function avoiding(algorithm, size, avoided, replacements) {
+  return (bytes, start, stop) => {
+    const number = BigInt(algorithm(bytes, start, stop));
+    let result = 0n;
+    for (let shift = 0n; shift < 8 * size; shift += 8n) {
+      const byte = Number((number >> shift) & 255n);
+      const place = avoided.indexOf(byte);
+      result |= BigInt(place < 0 ? byte : replacements[place]) << shift;
+    }
+    return result;
+  };
+}
+
 /** The bytes of a checksum in a frame: those of its number, or its digits. */
 export function checksumBytes({ algorithm, size, order, digits }, bytes, first, last) {
   let number = algorithm(bytes, first, last);

@@ -98,8 +98,8 @@ export function encodeRecord(device, record, values) {
     if (!field.measures) {
       const list = form.inner?.lists.find(({ name }) => name === field.name);
       const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
-      const own = joinedBytes(list?.tail ? elements.map((bytes) => padded(bytes, list.element)) : elements);
-      return list?.length ? padded(own, list.most) : own;
+      const own = joinedBytes(list?.parts ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
     const other = form.named.get(name);

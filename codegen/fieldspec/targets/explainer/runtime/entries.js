@@ -3,7 +3,7 @@ import { roundedReal } from "../number_bits.js";
 import { bytesOfHex, hexOf, latinOf } from "./texts.js";
 import { floatText } from "./numbers.js";
 import { memberOf } from "./device.js";
-import { bitMask, inUnit, sentinelOf } from "./values.js";
+import { bitMask, bitsPlaced, inUnit, sentinelOf } from "./values.js";
 
 const COUNT = /^[-+]?(?:0x[0-9A-Fa-f]{1,16}|0|[1-9][0-9]{0,19})$/;
 const NUMBER = /^[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,30})?(?:[eE][-+]?[0-9]{1,3})?$/;
@@ -160,7 +160,7 @@ function wordOf(device, name, value, text) {
   const word = device.flags.get(value.flags);
   const named = new Set();
   let result = 0n;
-  for (const bit of word.bits ?? []) result |= (BigInt(bit.default ?? 0) << BigInt(bit.first)) & bitMask(bit);
+  for (const bit of word.bits ?? []) result |= bitsPlaced(bit, BigInt(bit.default ?? 0));
   for (const item of text.split(/[, ]+/).filter(Boolean)) {
     const [bitName, setting] = item.split("=");
     const bit = word.bits?.find((other) => other.name === bitName);
@@ -175,7 +175,7 @@ function wordOf(device, name, value, text) {
     if (number > high || number < (bit.signed ? -high - 1n : 0n)) {
       throw new CodecError("out_of_range", `${name}: ${number} does not fit the ${bit.width} bits of ${bitName}`);
     }
-    result = (result & ~bitMask(bit)) | ((number << BigInt(bit.first)) & bitMask(bit));
+    result = (result & ~bitMask(bit)) | bitsPlaced(bit, number);
   }
   const missing = word.needed?.find(([, , names]) => !names.some((other) => named.has(other)));
   if (missing) {

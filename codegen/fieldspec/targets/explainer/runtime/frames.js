@@ -1,4 +1,4 @@
-import { checksumBytes, crcOf, fletcherOf, followedBy, totalOf } from "../checksums.js";
+import { avoiding, checksumBytes, crcOf, fletcherOf, followedBy, swapping, totalOf } from "../checksums.js";
 import { adding, canIdentifier, cobs, inserting, replacing } from "../escapes.js";
 import { wholeBounds } from "../number_bits.js";
 import { bytesOfHex, latinOf } from "./texts.js";
@@ -52,12 +52,16 @@ const FUNCTIONS = new WeakMap();
 function functionOf(algorithm) {
   if (!FUNCTIONS.has(algorithm)) {
     const initial = BigInt(algorithm.initial);
-    const compute = algorithm.method === "crc"
+    let compute = algorithm.method === "crc"
       ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
       : algorithm.method === "fletcher"
         ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
         : totalOf({ ...algorithm, initial });
-    FUNCTIONS.set(algorithm, algorithm.suffix ? followedBy(compute, bytesOfHex(algorithm.suffix)) : compute);
+    if (algorithm.method === "crc" && algorithm.unitSize) compute = swapping(compute, algorithm.unitSize);
+    if (algorithm.suffix) compute = followedBy(compute, bytesOfHex(algorithm.suffix));
+    const { avoided, replacements } = algorithm;
+    if (avoided) compute = avoiding(compute, Math.ceil(algorithm.width / 8), bytesOfHex(avoided), bytesOfHex(replacements));
+    FUNCTIONS.set(algorithm, compute);
   }
   return FUNCTIONS.get(algorithm);
 }

@@ -1,7 +1,8 @@
 import { CodecError } from "./error.js";
 
-/** The bytes of a list in the image, as its count in some bytes says. */
-function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
+/** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
+function countedBytes({ at, length, little, unit, plus = 0, most }, bytes) {
+  if (!length) return most;
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
   return (number - plus) * unit;
@@ -9,11 +10,29 @@ function countedBytes({ at, length, little, unit, plus = 0 }, bytes) {
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
-/** The bytes of an element that some bytes begin with, which ends with a list; -1 for a wrong count. */
-export function elementBytes(tail, bytes) {
-  if (bytes.length < tail.room) return tail.room;
-  const size = countedBytes(tail, bytes);
-  return isRight(tail, size) ? tail.room + size : -1;
+/** The bytes of an element that some bytes begin with, maybe more than there are, or why they are not known. */
+function elementIn(parts, bytes) {
+  const extents = [];
+  const fields = [];
+  let before = 0;
+  for (const list of parts.lists) {
+    const at = list.first + before;
+    if (bytes.length < at) break;
+    fields.push(...bytes.subarray(fields.length + before, at));
+    const size = countedBytes(list, fields);
+    if (!isRight(list, size)) return { fault: { reason: "wrong_measure", at: placeAround(parts, extents, list.at) } };
+    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements: [] };
+    if (extent.fault) return extent;
+    extents.push(extent);
+    before += extent.size;
+  }
+  return { size: parts.fixed + before };
+}
+
+/** The bytes of an element that some bytes begin with, as `parts` tell them; -1 for a wrong count. */
+export function elementBytes(parts, bytes) {
+  const { size, fault } = elementIn(parts, bytes);
+  return fault ? -1 : size;
 }
 
 /** The bytes of each element of a list whose elements differ in size, or why they are not known. */
@@ -22,11 +41,11 @@ function elementsIn(list, data, size, start) {
   let at = 0;
   while (size === null ? at < data.length : elements.length * list.element < size) {
     if (elements.length * list.element === list.most) return { fault: { reason: "wrong_length", at: start + at } };
-    const own = elementBytes(list.tail, data.subarray(at));
-    if (own < 0) return { fault: { reason: "wrong_measure", at: start + at + list.tail.at } };
-    if (at + own > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
-    elements.push(own);
-    at += own;
+    const own = elementIn(list.parts, data.subarray(at));
+    if (own.fault) return { fault: { reason: own.fault.reason, at: start + at + own.fault.at } };
+    if (at + own.size > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
+    elements.push(own.size);
+    at += own.size;
   }
   if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
   return { size: at, elements };
@@ -36,8 +55,8 @@ function elementsIn(list, data, size, start) {
  * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
  * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
  * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
- * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of the list whose size the
- * data decide. `tail` is the list at the end of each element whose elements differ in size.
+ * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
+ * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];
@@ -48,11 +67,11 @@ export function extentsIn({ fixed, lists }, data) {
     const left = data.length - at - fixed + list.first;
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
-    const counted = list.length ? countedBytes(list, image) : null;
+    const counted = list === lists.at(-1) ? null : countedBytes(list, image);
     if (counted !== null && !isRight(list, counted)) {
       return { extents, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, extents, list.at) } };
     }
-    const extent = list.tail
+    const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
       : { size: counted ?? left, elements: [] };
     if (extent.fault) return { extents, fault: extent.fault };
@@ -66,10 +85,10 @@ export function extentsIn({ fixed, lists }, data) {
 /** The byte in data, whose lists have some extents, for a byte of their image. */
 export function placeAround({ lists }, extents, at) {
   let before = 0;
-  for (const [number, { first, room, length, most, element, tail }] of lists.entries()) {
+  for (const [number, { first, room, most, element, parts }] of lists.entries()) {
     const { size, elements } = extents[number] ?? { size: 0, elements: [] };
-    if (at >= room && (!length || at < room + most)) {
-      const index = tail ? Math.floor((at - room) / element) : 0;
+    if (at >= room && (number === lists.length - 1 || at < room + most)) {
+      const index = parts ? Math.floor((at - room) / element) : 0;
       return first + before + at - room - index * element + sumOf(elements.slice(0, index));
     }
     if (at < first) return at + before;
@@ -83,14 +102,14 @@ const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
 /** The image of data whose lists have some extents. */
 function imageOf({ fixed, lists }, data, extents) {
   const last = extents.at(-1);
-  const { room, element, tail } = lists.at(-1);
-  const image = new Uint8Array(room + (tail ? last.elements.length * element : last.size));
+  const { room, element, parts } = lists.at(-1);
+  const image = new Uint8Array(room + (parts ? last.elements.length * element : last.size));
   let [before, at] = [0, 0];
   for (const [number, list] of lists.entries()) {
     const { size, elements } = extents[number];
     image.set(data.subarray(at + before, list.first + before), at);
     let from = list.first + before;
-    for (const [index, own] of (list.tail ? elements : [size]).entries()) {
+    for (const [index, own] of (list.parts ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
       from += own;
     }
@@ -123,11 +142,11 @@ export function sentOfImage({ fixed, lists }, image, last) {
   const pieces = [];
   let at = 0;
   for (const list of lists) {
-    const { first, room, element, tail } = list;
-    const size = list.length ? countedBytes(list, image) : last;
+    const { first, room, element, parts } = list;
+    const size = list === lists.at(-1) ? last : countedBytes(list, image);
     pieces.push(...image.subarray(at, first));
-    for (let from = room; from < room + size; from += tail ? element : size) {
-      const own = tail ? elementBytes(tail, image.subarray(from, from + element)) : size;
+    for (let from = room; from < room + size; from += parts ? element : size) {
+      const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;
       pieces.push(...image.subarray(from, from + own));
     }
     at = first;

@@ -148,21 +148,34 @@ export function initialWord(name, bits, initial, needed) {
   return initial;
 }
 
+/** The number that bits of a word are: the first one and the number of each run, the least significant run first. */
+export function bitsNumber(runs, raw, signed) {
+  let [number, weight] = [0n, 0];
+  for (const [first, width] of runs) {
+    number |= BigInt.asUintN(width, BigInt(raw) >> BigInt(first)) << BigInt(weight);
+    weight += width;
+  }
+  return signed ? BigInt.asIntN(weight, number) : number;
+}
+
 /** A word with some of its bits set as an object says. Throws CodecError for unknown bits and wrong values. */
 export function setBits(name, places, bits, raw, size) {
   let word = BigInt(raw);
   for (const [key, value] of Object.entries(bits)) {
     const place = places[key];
     if (place === undefined) throw new CodecError("unknown_field", `${name} has no bit ${printed(key)}`);
-    const [first, width, signed] = place;
+    const [first, width, signed, runs] = place;
     const low = signed ? -(2 ** (width - 1)) : 0;
     const high = signed ? 2 ** (width - 1) - 1 : 2 ** width - 1;
     const number = width === 1 && typeof value === "boolean" ? Number(value) : value;
     if (!Number.isInteger(number) || number < low || number > high) {
       throw new CodecError("out_of_range", `${key} is ${printed(value)}, not in ${low}..${high}`);
     }
-    const mask = ((1n << BigInt(width)) - 1n) << BigInt(first);
-    word = (word & ~mask) | ((BigInt(number) << BigInt(first)) & mask);
+    let rest = BigInt(number);
+    for (const [at, bitCount] of runs ?? [[first, width]]) {
+      word = (word & ~(((1n << BigInt(bitCount)) - 1n) << BigInt(at))) | (BigInt.asUintN(bitCount, rest) << BigInt(at));
+      rest >>= BigInt(bitCount);
+    }
   }
   return typeof raw === "bigint" ? word : Number(BigInt.asUintN(size, word));
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Literal
 
     from ._typing import Data
@@ -124,12 +125,43 @@ class Followed:
 
     __slots__ = ("function", "suffix")
 
-    def __init__(self, function: Crc | Fletcher | Sum, suffix: bytes) -> None:
+    def __init__(self, function: Callable[[Data], int], suffix: bytes) -> None:
         self.function, self.suffix = function, suffix
 
     def __call__(self, data: Data) -> int:
         """The checksum of some bytes and of the suffix."""
         return self.function(bytes(data) + self.suffix)
+
+
+class Swapped:
+    """A checksum of numbers of `unit` bytes that takes the last byte of each first; zeros are behind the last one."""
+
+    __slots__ = ("function", "unit")
+
+    def __init__(self, function: Callable[[Data], int], unit: int) -> None:
+        self.function, self.unit = function, unit
+
+    def __call__(self, data: Data) -> int:
+        """The checksum of some bytes."""
+        filled = bytes(data) + bytes(-len(data) % self.unit)
+        swapped = bytearray(len(filled))
+        for place in range(self.unit):
+            swapped[place :: self.unit] = filled[self.unit - 1 - place :: self.unit]
+        return self.function(swapped)
+
+
+class Avoiding:
+    """A checksum of `size` bytes in which other bytes take the place of those that must not occur."""
+
+    __slots__ = ("function", "size", "table")
+
+    def __init__(self, function: Callable[[Data], int], size: int, pairs: dict[int, int]) -> None:
+        self.function, self.size = function, size
+        self.table = bytes(pairs.get(byte, byte) for byte in range(256))
+
+    def __call__(self, data: Data) -> int:
+        """The checksum of some bytes as it is sent."""
+        return int.from_bytes(self.function(data).to_bytes(self.size, "big").translate(self.table), "big")
 
 
 def _numbers(data: Data, unit: int, order: Literal["big", "little"]) -> list[int]:

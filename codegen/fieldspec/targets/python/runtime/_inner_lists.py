@@ -1,4 +1,4 @@
-"""Records with lists that have other fields behind them.
+"""Records with lists that have other fields behind them, and with records that differ in size.
 
 They are read and written as an image: first all other fields, then the lists.
 """
@@ -20,11 +20,11 @@ class InnerList:
 
     It has `least` to `most` elements of `size` bytes, which the Struct has as `letters`. The field that counts them is
     at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.
-    `length` is 0 for the list whose size the data decide. `tail` is the list at the end of each element whose elements
-    differ in size; these have `size` bytes in the image.
+    `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide. `parts` tell
+    the size of an element where elements differ in size; these have `size` bytes in the image.
     """
 
-    __slots__ = ("at", "first", "length", "letters", "order", "plus", "room", "size", "sizes", "tail", "unit")
+    __slots__ = ("at", "first", "length", "letters", "order", "parts", "plus", "room", "size", "sizes", "unit")
 
     def __init__(
         self,
@@ -34,31 +34,78 @@ class InnerList:
         first: int,
         room: int,
         count: tuple[int, int, Literal["big", "little"], int, int] = (0, 0, "big", 1, 0),
-        tail: InnerList | None = None,
+        parts: Parts | None = None,
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
         self.at, self.length, _, self.unit, self.plus = count
         self.order: Literal["big", "little"] = count[2]
-        self.tail = tail
+        self.parts = parts
 
     def count_size(self, data: bytes) -> int:
         """The bytes of the list in the image, as its count in some data says."""
+        if not self.length:
+            return self.sizes[-1]
         return (int.from_bytes(data[self.at : self.at + self.length], self.order) - self.plus) * self.unit
 
-    def element_size(self, data: bytes) -> int | None:
-        """The bytes of an element that data begin with, where this is its tail; None for a wrong count."""
-        if len(data) < self.room:
-            return self.room
+    def checked_size(self, data: bytes, at: int) -> int:
+        """The same, refused with the place of the count where there cannot be so many."""
         size = self.count_size(data)
-        return self.room + size if size in self.sizes else None
+        if size not in self.sizes:
+            limits = f"{self.sizes[0]} to {self.sizes[-1]} bytes in steps of {self.size}"
+            raise CodecError("wrong_measure", f"a list has {size} bytes, not {limits}", at)
+        return size
+
+    def elements(self, parts: Parts, data: bytes, size: int | None, start: int) -> list[int]:
+        """The bytes of each element: of as many as have `size` bytes in the image, or of all to the end of the data."""
+        sizes: list[int] = []
+        at, least, most = 0, self.sizes[0], self.sizes[-1]
+        while at < len(data) if size is None else len(sizes) * self.size < size:
+            if len(sizes) * self.size == most:
+                raise CodecError("wrong_length", f"a list has more than {len(sizes)} elements", start + at)
+            try:
+                own = parts.sent_size(data[at:])
+            except CodecError as error:
+                raise error.shifted(start + at) from None
+            if at + own > len(data):
+                raise CodecError("incomplete", "an element has more bytes", start + len(data))
+            sizes.append(own)
+            at += own
+        if len(sizes) * self.size < least:
+            raise CodecError("incomplete", f"a list has {len(sizes)} elements", start + at)
+        return sizes
 
     def sent(self, image: bytes) -> bytes:
         """What is sent of the list in an image."""
-        if self.tail is None:
+        if self.parts is None:
             return image
         elements = [image[at : at + self.size] for at in range(0, len(image), self.size)]
-        return b"".join([element[: self.tail.element_size(element)] for element in elements])
+        return b"".join([element[: self.parts.sent_size(element)] for element in elements])
+
+
+class Parts:
+    """What tells the size of a record from its bytes: `fixed` bytes of fields, and lists in the order of the wire."""
+
+    __slots__ = ("fixed", "lists")
+
+    def __init__(self, fixed: int, *lists: InnerList) -> None:
+        self.fixed, self.lists = fixed, lists
+
+    def sent_size(self, data: bytes) -> int:
+        """The bytes of a record that data begin with, maybe more than there are. Raises CodecError for wrong counts."""
+        fields, before = b"", 0
+        extents: list[tuple[int, int]] = []
+        for inner in self.lists:
+            start = inner.first + before
+            if len(data) < start:
+                break
+            fields += data[len(fields) + before : start]
+            at = inner.at + sum([taken for first, taken in extents if first <= inner.at])
+            size = inner.checked_size(fields, at)
+            taken = size if inner.parts is None else sum(inner.elements(inner.parts, data[start:], size, start))
+            extents.append((inner.first, taken))
+            before += taken
+        return self.fixed + before
 
 
 class InnerLists(dict[tuple[int, ...], Struct]):
@@ -92,9 +139,10 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             left = len(data) - at - self.fixed + inner.first
             if left < 0:
                 raise self._incomplete(len(data))
-            size = self._size_of_count(inner, fields, extents) if inner.length else None
-            if inner.tail is not None:
-                sizes = self._elements(inner, inner.tail, data[at : at + left], size, at)
+            is_last = inner is self.lists[-1]
+            size = None if is_last else inner.checked_size(fields, self._place(extents, inner.at) or 0)
+            if inner.parts is not None:
+                sizes = inner.elements(inner.parts, data[at : at + left], size, at)
                 numbers.append(len(sizes))
             else:
                 size = self._checked(inner, left, at) if size is None else size
@@ -105,7 +153,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             extents.append(sizes)
             for own in sizes:
                 piece = data[inner.first + before : inner.first + before + own]
-                lists += piece if inner.tail is None else piece.ljust(inner.size, b"\0")
+                lists += piece if inner.parts is None else piece.ljust(inner.size, b"\0")
                 before += own
         image = fields + data[len(fields) + before :] + lists
         try:
@@ -117,7 +165,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         """What is sent of an image."""
         data, at, start = b"", 0, self.fixed
         for inner in self.lists:
-            size = inner.count_size(image) if inner.length else len(image) - start
+            size = len(image) - start if inner is self.lists[-1] else inner.count_size(image)
             data += image[at : inner.first] + inner.sent(image[start : start + size])
             at, start = inner.first, start + size
         return data + image[at : self.fixed]
@@ -126,15 +174,6 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         """What is sent of the images of the elements of a list."""
         inner = self.lists[number]
         return [inner.sent(image) for image in images]
-
-    def _size_of_count(self, inner: InnerList, image: bytes, extents: list[list[int]]) -> int:
-        """The bytes of a list in the image as its count says, refused where there cannot be so many."""
-        size = inner.count_size(image)
-        if size not in inner.sizes:
-            limits = f"{inner.sizes[0]} to {inner.sizes[-1]} bytes in steps of {inner.size}"
-            at = self._place(extents, inner.at)
-            raise CodecError("wrong_measure", f"a list has {size} bytes, not {limits}", at)
-        return size
 
     def _checked(self, inner: InnerList, size: int, at: int) -> int:
         """The bytes of the list whose size the data decide, refused where there cannot be so many."""
@@ -147,26 +186,6 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             raise CodecError("wrong_length", f"a list of {self.name} ends within an element", at + size)
         return size
 
-    def _elements(self, inner: InnerList, tail: InnerList, data: bytes, size: int | None, start: int) -> list[int]:
-        """The bytes of each element: of as many as have `size` bytes in the image, or of all to the end of the data."""
-        sizes: list[int] = []
-        at, least, most = 0, inner.sizes[0], inner.sizes[-1]
-        while at < len(data) if size is None else len(sizes) * inner.size < size:
-            if len(sizes) * inner.size == most:
-                raise CodecError(
-                    "wrong_length", f"a list of {self.name} has more than {len(sizes)} elements", start + at
-                )
-            own = tail.element_size(data[at : at + tail.room])
-            if own is None:
-                raise CodecError("wrong_measure", f"an element of {self.name} has a wrong size", start + at + tail.at)
-            if at + own > len(data):
-                raise self._incomplete(start + len(data))
-            sizes.append(own)
-            at += own
-        if len(sizes) * inner.size < least:
-            raise CodecError("incomplete", f"{self.name} ends in a list of {len(sizes)} elements", start + at)
-        return sizes
-
     def _incomplete(self, at: int) -> CodecError:
         return CodecError("incomplete", f"{self.name} has more bytes", at)
 
@@ -176,8 +195,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             return None
         before = 0
         for inner, sizes in zip(self.lists, [*extents, *[[]] * (len(self.lists) - len(extents))], strict=True):
-            if at >= inner.room and (not inner.length or at < inner.room + inner.sizes[-1]):
-                index, rest = divmod(at - inner.room, inner.size) if inner.tail is not None else (0, at - inner.room)
+            if at >= inner.room and (inner is self.lists[-1] or at < inner.room + inner.sizes[-1]):
+                index, rest = divmod(at - inner.room, inner.size) if inner.parts is not None else (0, at - inner.room)
                 return inner.first + before + sum(sizes[:index]) + rest
             if at < inner.first:
                 return at + before

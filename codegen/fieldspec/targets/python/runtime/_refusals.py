@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from struct import Struct
 
-from ._absent import is_among
+from ._absent import bits_at, is_among
 from ._error import CodecError, wrong_bits
 from ._typing import TYPE_CHECKING
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from ._typing import Others
 
-    BoundedBits: TypeAlias = tuple[str, int, tuple[tuple[int, int], ...], str]
+    BoundedBits: TypeAlias = tuple[str, int | tuple[tuple[int, int, int], ...], tuple[tuple[int, int], ...], str]
 
 _F16, _F32, _F64 = Struct(">e"), Struct(">f"), Struct(">d")
 
@@ -74,8 +74,9 @@ def refused_flags(
     refusal = refused_number(name, raw, 0, high, ranges)
     if refusal is not None:
         return refusal
-    for title, mask, images, allowed in bits:
-        if not any(low <= raw & mask <= most for low, most in images):
+    for title, place, images, allowed in bits:
+        number = bits_at(raw, place)
+        if not any(low <= number <= most for low, most in images):
             return CodecError("out_of_range", f"{title} of {name} is not in {allowed}")
     return None
 

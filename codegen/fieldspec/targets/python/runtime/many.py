@@ -268,6 +268,8 @@ def _number_of_bits(
 ) -> np.ndarray[Any, Any]:
     """The numbers in a field of bits; those of a signed one are of 64 bits."""
     numbers: np.ndarray[Any, Any] = column >> first & most
+    if name in word._RUNS:
+        numbers = sum((column >> place & ones) << weight for place, ones, weight in word._RUNS[name])  # type: ignore[assignment]
     return (numbers ^ most // 2 + 1).astype("i8") - (most // 2 + 1) if name in word._SIGNED else numbers
 
 

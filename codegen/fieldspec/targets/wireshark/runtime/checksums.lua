@@ -138,6 +138,25 @@ local function total(kind, bytes)
     return numbers.band(high, kind.mask[1]), numbers.band(low, kind.mask[2])
 end
 
+-- The bytes of numbers of `unit_size` bytes, the last byte of each first; the last number is filled up with zeros.
+local function swapped(kind, bytes)
+    local result = {}
+    bytes = bytes .. ("\0"):rep(-#bytes % kind.unit_size)
+    for at = 1, #bytes, kind.unit_size do
+        result[#result + 1] = bytes:sub(at, at + kind.unit_size - 1):reverse()
+    end
+    return table.concat(result)
+end
+
+-- The bytes of a checksum with others in place of those that must not occur.
+local function without_avoided(kind, number)
+    local replacements = {}
+    for _, pair in ipairs(kind.replacements or {}) do
+        replacements[string.char(pair[1])] = string.char(pair[2])
+    end
+    return (number:gsub(".", replacements))
+end
+
 -- The bytes of a checksum part over some bytes, as they are sent.
 function checksums.bytes(part, bytes)
     local kind = part.algorithm
@@ -146,7 +165,7 @@ function checksums.bytes(part, bytes)
     end
     local high, low
     if kind.method == "crc" then
-        high, low = crc(kind, bytes)
+        high, low = crc(kind, kind.unit_size and swapped(kind, bytes) or bytes)
     elseif kind.method == "fletcher" then
         high, low = fletcher(kind, bytes)
     else
@@ -163,7 +182,7 @@ function checksums.bytes(part, bytes)
         return text:sub(-part.size)
     end
     local number = digits:gsub("%x%x", function(pair) return string.char(tonumber(pair, 16)) end)
-    number = number:sub(-part.size)
+    number = without_avoided(kind, number:sub(-part.size))
     return part.order == "little" and number:reverse() or number
 end
 

@@ -125,7 +125,7 @@ function frames.show(link, direction, tvb, tree, asked, message)
     local shape = link[direction]
     local context = setmetatable({
         link = link, direction = direction, tree = tree, tvb = tvb, length = tvb:len(), skip = #shape.start, values = {}, places = {},
-        items = {}, open = asked, asked = asked and asked.values, message = message or asked and asked.message,
+        measuring = {}, open = asked, asked = asked and asked.values, message = message or asked and asked.message,
     }, Context)
     if #shape.start > 0 then
         show_mark(context, context:range(-#shape.start, #shape.start), bytes:sub(1, #shape.start), "Start", shape.start)

@@ -198,10 +198,22 @@ function numbers.text(number)
     return string.format("%.9g", number)
 end
 
--- The bits `first` to `first + width - 1` of the bytes of a number, the most significant byte first.
-function numbers.bits(ordered, first, width)
+-- The bits of a word that a field of bits consists of, the least significant first: runs of adjacent bits.
+function numbers.bit_places(bit)
+    local places = {}
+    for _, run in ipairs(bit.runs or { { bit.first, bit.width } }) do
+        for place = run[1], run[1] + run[2] - 1 do
+            places[#places + 1] = place
+        end
+    end
+    return places
+end
+
+-- The bits at the places `first` to `last` of a list, in the bytes of a number, the most significant byte first.
+function numbers.bits(ordered, places, first, last)
     local number, weight = 0, 1
-    for place = first, first + width - 1 do
+    for index = first, last do
+        local place = places[index]
         local byte = ordered:byte(#ordered - math.floor(place / 8))
         if byte and band(rshift(byte, place % 8), 1) == 1 then
             number = number + weight

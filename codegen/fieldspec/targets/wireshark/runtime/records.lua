@@ -99,24 +99,44 @@ local function report_rest(context, tree, at, stop, reason, text)
     values.report(item, reason, text)
 end
 
+-- Adds the items of all elements of a field that are there. Returns where the next field begins; nil where bytes are missing.
+local function show_elements(context, tree, field, at, stop, room)
+    local count = count_of(field, room)
+    local present = field.size > 0 and math.max(0, math.min(count, math.floor((stop - at) / field.size))) or 0
+    if field.has_place then
+        context.places[field.name] = { at = at, size = present * field.size, count = present }
+    end
+    for index = 0, present - 1 do
+        local item, number = show_element(context, tree, field, at + index * field.size, index, true)
+        if not field.is_list then
+            context.values[field.name] = number
+        end
+        if number and (field.measures or field.bits_of) then
+            context.measuring[#context.measuring + 1] = { field = field, item = item, number = number }
+        end
+    end
+    local reached = at + present * field.size
+    if present < count then
+        report_rest(context, tree, reached, stop, "incomplete", "bytes are missing for " .. field.name)
+        return nil
+    end
+    return reached
+end
+
 local function show_body(context, tree, record, list, open, start, stop)
     local body = context.bytes:sub(start + 1, stop)
-    local at = start
+    local at, bytes, tvb, skip, by_name = start, context.bytes, context.tvb, context.skip, context.values
     for _, field in ipairs(list) do
-        local count = count_of(field, #body - field.offset)
-        local present = field.size > 0 and math.max(0, math.min(count, math.floor((stop - at) / field.size))) or 0
-        context.places[field.name] = { at = at, size = present * field.size, count = present }
-        for index = 0, present - 1 do
-            local item, number = show_element(context, tree, field, at + index * field.size, index, true)
-            if not field.is_list then
-                context.values[field.name] = number
-                context.items[field.name] = item
+        local size = field.size
+        if field.is_plain and at + size <= stop then
+            local _, number = field.shown(field, tree, tvb(at + skip, size), bytes:sub(at + 1, at + size), NONE)
+            by_name[field.name] = number
+            at = at + size
+        else
+            at = show_elements(context, tree, field, at, stop, #body - field.offset)
+            if not at then
+                return
             end
-        end
-        at = at + present * field.size
-        if present < count then
-            report_rest(context, tree, at, stop, "incomplete", "bytes are missing for " .. field.name)
-            return
         end
     end
     if open then
@@ -131,27 +151,31 @@ local function show_body(context, tree, record, list, open, start, stop)
     end
 end
 
+-- Reports a field whose number is not the size of what it measures.
+local function judge_measure(context, measuring)
+    local field, number, expected = measuring.field, measuring.number, nil
+    local packed = field.bits_of and context.places[field.bits_of]
+    if packed and math.floor((number + 7) / 8) ~= packed.size then
+        expected = packed.size > 0 and (8 * packed.size - 7) .. " to " .. 8 * packed.size or "0"
+    end
+    local measured = field.measures and context.places[field.measures.field]
+    if measured then
+        local size = field.measures.of == "bytes" and measured.size or measured.count
+        local whole = size + (field.measures.plus or 0)
+        expected = number ~= whole and numbers.text(whole) or nil
+    end
+    if expected then
+        local text = field.name .. " is " .. numbers.text(number) .. ": should be " .. expected
+        values.report(measuring.item, "wrong_measure", text)
+    end
+end
+
 -- Adds the items of a body, the bytes from `start` to `stop`. The numbers of its fields go to `context.values`, and
--- the places of lists to `context.places`.
+-- the places of fields with `has_place` to `context.places`.
 function records.show(context, tree, record, start, stop)
     local list, open = fields_of(record, context.bytes:sub(start + 1, stop))
     show_body(context, tree, record, list, open, start, stop)
-    for _, field in ipairs(list) do
-        local packed, count = field.bits_of and context.places[field.bits_of], context.values[field.name]
-        if packed and count and math.floor((count + 7) / 8) ~= packed.size then
-            local expected = packed.size > 0 and (8 * packed.size - 7) .. " to " .. 8 * packed.size or "0"
-            local text = field.name .. " is " .. numbers.text(count) .. ": should be " .. expected
-            values.report(context.items[field.name], "wrong_measure", text)
-        end
-        local measured = field.measures and context.places[field.measures.field]
-        local number = context.values[field.name]
-        if measured and number then
-            local size = field.measures.of == "bytes" and measured.size or measured.count
-            local expected = size + (field.measures.plus or 0)
-            if number ~= expected then
-                local text = field.name .. " is " .. numbers.text(number) .. ": should be " .. numbers.text(expected)
-                values.report(context.items[field.name], "wrong_measure", text)
-            end
-        end
+    for _, measuring in ipairs(context.measuring) do
+        judge_measure(context, measuring)
     end
 end

@@ -43,14 +43,18 @@ end
 -- A dissector of one link; of a link without codes, of one message. `carrier` is `tcp`, `udp`, `line`, or empty for
 -- Decode As, where Wireshark tells by the port of the packet what is below.
 local function dissector_of(carrier, link, message)
+    local function show_other(tvb, pinfo, root)
+        local other = carrier.other and carrier.other[pinfo.match_uint] or Dissector.get("data")
+        other:call(tvb, pinfo, root)
+    end
     return function(tvb, pinfo, root)
         local is_line = carrier.kind == "line" or pinfo.port_type == 0
         local options = {
             units = own_units(),
             ports = carrier.ports,
             is_line = is_line,
-            is_stream = not is_line and pinfo.can_desegment > 0 and link.is_framed,
-            other = carrier.other and carrier.other[pinfo.match_uint] or Dissector.get("data"),
+            is_stream = not is_line and link.is_framed and pinfo.can_desegment > 0,
+            show_other = show_other,
             message = message,
         }
         return streams.dissect(link, tvb, pinfo, root, options)
@@ -89,12 +93,12 @@ local function add_carrier(link, kind, title, text)
     local preference = link.name .. "_" .. kind
     protocol.prefs[preference] = Pref.string(link.name .. ": " .. title, (link.ports or {})[kind] or "", text)
     local carrier = { kind = kind, preference = preference, proto = proto, link = link, attached = {} }
-    proto.dissector = function(tvb, pinfo, root)
-        local message
-        if not link.is_coded then
-            message = device.messages[link.messages[protocol.prefs[link.name .. "_message"]]]
+    proto.dissector = dissector_of(carrier, link)
+    if not link.is_coded then
+        proto.dissector = function(tvb, pinfo, root)
+            local message = device.messages[link.messages[protocol.prefs[link.name .. "_message"]]]
+            return dissector_of(carrier, link, message)(tvb, pinfo, root)
         end
-        return dissector_of(carrier, link, message)(tvb, pinfo, root)
     end
     carriers[#carriers + 1] = carrier
 end

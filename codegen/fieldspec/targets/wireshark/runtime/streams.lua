@@ -38,24 +38,24 @@ function streams.parsed(text)
 end
 
 -- The direction that the ports of a packet tell, nil where they do not. `ports` are those of the device.
-local function direction_by_ports(pinfo, ports)
-    if pinfo.src_port == pinfo.dst_port then
+local function direction_by_ports(pinfo, source, target, ports)
+    if source == target then
         return nil
     end
-    local to, from = ports and in_ranges(pinfo.dst_port, ports), ports and in_ranges(pinfo.src_port, ports)
+    local to, from = ports and in_ranges(target, ports), ports and in_ranges(source, ports)
     if to ~= from then
         return to and "request" or "response"
     end
-    if pinfo.match_uint == pinfo.dst_port then
+    if pinfo.match_uint == target then
         return "request"
     end
-    return pinfo.match_uint == pinfo.src_port and "response" or nil
+    return pinfo.match_uint == source and "response" or nil
 end
 
 -- The requests of a line that wait for a response, the oldest first.
-local function session_of(link, pinfo)
-    local from = tostring(pinfo.src) .. " " .. pinfo.src_port
-    local to = tostring(pinfo.dst) .. " " .. pinfo.dst_port
+local function session_of(link, pinfo, source, target)
+    local from = tostring(pinfo.src) .. " " .. source
+    local to = tostring(pinfo.dst) .. " " .. target
     if to < from then
         from, to = to, from
     end
@@ -211,7 +211,7 @@ local function show_pairing(tree, note)
     end
 end
 
-local MOST_NAMES = 3
+local MOST_NAMES, PROTOCOL = 3, device.id:upper()
 
 -- The names of the first registers that a frame accesses, for the column of information.
 local function registers_text(names)
@@ -225,7 +225,6 @@ end
 -- Adds one frame to the tree and to the columns.
 local function show_frame(link, note, tvb, pinfo, root, message)
     local tree = root:add(protocol, tvb())
-    tree:append_text(", " .. link.title)
     tree:add(fields[device.common.direction], note.direction):set_generated()
     values.link = link.name
     local context = frames.show(link, note.direction, tvb, tree, note.asked, message)
@@ -240,16 +239,18 @@ local function show_frame(link, note, tvb, pinfo, root, message)
     end
     show_pairing(tree, note)
     local text = (name or "unknown message") .. (context.is_refusal and " refused" or "") .. " " .. note.direction
-    tree:append_text(": " .. text)
-    pinfo.cols.protocol = device.id:upper()
+    tree:append_text(", " .. link.title .. ": " .. text)
+    pinfo.cols.protocol = PROTOCOL
     return text .. registers_text(context.registers)
 end
 
--- Dissects a packet, which has whole frames, or with `is_stream` a piece of a stream. `other` dissects frames of units
--- that the person has not chosen. Returns the bytes that were taken.
+-- Dissects a packet, which has whole frames, or with `is_stream` a piece of a stream. `show_other` shows frames of
+-- units that the person has not chosen. Returns the bytes that were taken.
 function streams.dissect(link, tvb, pinfo, root, options)
-    local session = session_of(link, pinfo)
-    local hint = options.direction or not options.is_line and direction_by_ports(pinfo, options.ports) or nil
+    -- What a packet tells is asked for once: each question makes an object or searches a list.
+    local source, target = pinfo.src_port, pinfo.dst_port
+    local session = session_of(link, pinfo, source, target)
+    local hint = options.direction or not options.is_line and direction_by_ports(pinfo, source, target, options.ports) or nil
     local bytes, at, texts = tvb:raw(), 0, {}
     while at < #bytes do
         local rest = bytes:sub(at + 1)
@@ -276,11 +277,9 @@ function streams.dissect(link, tvb, pinfo, root, options)
         if length < 1 then
             length = #rest
         end
-        local piece = tvb(at, length):tvb()
+        local piece = length == #bytes and tvb or tvb(at, length):tvb()
         if note.is_other then
-            if options.other then
-                options.other:call(piece, pinfo, root)
-            end
+            options.show_other(piece, pinfo, root)
         else
             texts[#texts + 1] = show_frame(link, note, piece, pinfo, root, options.message)
         end

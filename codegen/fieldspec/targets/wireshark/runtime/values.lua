@@ -84,15 +84,17 @@ values.is_within = is_within
 
 -- The number of a field of bits, as Wireshark takes it.
 local function bits_number(ordered, bit)
+    bit.places = bit.places or numbers.bit_places(bit)
+    local places = bit.places
     if bit.width > 32 then
-        local low = numbers.bits(ordered, bit.first, 32)
-        local high = numbers.bits(ordered, bit.first + 32, bit.width - 32)
+        local low = numbers.bits(ordered, places, 1, 32)
+        local high = numbers.bits(ordered, places, 33, bit.width)
         if bit.signed and high >= 2 ^ (bit.width - 33) then
             high = high + 2 ^ 32 - 2 ^ (bit.width - 32)
         end
         return (bit.signed and Int64 or UInt64).new(low, high)
     end
-    local number = numbers.bits(ordered, bit.first, bit.width)
+    local number = numbers.bits(ordered, places, 1, bit.width)
     if bit.signed and number >= 2 ^ (bit.width - 1) then
         number = number - 2 ^ bit.width
     end
@@ -116,8 +118,8 @@ function values.show_bits(item, range, bit, field, ordered)
     else
         inner = item:add(field, range, number)
     end
-    local last = bit.first + bit.width - 1
-    local head = bit.width == 1 and "Bit " .. bit.first or "Bits " .. bit.first .. ".." .. last
+    local place = bit.place or bit.first .. ".." .. bit.first + bit.width - 1
+    local head = bit.width == 1 and "Bit " .. bit.first or "Bits " .. place
     local digits = numbers.text(number)
     local text = bit.enum and device.enums[bit.enum].names[tonumber(digits)]
     if not text and bit.width == 1 then
@@ -176,6 +178,11 @@ local function linked(entry)
         end
     end
     entry.shown = entry.show and values.shows[entry.show] or show_characters
+    -- A field whose item depends on its own bytes alone.
+    entry.is_plain = not (
+        entry.is_list or entry.has_place or entry.parameter or entry.percent or entry.same_as
+        or entry.measures or entry.bits_of
+    )
     return entry.shown
 end
 

@@ -29,7 +29,7 @@ from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import CellError, Sheet
 from fieldspec.tools.lists.type_words import Typed
-from fieldspec.tools.lists.value_texts import Meanings
+from fieldspec.tools.lists.value_texts import Meanings, NamedBits
 
 _ROLES = {
     "registers": "address",
@@ -215,19 +215,19 @@ def _bounds(values: dict[str, Node], doubts: list[str]) -> tuple[Decimal | None,
 def _lookup(node: Node | None, of_bits: bool, doubts: list[str]) -> Meanings:
     """The texts of values, or of bits."""
     members: list[tuple[int, str]] = []
-    bits: list[tuple[int, int, str]] = []
+    bits: list[NamedBits] = []
     for entry in items(node):
         values = entry.values if isinstance(entry, Mapping) else {}
         text, number = text_of(values.get("value")), whole_of(values.get("key"))
         bit = whole_of(values.get("bit"))
         numbers = [number] if number is not None else numbers_of(values.get("key")) or []
         if text and bit is not None and 0 <= bit < 64:
-            bits.append((bit, bit, text))
+            bits.append(NamedBits(bit, bit, text))
         elif text and numbers and not of_bits:
-            members += [(own, text) for own in numbers]
+            members += [(number, text) for number in numbers]
         elif text and of_bits and len(numbers) == 1 and numbers[0] > 0 and numbers[0] & (numbers[0] - 1) == 0:
             position = numbers[0].bit_length() - 1
-            bits.append((position, position, text))
+            bits.append(NamedBits(position, position, text))
         else:
             doubts.append(f"Lookup in the list: {text_of(values.get('key')) or 'several'} {text}.")
     if len({number for number, _ in members}) < len(members):

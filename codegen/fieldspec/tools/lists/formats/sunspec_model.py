@@ -22,7 +22,7 @@ from fieldspec.tools.lists.naming import fresh, named
 from fieldspec.tools.lists.row_reading import FIELD, REGISTER, ListRow
 from fieldspec.tools.lists.sheet import CellError, ListError, Sheet
 from fieldspec.tools.lists.type_words import Typed
-from fieldspec.tools.lists.value_texts import Meanings
+from fieldspec.tools.lists.value_texts import Meanings, NamedBits
 
 SIGNS = re.compile(r"\A\s*\{(?=.*\"group\"\s*:)(?=.*\"points\"\s*:)", re.DOTALL)
 """What such a file has."""
@@ -214,7 +214,7 @@ def _row(model: _Model, point: dict[str, Any], names: tuple[str, ...], count: in
 
 def _symbols(
     symbols: object, of_bits: bool, doubts: list[str]
-) -> tuple[tuple[tuple[int, str], ...], tuple[tuple[int, int, str], ...]]:
+) -> tuple[tuple[tuple[int, str], ...], tuple[NamedBits, ...]]:
     """The values or the bits that have names. What is said of them beside is a doubt."""
     members: dict[int, str] = {}
     for symbol in symbols if isinstance(symbols, list) else []:
@@ -228,5 +228,5 @@ def _symbols(
         else:
             doubts.append(f"Symbol in the list: {str(symbol)[:200]}.")
     if of_bits:
-        return (), tuple((value, value, name) for value, name in members.items())
+        return (), tuple(NamedBits(value, value, name) for value, name in members.items())
     return tuple(members.items()), ()

@@ -61,7 +61,7 @@ def whole_of(node: Node | None) -> int | None:
 def numbers_of(node: Node | None) -> list[int] | None:
     """The whole numbers of a list, or of one scalar; None if one of them is none."""
     nodes = node.items if isinstance(node, Sequence) else [node]
-    numbers = [number for own in nodes if (number := whole_of(own)) is not None]
+    numbers = [number for node in nodes if (number := whole_of(node)) is not None]
     return numbers if len(numbers) == len(nodes) else None
 
 

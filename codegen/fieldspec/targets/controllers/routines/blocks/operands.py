@@ -12,7 +12,7 @@ from fieldspec.language.model.fact import Fact, ScalarValue
 from fieldspec.language.model.operand import Operand
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
-from fieldspec.targets.controllers.routines.named_numbers import mask_of
+from fieldspec.targets.controllers.routines.named_numbers import joined_bits, mask_of
 from fieldspec.targets.controllers.routines.remarks import count_of, of_value
 from fieldspec.targets.controllers.routines.scaling import Quantity, quantities
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
@@ -192,7 +192,9 @@ def field_of(bit: Bit, word: Expression) -> Expression:
     if bit.width == 1:
         return compared(masked, "<>", Whole(0, bits, True))
     moved = Shift("SHR", masked, bit.first, bits) if bit.first else masked
-    return converted(moved, UNSIGNED[_bytes(bit.width)])
+    return converted(
+        joined_bits(bit, converted(word, bits), bits) if bit.pieces else moved, UNSIGNED[_bytes(bit.width)]
+    )
 
 
 def holds(world: World, operand: Operand, content: Value | None, value: ScalarValue, read: Expression) -> Expression:
