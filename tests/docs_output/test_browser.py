@@ -110,7 +110,7 @@ def test_a_page_is_not_out_of_sight(browser: webdriver.Chrome, path: str) -> Non
     assert height < 60_000  # pixels; the page of the HIWIN E had 128,000
 
 
-IS_SHOWN = """
+IS_VISIBLE = """
     const place = document.getElementById(arguments[0]).getBoundingClientRect();
     return place.height > 0 && place.top >= 0 && place.top < innerHeight;"""
 
@@ -122,13 +122,13 @@ def test_a_link_opens_the_group_of_its_target(browser: webdriver.Chrome, folder:
     page = (folder / "hiwin-e/2.14.4.html").as_uri()
     browser.get("about:blank")
     browser.get(f"{page}#{anchor}")
-    assert browser.execute_script(IS_SHOWN, anchor)
+    assert browser.execute_script(IS_VISIBLE, anchor)
     browser.get("about:blank")
     browser.get(page)
-    is_shown_before = browser.execute_script(IS_SHOWN, anchor)
+    is_visible_before = browser.execute_script(IS_VISIBLE, anchor)
     browser.execute_script("location.hash = arguments[0]", anchor)
-    WebDriverWait(browser, 10).until(lambda _: browser.execute_script(IS_SHOWN, anchor))
-    assert not is_shown_before
+    WebDriverWait(browser, 10).until(lambda _: browser.execute_script(IS_VISIBLE, anchor))
+    assert not is_visible_before
 
 
 def test_a_click_opens_all_groups_of_a_section(browser: webdriver.Chrome, folder: Path) -> None:
