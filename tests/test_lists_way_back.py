@@ -15,7 +15,7 @@ DEVICES = [
     (folder, path.parent.name) for folder in (SPECS, TEST_SPECS) for path in sorted(folder.glob("*/device.yaml"))
 ]
 WITHOUT = (
-    *("beacon", "courier", "gateway", "grinder", "herald", "lever", "pedal", "scanner", "sealer", "sequencer"),
+    *("beacon", "courier", "gateway", "grinder", "herald", "pedal", "scanner", "sealer", "sequencer"),
     *("sorter", "stamper", "tariff"),
 )
 """Devices without registers and parameters."""

@@ -79,7 +79,9 @@ def test_all_codecs_read_an_answer_and_write_it_again(message: str) -> None:
 
 def test_tshark_reads_the_same_texts_in_the_answers_of_hart_ip() -> None:
     frames = [answer(message) for message in ANSWERS]
-    heads = [bytes([1, 1, 3, 0, 0, number]) + (8 + len(frame)).to_bytes(2, "big") for number, frame in enumerate(frames)]
+    heads = [
+        bytes([1, 1, 3, 0, 0, number]) + (8 + len(frame)).to_bytes(2, "big") for number, frame in enumerate(frames)
+    ]
     packets = [Packet(40000, 5094, "response", head + frame) for head, frame in zip(heads, frames, strict=True)]
     names = ("message", "tag", "descriptor")
     fields = [option for name in names for option in ("-e", f"hart_ip.pt.rsp.{name}")]

@@ -18,7 +18,9 @@ _NO_END = 0x80
 def text_capacity(value: Value) -> int:
     """The most bytes that the characters of a text have in C, without the zero that ends them."""
     encoding = value.text_form.encoding if value.text_form is not None else ""
-    return {"latin_1": 2 * value.size, UTF_16: value.size // 2 * 3, PACKED_ASCII: value.size // 3 * 4}.get(encoding, value.size)
+    return {"latin_1": 2 * value.size, UTF_16: value.size // 2 * 3, PACKED_ASCII: value.size // 3 * 4}.get(
+        encoding, value.size
+    )
 
 
 def load_text(naming: Naming, value: Value, order: str, source: Expression, target: Expression) -> Evaluation:
