@@ -76,7 +76,7 @@ def _form(value: Value) -> str:
             or form.terminator is not None
             or form.is_turned
         ):
-            return "varies in width, and has no UTF-16, no packed ASCII, no byte order, no padding and no terminator of its own"
+            return "varies in width, and has no UTF-16, packed ASCII, byte order, padding or terminator of its own"
         return ""
     if not value.digits or value.digits in NIBBLES:
         return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"
