@@ -19,8 +19,8 @@ class TextForm:
 
     `letters` are the encoding, the number of bytes, the codes of the character that fills the text up and of the one
     that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is behind spaces. With `turned`, the
-    bytes of each word are exchanged. `packed_ascii` has four characters in three bytes. Characters that the encoding does
-    not have are refused.
+    bytes of each word are exchanged. `packed_ascii` has four characters in three bytes. Characters that the encoding
+    does not have are refused.
     """
 
     __slots__ = ("codec", "end", "is_packed", "is_right", "is_turned", "padding", "room", "size", "unit")
