@@ -142,7 +142,7 @@ class _Expansion:
         result = copy
         for key in _OF_COPY & result.values.keys():
             result = result.without(key)
-        for key in ("defaults", "order", "allow"):
+        for key in ("defaults", "order", "allow", "space"):
             if key in group.values:
                 result = result.with_value(key, group.values[key])
         result = (
