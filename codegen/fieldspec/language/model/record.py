@@ -47,7 +47,8 @@ class Field(Fact):
     """A value or a record at one place, once, `count` times, or repeated to the end of the data.
 
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
-    places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints.
+    places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
+    that `is_separator` stands for a byte of the record's `separator`, behind one of its fields.
     """
 
     value: Value | None
@@ -67,6 +68,7 @@ class Field(Fact):
     atomic: bool
     handling: Handling
     same_as: str
+    is_separator: bool = False
 
     @property
     def is_list(self) -> bool:
