@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import is_count, is_signed, is_text
 from fieldspec.language.model.fact import Fact
@@ -80,13 +82,25 @@ class Field(Fact):
 class Record(Fact):
     """Fields in the order of the wire. `size` in bytes and `words` are what the manual prints.
 
-    `same_as` names the record with the same layout, else it is empty.
+    `same_as` names the record with the same layout, else it is empty. The bytes of a `separator` are constants between
+    its fields.
     """
 
     size: int | None
     words: int | None
     fields: tuple[Field, ...]
     same_as: str = ""
+
+    @property
+    def separator(self) -> bytes:
+        """The bytes between each two fields that the spec states, none where nothing separates them."""
+        constants = takewhile(lambda field: field.is_separator, self.fields[1:])
+        return bytes(field.value.const or 0 for field in constants if field.value is not None)
+
+    @property
+    def stated_fields(self) -> tuple[Field, ...]:
+        """The fields that the spec states one by one: all but the separators."""
+        return tuple(field for field in self.fields if not field.is_separator)
 
     def named(self, name: str) -> Field | None:
         """The field with a name, None if there is none."""
