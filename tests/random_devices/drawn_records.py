@@ -69,7 +69,7 @@ def _record(draft: Draft, words: bool) -> Spec:
 
 
 def draw_separator(draft: Draft, holder: Spec, *bodies: list[Spec]) -> int:
-    """Lets bytes separate the fields of a record or a message, and returns how many bytes they are in the first body."""
+    """Lets bytes separate the fields of a record or a message; returns how many there are in the first body."""
     if max(map(len, bodies)) < 2 or not draft.chance(15):
         return 0
     holder["separator"] = draft.pick(("2C", "20", "0A", "3B 20", "2C 00 2C", "7C 7C 7C 7C"))

@@ -157,8 +157,7 @@ class FrameTable:
         if record is not None:
             for field, start in zip(record.sent_fields, field_starts(record), strict=True):
                 if not field.field.is_separator:
-                    place = start.shifted(self.shape.header_size)
-                    yield from field_rows(self, field, place, field.name, "k")
+                    yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
             return
         place = code(f"from {self.start + self.shape.header_size * self.width}")
         for part in self.link.link.parts(self.direction):

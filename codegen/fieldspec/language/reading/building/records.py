@@ -14,8 +14,8 @@ from fieldspec.language.model.record import (
     SegmentsAbort,
 )
 from fieldspec.language.reading.building.context import Entry, Reused, rows
-from fieldspec.language.reading.building.values import VALUE_KEYS, value
 from fieldspec.language.reading.building.separators import with_separators
+from fieldspec.language.reading.building.values import VALUE_KEYS, value
 
 _OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "reserved"}
 """The keys that only a field with a value of its own has."""
