@@ -34,6 +34,8 @@ _CITING_HEAD = """\
 # Written from an export, which cites the manual. Put the manual's own title, file, hash and number of lines below.
 """
 _HAS_IT_SO = "The list has it so."
+_ORDER = "sources_ascending"
+"""The rule that elements keep: only the object above may cite a line out of order, which that of an element may be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -213,7 +215,7 @@ class _Writer:
             doubts = [doubt for doubt in doubts if not doubt.startswith("Scale in the list")]
         parts += _numbers(row, kind, bool(scale_by), doubts)
         parts += meaning.keys
-        allowed = list(self._allowed.get(row.row, ()))
+        allowed = [rule for rule in self._allowed.get(row.row, ()) if row.subindices is None or rule != _ORDER]
         if entry.is_own:
             parts += _words(row, name, self._labels[_list_of(entry)], allowed)
         if allowed:
@@ -300,6 +302,8 @@ def _name(entry: Entry) -> str:
         return entry.row.texts["name"].rpartition(".")[2]
     if entry.kind == SIGNAL and not entry.is_own:
         return f"word_{place_of(entry.row).first_byte}"
+    if entry.kind == PARAMETER and not entry.row.names:
+        return f"object_{entry.row.address:04x}"
     return named(entry.row.names if entry.is_own else (), entry.row.address)
 
 
