@@ -137,9 +137,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     read = _by_functions(_beneath_titles(read, sheet, assumptions))
     unknown = list(unknown_areas(places, {row.row: row.space for row in read}, columns_of_sheet.heading("address")))
     refused += unknown
-    taken = {row.row for row in read} - {refusal.row for refusal in unknown}
-    read = [row for row in read if row.row in taken]
-    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number in taken))
+    refused_rows = {refusal.row for refusal in unknown}
+    read = [row for row in read if row.row not in refused_rows]
+    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in refused_rows))
     if not read:
         raise ListError(f"has no row that can be taken: {refused[0].text()}")
     undecided: list[Assumption] = []

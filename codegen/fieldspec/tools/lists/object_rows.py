@@ -1,4 +1,4 @@
-"""Tables of objects with subindices, as CANopen has them: each row is a parameter, or an element of one."""
+"""Tables of objects with subindices, as CiA 301 has them: each row is a parameter, or an element of one."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _FIRST, _LAST, _LAST_SUBINDEX = 0x1000, 0xFFFF, 0xFE
 _DIGITS_OF_INDEX = 4
 _TEXT = "text"
 _LENGTH = "Length in the list"
-_BOTH = re.compile(
+_INDEX_AND_SUBINDEX = re.compile(
     r"((?:0x|16#)?[0-9a-f]{4}h?)\s*(?:[:./,_-]|\bsub(?:index)?|[\[(]|\s)\s*((?:0x)?[0-9a-f]{1,2}h?)\s*[\])]?",
     re.IGNORECASE,
 )
@@ -39,7 +39,7 @@ def with_subindices_apart(sheet: Sheet) -> Sheet:
     for number, row in enumerate(sheet.rows[:_HEADED_BY]):
         for column, text in enumerate(row.cells):
             below = [other.cell(column) for other in sheet.rows[number + 1 :] if other.cell(column)]
-            if meaning("object_headings", text) and below and all(map(_BOTH.fullmatch, below)):
+            if meaning("object_headings", text) and below and all(map(_INDEX_AND_SUBINDEX.fullmatch, below)):
                 return replace(sheet, rows=tuple(_apart(sheet.rows, number, column)))
     return sheet
 
@@ -47,9 +47,9 @@ def with_subindices_apart(sheet: Sheet) -> Sheet:
 def _apart(rows: Sequence[SheetRow], heading: int, column: int) -> Iterator[SheetRow]:
     width = max(len(row.cells) for row in rows)
     for number, row in enumerate(rows):
-        both = _BOTH.fullmatch(row.cell(column)) if number > heading else None
+        match = _INDEX_AND_SUBINDEX.fullmatch(row.cell(column)) if number > heading else None
         first, last = (
-            (both[1], both[2]) if both else (_INDEX, _SUBINDEX) if number == heading else (row.cell(column), "")
+            (match[1], match[2]) if match else (_INDEX, _SUBINDEX) if number == heading else (row.cell(column), "")
         )
         cells = [row.cell(place) for place in range(width)]
         yield SheetRow(row.number, (*cells[:column], first, *cells[column + 1 :], last))
@@ -71,9 +71,9 @@ def with_objects(
     other: dict[SheetRow, str] = {}
     index: int | None = None
     for row in columns.rows:
-        text, subindex = columns.cell(row, "address"), columns.cell(row, _SUBINDEX)
-        address = address_text(text)
-        index = address.number(own_base) if address is not None else None if text else index
+        index_text, subindex = columns.cell(row, "address"), columns.cell(row, _SUBINDEX)
+        address = address_text(index_text)
+        index = address.number(own_base) if address is not None else None if index_text else index
         ends = _ends(subindex, HEXADECIMAL if is_hexadecimal else DECIMAL)
         if subindex and (ends is None or index is None or not _FIRST <= index <= _LAST):
             other[row] = subindex
@@ -83,9 +83,9 @@ def with_objects(
         rows.append(row)
     if other or not subindices:
         reason = (
-            "is no subindex of an object of CANopen, whose index is 0x1000..0xFFFF; rename the column if it has none"
+            "is no subindex of an object (CiA 301), whose index is 0x1000..0xFFFF; rename the column if it has none"
         )
-        refused += [Refusal(row.number, columns.heading(_SUBINDEX), text, reason) for row, text in other.items()]
+        refused += [Refusal(row.number, columns.heading(_SUBINDEX), cell, reason) for row, cell in other.items()]
         return replace(columns, rows=tuple(row for row in columns.rows if row not in other)), False
     if not stated and not any(text.mark or text.lettered for text in texts):
         reading = "hexadecimal" if own_base == HEXADECIMAL else "decimal"
@@ -119,7 +119,7 @@ def as_parameters(
         row.type == Typed(_TEXT) and row.texts["bytes"] == str(TEXT_BYTES) for group in groups.values() for row in group
     ):
         assumptions.append(Assumption("texts", f"up to {TEXT_BYTES} bytes", "the list has no lengths"))
-    for group in groups.values():
+    for index, group in groups.items():
         elements = [row for row in group if row.subindices is not None]
         wholes = [row for row in group if row.subindices is None]
         if not elements or (not wholes and {row.subindices for row in elements} == {(0, 0)}):
@@ -132,7 +132,7 @@ def as_parameters(
         texts = {"space": OBJECTS, "bytes": usual.texts["bytes"]}
         texts |= {"label": whole_row.texts["label"]} if wholes and "label" in whole_row.texts else {}
         count = max((row.subindices or (0, 0))[1] for row in elements) + 1
-        names = whole_row.names if wholes else ()
+        names = whole_row.names if wholes else (f"object_{index:04x}",)
         yield ListRow(
             whole_row.row, names=names, type=usual.type, texts=texts, count=count, kind=PARAMETER, space=OBJECTS
         )
@@ -147,9 +147,9 @@ def _object(row: ListRow) -> ListRow:
     elif own_type is not None and not own_type.name and own_type.bits:
         own_type = Typed(own_type.of_words(None))
     size = PRIMITIVES[own_type.name].size if own_type is not None and own_type.name else 0
-    is_said = row.length is None or not size or row.length in (size, size * 8)
+    agrees = row.length is None or not size or row.length in (size, size * 8)
     doubts = [doubt for doubt in row.doubts if not doubt.startswith(_LENGTH)]
-    doubts += [] if is_said else [f"{_LENGTH}: {row.texts['words']}."]
+    doubts += [] if agrees else [f"{_LENGTH}: {row.texts['words']}."]
     texts = {role: text for role, text in row.texts.items() if role not in ("name", "printed_name")}
     texts |= {"space": OBJECTS, "bytes": ""} | ({"label": row.names[0]} if row.names else {})
     if own_type is not None and own_type.name == _TEXT:

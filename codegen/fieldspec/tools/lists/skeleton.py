@@ -34,8 +34,7 @@ _CITING_HEAD = """\
 # Written from an export, which cites the manual. Put the manual's own title, file, hash and number of lines below.
 """
 _HAS_IT_SO = "The list has it so."
-_ORDER = "sources_ascending"
-"""The rule that elements keep: only the object above may cite a line out of order, which that of an element may be."""
+_ORDER = "sources_ascending"  # an object may cite the line of its first element, whose order is right
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,9 +208,8 @@ class _Writer:
             parts.append(f"unit: {quoted(unit)}")
         elif unit:
             doubts.append(f"Unit in the list: {texts.get('unit', unit)}.")
-        scale_by = self._scale_by.get(place, "")
-        parts += [f"scale_by: {quoted(scale_by)}"] if scale_by else []
-        if scale_by:
+        if scale_by := self._scale_by.get(place, ""):
+            parts.append(f"scale_by: {quoted(scale_by)}")
             doubts = [doubt for doubt in doubts if not doubt.startswith("Scale in the list")]
         parts += _numbers(row, kind, bool(scale_by), doubts)
         parts += meaning.keys
@@ -302,8 +300,6 @@ def _name(entry: Entry) -> str:
         return entry.row.texts["name"].rpartition(".")[2]
     if entry.kind == SIGNAL and not entry.is_own:
         return f"word_{place_of(entry.row).first_byte}"
-    if entry.kind == PARAMETER and not entry.row.names:
-        return f"object_{entry.row.address:04x}"
     return named(entry.row.names if entry.is_own else (), entry.row.address)
 
 
