@@ -15,8 +15,8 @@ DEVICES = [
     (folder, path.parent.name) for folder in (SPECS, TEST_SPECS) for path in sorted(folder.glob("*/device.yaml"))
 ]
 WITHOUT = (
-    *("beacon", "courier", "gateway", "grinder", "herald", "lever", "pedal", "scanner", "sealer", "sequencer"),
-    *("sorter", "stamper", "tariff"),
+    *("beacon", "courier", "gateway", "grinder", "herald", "pedal", "scanner", "sealer", "sequencer", "sorter"),
+    *("stamper", "tariff"),
 )
 """Devices without registers and parameters."""
 

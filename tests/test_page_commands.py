@@ -43,12 +43,12 @@ DAMAGED = "80 CB"
 
 REQUEST, RESPONSE = "01 03 10 05 00 01 90 CB", "01 03 02 00 00 B8 44"
 
-_SHOWN = re.compile(r"\n\n```text\n(?!fieldspec )(.*?)^```$", re.DOTALL | re.MULTILINE)
+_OUTPUT = re.compile(r"\n\n```text\n(?!fieldspec )(.*?)^```$", re.DOTALL | re.MULTILINE)
 _FENCE = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 _INLINE = re.compile(r"`(fieldspec [a-z]+ [^`\n]+)`")
 _PROGRAMS = ("awk", "echo", "fieldspec", "head", "tshark")
 _OPERATOR = re.compile(r" (\|\||[<>|]) ")
-_WRITTEN = re.compile(r"(?:--out|--to(?= \S+\.yaml)|>) (\S+)")
+_OUTPUT_FILE = re.compile(r"(?:--out|--to(?= \S+\.yaml)) (\S+)")
 _PLACEHOLDER = re.compile(r"\b(?:[A-Z]|[A-Z]{2,}(?!~))\b(?!\d)")
 
 
@@ -65,8 +65,8 @@ def commands(text: str) -> Iterator[Command]:
     yield from (Command(line) for line in dict.fromkeys(lines) if is_whole(line))
     fences = [(*match.groups(), text[match.end() :]) for match in _FENCE.finditer(text)]
     for language, block, after in fences:
-        shown = _SHOWN.match(after) if language == "sh" else None
-        output = shown[1].splitlines() if shown else ()
+        match = _OUTPUT.match(after) if language == "sh" else None
+        output = match[1].splitlines() if match else ()
         for part in block.split("$ ")[1:] if language == "console" else ():
             line, *output = part.rstrip("\n").split("\n")
             yield Command(line, tuple(output))
@@ -183,7 +183,7 @@ def test_the_commands_of_a_page_run_and_print_what_it_shows(
         code = scene.run(line)
         printed = "".join(capsys.readouterr())
         assert code == (1 if DAMAGED in line else 0), f"{line} ends with {code}: {printed}"
-        for name in _WRITTEN.findall(line):
+        for name in _OUTPUT_FILE.findall(line):
             assert (tmp_path / name).exists(), line
         assert [own for own in output if own.strip() not in printed] == [], f"{line} prints {printed}"
 

@@ -13,11 +13,12 @@ from fieldspec.language.reading.project import read
 from fieldspec.language.schema import Schema, resolved, schema
 
 SEEDS = 400
-# Random specs hardly ever need it: the default length of parameters, which only texts have.
+# Random specs hardly ever have them: the default length of parameters, which only texts have, and what a checksum covers.
 RARE = """
 device: {id: gadget, name: G, vendor: V, manual: {title: T, file: f, sha256: "%s", lines: 1}}
 parameters: [{name: a, defaults: {type: text, length: 4}, rows: [{number: 1, name: b}]}]
 registers: [{group: c, defaults: {type: text, length: 4}, rows: [{at: 1, name: d}]}]
+links: [{name: e, request: [{name: f, role: checksum, covers: {from: g, to: h}}]}]
 """ % ("0" * 64)
 PROTOCOL = b"protocol: {id: wire, title: A protocol}\n"
 

@@ -115,7 +115,7 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--errata", action="store_true", help=all_errata)
     to = "decode captures and logs in bulk, into tables of frames and values"
     decode.add_argument("--to", choices=("parquet", "csv", "jsonl", "arrow"), help=to)
-    out_help = "with --to: the folder for the tables; a repeated run goes on where the last one stopped"
+    out_help = "with --to: the folder for the tables; a repeated run continues where the last run stopped"
     decode.add_argument("--out", metavar="FOLDER", help=out_help)
     decode.add_argument("--port", metavar="NUMBERS", help="with --to: TCP and UDP ports of the devices, such as 502")
     decode.add_argument("--units", metavar="NUMBERS", help="with --to: values of these unit addresses only: 1,3-5")
@@ -197,7 +197,7 @@ def _parser() -> argparse.ArgumentParser:
         ("simulate", "serve a device that is simulated from its spec"),
         ("live", "read, write, watch, scan, back up or restore a device"),
         ("scan", "find the addresses of a device that answer, and compare them with all versions"),
-        ("redact", "write captures, dumps and scans of a unit anew, without what identifies it"),
+        ("redact", "copy captures, dumps and scans of a unit with identifying data removed"),
         ("mcp", "serve decode, show, audit and reads to programs by the Model Context Protocol"),
     ):
         verb(name, help).late_arguments = ("fieldspec.command.console.device_options", f"add_{name}")

@@ -265,6 +265,7 @@
 
   // ---- frames as strips of bytes ----
 
+  const OF_A_FRAME = ":scope > .scroll > table.frame, :scope > details > .scroll > table.frame";
   const SPAN = /^([0-9]+)(?:\.\.([0-9]+))?$/;
 
   function stripOf(table) {
@@ -284,10 +285,9 @@
 
   // The frames of a message stand beside each other, above the tables of their fields.
   function draw(section) {
-    const tables = [...section.querySelectorAll(":scope > .scroll > table.frame")];
-    if (!tables.length) { return; }
+    const tables = [...section.querySelectorAll(OF_A_FRAME)];
     const drawing = element("div", { className: "frames" }, ...tables.map(stripOf));
-    const facts = section.querySelector(":scope > dl.facts");
+    const facts = section.querySelector(":scope > dl.facts, :scope > details > dl.facts");
     if (facts) { facts.after(drawing); } else { tables[0].parentElement.before(drawing); }
     if (!section.id.startsWith("messages/")) { return; }
     const button = element("button", { type: "button", textContent: "Code for this message" });
@@ -313,7 +313,7 @@
     }
   }, { rootMargin: "400px" });
   main.querySelectorAll(".scroll > table:not(.bits)").forEach((table) => near.observe(table));
-  main.querySelectorAll("section:has(> .scroll > table.frame)").forEach((section) => near.observe(section));
+  main.querySelectorAll("section").forEach((section) => { if (section.querySelector(OF_A_FRAME)) { near.observe(section); } });
 
   // A link to a fact opens it.
   function arrive() {

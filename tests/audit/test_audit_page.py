@@ -184,11 +184,11 @@ def test_rows_that_are_one_are_followed_by_what_comes_behind_them(layout) -> Non
         for drawing in drawn.drawings:
             if drawing.anchor == "map-overview":
                 continue
-            starts = {
-                mark.y: int(mark.text[:-1], 16) for mark in drawing.marks if re.fullmatch("[0-9A-F]+h", mark.text)
-            }
+            starts = {mark.y: int(mark.text, 16) for mark in drawing.marks if re.fullmatch("0x[0-9A-F]+", mark.text)}
             folded = {
-                box.y: int(box.title[3:].partition("h")[0], 16) for box in drawing.boxes if box.title[:3] == "to "
+                box.y: int(re.match("to (0x[0-9A-F]+)", box.title)[1], 16)
+                for box in drawing.boxes
+                if box.title[:3] == "to "
             }
             for y, end in folded.items():
                 behind = [at for at in sorted(starts) if at > y]

@@ -81,8 +81,8 @@ links:
     places = {(hazard.kind.name, hazard.path, hazard.where) for hazard in hazards(layout_at(gadget(text), "1"))}
     assert places == {
         ("atomic", "records/point/x", "points"),
-        ("save", "tables/points", "0000h, 3 times"),
-        ("wear", "messages/keep", "07h"),
+        ("save", "tables/points", "0x0000, 3 times"),
+        ("wear", "messages/keep", "0x07"),
         ("trigger", "parameters/p/start", "1"),
         ("restart", "parameters/p/start", "1"),
     }

@@ -21,7 +21,7 @@ NEWEST = [versions[-1] for root in (SPECS, TEST_SPECS) for versions in layouts(r
 
 
 def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
-    """Whether a number outside the enum, and a member of the enum outside the range, can be written."""
+    """Whether a number outside the enum, and one outside the ranges of the value or of its bits, can be written."""
     sentinels = {sentinel.value for sentinel in value.sentinels}
     enum = layout.device.enums[value.enum] if value.enum else None
     closed = enum is not None and not enum.open
@@ -31,6 +31,8 @@ def expected_errors(layout: DeviceLayout, value: Value) -> tuple[bool, bool]:
     else:
         intervals = ranges.intervals if ranges is not None else ()
         numbers = {number for low, high in intervals for number in (low - 1, high + 1)}
+    if value.flags and layout.device.flags[value.flags].bounded:
+        return closed, True
     low, high = bounds_of(value.encoding)
     attempts = {number for number in numbers if low <= number <= high} - sentinels
     if (is_odd(value.encoding) or not has_single_bytes(value.encoding)) and not closed:

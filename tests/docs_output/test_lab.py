@@ -45,6 +45,23 @@ def test_a_frame_in_the_address_is_explained_field_by_field(browser: webdriver.C
     assert "Example rtu-homing" in text_of(browser, "notes")
 
 
+@pytest.mark.parametrize(
+    ("device", "version", "message", "frame", "raw"),
+    [
+        ("tc100", "2.0", "", HOMING, "1 0x06 0x201E 3 -"),
+        ("esc11", "1.17", "", "09 00 16 D0 07 00 00 32 28", "9 0 0x16 2000 50 -"),
+        ("hiwin-e", "2.14.4", "read_parameter", "01 01 00 01 10 00 30 00 00 00", "1 0x01 0 1 16 0 0x3000 0"),
+        ("hiwin-e", "2.14.4", "telegram_3", "01 01 00 01 21 00 00 00 00 00", "0x0101 73984 0x0000 0x0000"),
+    ],
+)
+def test_raw_values_have_the_base_in_which_the_command_line_prints_them(
+    browser: webdriver.Chrome, folder: Path, device: str, version: str, message: str, frame: str, raw: str
+) -> None:
+    direction = "received" if message == "telegram_3" else "request"
+    open_lab(browser, folder, device, version=version, frames=frame, direction=direction, message=message)
+    assert " ".join(row[4] or "-" for row in cells(browser)) == raw
+
+
 def test_a_field_leads_to_its_fact(browser: webdriver.Chrome, folder: Path) -> None:
     open_lab(browser, folder, "tc100", version="2.0", frames=HOMING)
     browser.find_element(By.CSS_SELECTOR, "#registers a").click()

@@ -23,8 +23,7 @@ ROWS = """
 def opened(browser: webdriver.Chrome, page: Path, section: str) -> WebElement:
     """A section of a page on the screen, when its table has its tools."""
     browser.get("about:blank")
-    browser.get(page.as_uri())
-    browser.execute_script("document.getElementById(arguments[0]).scrollIntoView()", section)
+    browser.get(f"{page.as_uri()}#{section}")
     result = browser.find_element(By.ID, section)
     WebDriverWait(browser, 10).until(lambda _: result.find_elements(By.CSS_SELECTOR, ".tools button"))
     return result
@@ -118,8 +117,11 @@ def test_nothing_is_cut_off_on_paper(browser: webdriver.Chrome, folder: Path) ->
         ("gadget/1.html", 1400, "light"),
         ("gadget/1.html", 390, "dark"),
         ("index.html", 820, "dark"),
+        ("index.html", 390, "light"),
         ("widget/index.html", 390, "light"),
+        ("widget/index.html", 1400, "dark"),
         ("widget/changes.html", 820, "light"),
+        ("widget/changes.html", 390, "dark"),
     ],
 )
 def test_axe_finds_no_violation(browser: webdriver.Chrome, folder: Path, path: str, width: int, scheme: str) -> None:

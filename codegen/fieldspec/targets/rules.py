@@ -30,10 +30,10 @@ Example: a table with `base: 0x1000, base_by: log_address`.
 
 Cure: Do without what is left out. Python, JavaScript and C take the address that the device says.
 """,
-    "output_texts_ascii": """Every text is ASCII of one length, filled up with zeros behind it, in dissectors, queries
+    "output_texts_ascii": """Every text is ASCII of one length, padded with zeros, in dissectors, queries
 and word maps.
 
-Why: these outputs do not convert encodings, so they would show other characters, or spaces that are no part of a text.
+Why: these outputs do not convert encodings, so they would show other characters, or spaces that are not part of a text.
 
 Example: a field with `type: text, length: 8, padding: space`.
 
@@ -42,10 +42,10 @@ Cure: Do without what is left out, or state the text as `bytes`.
     "output_lists_last": """In dissectors, queries and word maps, a list of free length comes last in its message, and
 its elements have one size.
 
-Why: behind such a list, and in one whose elements differ in size, the place of a field differs from frame to frame, and
-these outputs state one place.
+Why: after such a list, and in a list whose elements differ in size, the offset of a field differs from frame to
+frame, and these outputs state one place.
 
-Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
+Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` after it.
 
 Cure: Do without what is left out, or use another output.
 """,

@@ -116,8 +116,10 @@ def _overview(space: Space) -> Drawing:
             title = f"{space.number_text(block.first)} to {space.number_text(block.last)}: {clean(block.title)}"
             lines_of = _fitting(clean(block.title), width, 1)
             boxes.append(Box(x, rows[line] + 5, width, _HIGH - 10, "used", lines_of, title))
-    marks = [Mark(_LEFT + part * _OVERVIEW // 4, _HEAD - 4, f"+{part * _LINE // 4:03X}h", "start") for part in range(4)]
-    marks += [Mark(_LEFT - 6, y + _HIGH // 2 + 4, f"{line * _LINE:04X}h", "end") for line, y in rows.items()]
+    marks = [
+        Mark(_LEFT + part * _OVERVIEW // 4, _HEAD - 4, f"+0x{part * _LINE // 4:03X}", "start") for part in range(4)
+    ]
+    marks += [Mark(_LEFT - 6, y + _HIGH // 2 + 4, f"0x{line * _LINE:04X}", "end") for line, y in rows.items()]
     names = "; ".join(
         f"{clean(block.title)} from {space.number_text(block.first)} to {space.number_text(block.last)}"
         for block in space.blocks
@@ -126,7 +128,7 @@ def _overview(space: Space) -> Drawing:
         "map-overview",
         "All blocks of the address space",
         "The place of the blocks",
-        f"A line for each 1000h addresses with a block. {names}.",
+        f"A line for each 0x1000 addresses with a block. {names}.",
         _LEFT + _OVERVIEW + 2,
         _HEAD + len(lines) * _HIGH + 2,
         tuple(boxes),

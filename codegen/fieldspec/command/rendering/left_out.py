@@ -25,7 +25,7 @@ ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
         (*NUMBERS, "plc_arrays_flat", *TABLES, *LISTS),
         "its message, or its record with all messages and tables of that record, is left out",
     ),
-    ("a value in pieces", ("plc_values_whole",), "its message and those of the pieces are left out"),
+    ("a value in pieces", ("plc_values_whole",), "its message and the messages of the pieces are left out"),
     ("a telegram", ("plc_telegrams_fit",), "it is left out"),
     ("the image of a telegram", ("plc_images_exact",), "it is left out; functions convert the bytes"),
     ("a table that moves", ("plc_addresses_constant", "output_addresses_constant"), "it is left out"),

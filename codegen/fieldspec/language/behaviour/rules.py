@@ -15,7 +15,7 @@ Cure: Write two parts, or remove the key.
     "behaviour_resolves": """Every name in a behaviour exists: signals, members, states, events, messages, limits,
 tables and collections.
 
-Why: a rule that waits for a signal that does not exist never acts, and nobody sees it.
+Why: a rule that waits for a signal that does not exist silently never acts.
 
 Example: `if: {state/servo: running}` for a machine with the states `off` and `on`.
 
@@ -23,7 +23,7 @@ Cure: Correct the name. If only some versions have it, give the part `since` or 
 """,
     "behaviour_stated": """Every part of a behaviour cites the manual, or a standard, or says what is assumed.
 
-Why: a simulator that invents what a device does is worse than none. What is assumed is listed for its users.
+Why: a simulator that invents what a device does is worse than none. Assumptions are listed for its users.
 
 Example: a rule that starts homing, without `source`, `standard` or `assumed`.
 

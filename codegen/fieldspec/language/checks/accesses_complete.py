@@ -1,9 +1,9 @@
-"""A request that accesses a space of registers has no fields but the address, the number and the values that
+"""A request that accesses a space of registers has only the address, the number and the values that
 `accesses` names, and those that are computed or constant. The address and a number of several are not constant.
 
-Why: clients, simulators and `live` choose the message by themselves, for any register of the space. Nobody tells them
+Why: clients, simulators and `live` choose the message for any register of the space. Users cannot supply them
 the value of a further field, so they could not send the message at all, and the registers would have no access. By a
-constant address they would reach one register, and by a constant number read values that nobody asked for.
+constant address they would reach one register, and by a constant number read values that were not requested.
 
 Example: a message that reads registers by `{name: address, type: u16}`, `{name: word_count, type: u16}` and
 `{name: area, type: u8}`, whose area is not stated.

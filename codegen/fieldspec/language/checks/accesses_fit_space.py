@@ -1,6 +1,6 @@
 """A message that accesses a space carries its units: words as `u16`, bytes as `u8`, bits packed into a repeated `u8`,
-or a single bit as a number of which `set` states when it is 1. The number of words or bytes in a request that writes
-follows from them.
+or a single bit as a number; `set` states which number means 1. The number of words or bytes in a write request is
+computed from the values.
 
 Why: outputs take the value of a register out of what the message carries. They need to know where each word or bit
 is, and which number stands for a bit that is 1.

@@ -5,7 +5,7 @@ bounds cannot be read. Either the address, the stride or the number of elements 
 
 Example: a table of 4096 elements with a stride of 0x10 that begins at 0x9000.
 
-Cure: Correct the address, the stride, the number of elements or the `bounds` of the space. What has longer addresses
+Cure: Correct the address, the stride, the number of elements or the `bounds` of the space. Data with longer addresses
 is stated as `parameters`, whose numbers have up to 32 bits.
 """
 

@@ -2,7 +2,7 @@
 that can be read, without a scale, names or special values. Its `range` has the `base` of the table, which is its
 `default` if it has one, and all elements are within the address space wherever in that range they begin.
 
-Why: programs read the register, and use the addresses that follow from it. A value that is no address leads them to
+Why: programs read the register, and use the addresses that follow from it. A value that is not an address leads them to
 something else.
 
 Example: `base: 0x1000, base_by: log_address`, where `log_address` is a `u16` without a `range`.

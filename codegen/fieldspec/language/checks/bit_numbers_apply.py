@@ -1,8 +1,8 @@
-"""Only a field of several bits has a sign, a scale or a unit, and no enum or edge beside them. Only a single bit has an
-active level and texts for 0 and 1. A signed field has fewer bits than its word. A range is that of several bits that
-always have one meaning, in the data of a message.
+"""Only a field of several bits has a sign, a scale or a unit, and then neither an enum nor an edge. Only a single
+bit has an active level and texts for 0 and 1. A signed field has fewer bits than its word. Only several bits in the
+data of a message, whose meaning is always the same, have a range.
 
-Why: a single bit is true or false, and members of an enum are no quantities. A word that is one number as a
+Why: a single bit is true or false, and enum members are not quantities. A word that is one number as a
 whole is a value. Codecs do not know whether a condition holds, and compare nothing with the bits of a part of a frame.
 
 Example: `unit: mm` on `bit: 3`, or `signed: true` on `bits: 0..15` of a `u16`.

@@ -4,7 +4,7 @@ of these bits. Where the words of bits have a range, every value with these bits
 Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong. Encoders refuse
 what is beyond the range of a value; that of its words of bits is shown to people.
 
-Example: a range of 0..1 for a word with one bit for each of 14 inputs.
+Example: a range of 0..1 for a word in which each of 14 inputs has a bit.
 
 Cure: Correct the range or the list, and write an erratum. Reserved bits may be included or not. A group of
 bits with a closed enum may be included with its greatest member, and the range may be that of the whole type

@@ -1,7 +1,7 @@
 """The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
 data have at most eight bytes. Numbers fit into their bits. Nothing else than a CAN bus has parts with bits.
 
-Why: a bit that no part has could be anything, and a frame with more data cannot be sent.
+Why: the value of a bit without a part would be undefined, and a frame with more data cannot be sent.
 
 Example: an identifier of 11 bits with `bits: 7..10` and `bits: 0..5`, which leaves out bit 6.
 

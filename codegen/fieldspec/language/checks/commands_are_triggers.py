@@ -1,7 +1,7 @@
 """A register or parameter that can only be written, or be written with one constant alone, is a trigger. So is one with
 the role of an action, such as the start of a move.
 
-Why: what nobody can read holds no setting, and what takes one value has nothing to choose. Writing it starts an
+Why: a value that cannot be read stores no setting, and a value with one member offers no choice. Writing it starts an
 action, of which outputs warn at triggers alone. Or the access is misprinted.
 
 Example: a register with `access: wo`, one with `access: rw` and `const: 1`, or one with `roles: move_start`, without

@@ -1,8 +1,8 @@
 """The `count_by` of a record table names a register in the space of the table: a single whole number that can be read,
 without a scale, names or special values, whose `range` is within 0 and the `count` of the table.
 
-Why: programs read the number of elements, and ask for no others. Arrays have room for `count` elements, and addresses
-behind these belong to something else.
+Why: programs read the number of elements, and ask for no others. Arrays have room for `count` elements, and the
+following addresses belong to something else.
 
 Example: `count: 4, count_by: module_count`, where `module_count` is a `u16` without a `range`.
 

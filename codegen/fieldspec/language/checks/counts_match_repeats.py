@@ -1,11 +1,11 @@
-"""The words or bytes that a request can ask for, or say that it writes, are as many as the values that are sent.
+"""The number of words or bytes that a request reads or announces equals the number of values that are sent.
 
 Why: the manual prints the limits of a number of words or bytes with the request, and again with the values. If they
-differ, a program asks for what no response can have, or a response that the device sends is refused.
+differ, a program requests values that no response can carry, or a valid response is rejected.
 
 Example: a read of 1 to 125 words whose response has the values `repeat: 0..125`.
 
-Cure: Correct the range of the number or the repetitions. If the device sends fewer than were asked for, set
+Cure: Correct the range of the number or the repetitions. If the device sends fewer than requested, set
 `allow: {counts_match_repeats: <reason>}`.
 """
 

@@ -1,6 +1,6 @@
 """A request that names the first of several records, and how many there are, stays within the numbers of the records.
 
-Why: where both ranges allow it, a request asks for records behind the last one, and the manual does not say what the
+Why: where both ranges allow it, a request reads records after the last one, and the manual does not say what the
 device then does. A program that sends it deletes or reads something else than it means to.
 
 Example: `first_point` with the range 1..31 beside `point_count` with the range 1..31: 31 points from 31 on.

@@ -1,7 +1,7 @@
 """A register or field with a default, or whose changes need a restart, can be written, unless it shows what another
 register holds.
 
-Why: a default is the value of a setting at delivery, and what can only be read is not changed. If nobody can write
+Why: a default is the value of a setting at delivery, and a read-only value cannot be changed. If no program can write
 it, its access is misprinted, or the other key is.
 
 Example: a register with `access: ro` and `default: 100`, or with `access: ro` and `restart: true`.

@@ -1,4 +1,4 @@
-"""The value that tells the version of a device can be read, and is read in one way.
+"""The value that identifies the version of a device is readable and has one interpretation.
 
 Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses. The value
 has the same place, type, order and scale in all versions, because a program reads it before it knows the version.
@@ -8,7 +8,7 @@ Example: `form: decimal` for a text, a setting that users write, or `detected_as
 
 Cure: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
 different `detected_as` for each version. All lines with outputs state `detected_by` alike, or one of them does. Write
-the versions with as many digits after the point as there are `places`. Name a value that all versions have at one
+the versions with `places` digits after the point. Name a value that all versions have at one
 place; where there is none, state no `detected_by`.
 """
 

@@ -1,5 +1,5 @@
 """A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
-hexadecimal number has the digits of its whole type. Digits are those of fields and registers whose raw value is free:
+hexadecimal number has the digits of its whole type. Only fields and registers whose raw value is free have digits:
 not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers. A part
 of a frame may be any of these; its digits have no sign. `padding: space` is that of decimal digits with room for a
 blank, which do not vary in width. On links with `encoding: hex_ascii`, where every byte is sent

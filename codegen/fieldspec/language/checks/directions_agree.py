@@ -1,6 +1,6 @@
 """Where requests and responses of a link have the same parts, a length or a checksum is computed alike in both.
 
-Why: a frame of one direction is mostly that of the other one. A `role` or a `covers` that is missing in one of them is
+Why: the frames of both directions are mostly the same. A `role` or a `covers` that is missing in one of them is
 a slip more often than the protocol: clients then refuse right answers, or take wrong ones.
 
 Example: `{name: size, role: length, type: u8}` in requests and `{name: size, type: u8}` in responses, which have the

@@ -1,6 +1,6 @@
 """All values between the lowest and the highest member of an enum are members or are declared as `gaps`.
 
-Why: a hole in a list often shows that a row was lost, in print or in transcription. Codes in blocks, such as
+Why: a hole in a list often shows that a row was lost, in the manual or in the transcription. Codes in blocks, such as
 many alarm codes, are checked if they span at most 64 values. Masks of single bits and lists derived from
 another list are not checked.
 

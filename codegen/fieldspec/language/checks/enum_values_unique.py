@@ -1,6 +1,6 @@
 """No two members of an enum have the same value.
 
-Why: if a value has two names, nobody can tell which one is meant.
+Why: if a value has two names, its meaning is unknown.
 
 Example: 3 for homing and 3 for preset_position.
 

@@ -3,7 +3,8 @@ its own. Its `scale_by` names another register or, of a field, another field of 
 that can be read, without a scale of its own, whose `range` is within -22..22. Such a register is in the space of the
 scaled one, or of the tables that have the scaled field.
 
-Why: programs read the exponent, and compute quantities with it. Beyond 10^22, a power of ten is no exact floating-point
+Why: programs read the exponent, and compute quantities with it. Beyond 10^22, a power of ten is not an exact
+floating-point
 number.
 
 Example: `scale_by: power_sf`, where `power_sf` is a `u16` without a `range`.

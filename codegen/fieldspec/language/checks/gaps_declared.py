@@ -7,7 +7,7 @@ Example: a register of one word at 0x010B, the next register at 0x010D, and no g
 
 Cure: Correct the words or the address, transcribe the missing row, or declare the addresses with a reason
 under `gaps` of the group. Where a register is there in other versions only, set `allow: {gaps_declared: <reason>}` on
-the row behind it.
+the row after it.
 """
 
 from __future__ import annotations

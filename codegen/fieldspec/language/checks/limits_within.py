@@ -1,7 +1,7 @@
 """A limit with parts is their sum, and a limit with a bound does not exceed it. None is its own part or bound.
 
 Why: a timeout of 600 ms is too short for a device that takes up to 400 ms to answer and 280 ms to send. The
-manual prints these numbers on different pages, and nobody adds them up.
+manual prints these numbers on different pages, where a wrong sum is not visible.
 
 Example: `{name: delay, max: 400, unit: ms, transmits: response, within: limits/timeout}` where the longest
 response has 244 bytes, which take 280 ms at 9600 bit/s, and the timeout is 600 ms.

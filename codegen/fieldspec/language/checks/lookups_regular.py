@@ -1,7 +1,7 @@
 """In a long table, a column of numbers that count or rise in steps does so in all rows.
 
-Why: a table of settings often lists all pairs of two numbers. A misprinted cell breaks the sequence, and
-nobody notices it among dozens of rows.
+Why: a table of settings often lists all pairs of two numbers. A misprinted cell breaks the sequence, and readers do
+not notice it among dozens of rows.
 
 Example: a gain column with 1, 2, 3, 4, 5, 6, 7, 2 that then starts again, where all other sequences end with
 8.

@@ -1,5 +1,5 @@
-"""If members of an enum have a second number and nearly all are sorted by it, all are, and no number is
-repeated.
+"""If enum members have a second number and nearly all are sorted by it, then all must be sorted, and no number may
+occur twice.
 
 Why: a misprint shows in a table that is sorted by one of its columns.
 

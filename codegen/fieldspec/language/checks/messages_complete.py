@@ -8,9 +8,9 @@ Example: two commands with the code 0x44 on one link, or two telegrams with the 
 
 Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. Where commands
 share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place, or a
-byte whose `range` has numbers that no other of them has. The responses need none: without it, the request tells
+byte whose `range` has numbers that no other of them has. The responses need none: without it, the request determines
 which response is expected. A message that is sent only on links without codes names them under `links`. What reads
-is answered wherever it is sent. What only the device sends has a code in its frames that no response has, or a constant
+is answered wherever it is sent. An unrequested message has a code that no response has, or a constant
 at the same place.
 """
 

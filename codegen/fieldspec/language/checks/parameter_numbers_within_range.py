@@ -2,7 +2,7 @@
 of the set has one of these numbers.
 
 Why: a listed number that the field does not accept cannot be read. A number that the field accepts and the
-list does not contain is a parameter that nobody described.
+list does not contain is a parameter without a description.
 
 Example: a range of 1..63 for the number of a parameter, where the set has the parameters 0 to 31.
 

@@ -1,4 +1,4 @@
-"""The type of a parameter has as many bytes as a field that carries its value. The `number` of a value is a field that
+"""The type of a parameter has the size of the field that carries its value. The `number` of a value is a field that
 has a number of the same set, and a field with a number, a subindex or a value is a single one, without a scale or bits
 of its own.
 

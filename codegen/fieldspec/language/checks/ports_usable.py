@@ -1,7 +1,7 @@
-"""Something tells where frames on a TCP port end, and each port belongs to one link.
+"""Frames on a TCP port have an identifiable end, and each port belongs to one link.
 
-Why: a TCP connection is a stream of bytes. Without a length, a code, a delimiter or a checksum nobody knows where a
-frame ends in it. And what comes to a port that two links state has the frames of either.
+Why: a TCP connection is a stream of bytes. Without a length, a code, a delimiter or a checksum it is unknown where a
+frame ends in it. If two links state one port, its frames can belong to either.
 
 Example: `network: {tcp: 4001}` at a link whose frames contain only data.
 

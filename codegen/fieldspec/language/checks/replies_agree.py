@@ -1,5 +1,5 @@
 """A response in an example belongs to the request that it names: it has the same link, message and unit
-address, the same echoed fields, and as many registers or bits as the request asks for.
+address, the same echoed fields, and the number of registers or bits that the request names.
 
 Why: the two frames of a sample are one exchange. If the response repeats different values, or has more or fewer
 registers, one frame is misprinted or belongs to another sample, or `accesses` names the wrong fields.

@@ -1,7 +1,7 @@
 """A fact that the manual states in two places is the same in both.
 
 Why: two tables of one manual that differ are a contradiction, and a reader of either table believes it.
-`restated` contains what the second place should say, so every difference in print needs an erratum.
+`restated` contains what the second place should say, so every difference between printed values needs an erratum.
 
 Example: a speed of 0..100 in the register table, restated as 1..100 in the chapter on points.
 

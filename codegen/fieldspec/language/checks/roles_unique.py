@@ -2,7 +2,7 @@
 frames, in a record, and in each message.
 
 Why: a step that writes the target position must find exactly one value. With two, the compiler would have to
-guess, and a machine would move by the guess.
+guess the target of a motion.
 
 Example: `roles: target_position` on two registers.
 

@@ -1,6 +1,6 @@
 """The sentinels of a value have names and values of their own, and none is a member of its enum with another name.
 
-Why: a value with two names stands for either of two states, and nobody can tell which one; a name for two values does
+Why: a value with two names means either of two states; a name for two values does
 not say which one to write. A value that can only be one number has no other states. `out_of_range` is the state of a
 number outside of the `range`, which is a quantity all the same.
 

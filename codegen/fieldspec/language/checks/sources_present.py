@@ -1,6 +1,6 @@
 """Every fact states where the manual prints it: a section, and lines that exist in the manual.
 
-Why: the manual is the authority. Without a source, nobody can verify the fact, and a line after the end of
+Why: the manual is the authority. Without a source, the fact cannot be verified, and a line after the end of
 the text is a mistake.
 
 Example: a register without `source`, or `source: 8.2 L16222` where the text has 3100 lines.

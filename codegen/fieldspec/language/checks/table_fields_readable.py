@@ -1,7 +1,7 @@
 """A field of a register table has no `const`, unless it is reserved.
 
 Why: a constant restricts frames, but a device may return any value of a register. A record is read as a
-whole, so one register with another value than its constant would make the whole record unreadable.
+whole, so one register whose value differs from its constant would make the whole record unreadable.
 
 Example: a record of a table with a field `{name: version, type: u16, const: 3}`.
 

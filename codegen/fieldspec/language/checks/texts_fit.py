@@ -1,8 +1,8 @@
-"""A text has room for its characters and its terminator, and keys of texts are those of texts. A terminator ends a text
+"""A text has room for its characters and its terminator, and only texts have keys for texts. A terminator ends a text
 on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, and a default is a text that can
-be sent. Texts in a form of their own are those of fields and registers that are not reserved.
+be sent. Only fields and registers that are not reserved have a special text form.
 
-Why: a text that nobody can write as it is read loses characters, or gets others, without a message.
+Why: a text that cannot be written as it is read loses or changes characters without a message.
 
 Example: `{name: title, type: text, length: 7, encoding: utf_16}`, as the last character has one byte.
 

@@ -1,7 +1,7 @@
 """The part with the unit address has its role in requests and in responses, where both have such a part.
 
 Why: without the role in responses, clients take the answer of another device for that of the device which was asked.
-Without it in requests, whoever sends one has to state the address as an ordinary number. A part of the same name is
+Without it in requests, the sender has to state the address as an ordinary number. A part of the same name is
 the same address, and an error; another number of the same size may be one, and is a warning.
 
 Example: `{name: station, role: unit_address, type: u8}` in requests, and `{name: station, type: u8}` in responses.

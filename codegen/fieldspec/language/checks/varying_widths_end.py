@@ -2,7 +2,7 @@
 ends with the message or before a constant of one byte that it cannot have. The number of bytes of a text may be in one
 field before it, a whole number of one or two bytes without a sign, which may be any number of bytes of the text. A
 message with a value that varies in width has no list of free length, no record of no fixed size, no field of several
-types and no other field that measures that value; what comes behind it has no printed place. Texts that are counted so
+types and no other field that measures that value; the fields after it have no printed offset. Texts that are counted so
 may also be fields of a record that is part of messages and of other records; all else in it has a fixed size.
 
 Why: where such a value ends is seen by what follows it. Without an end that no value can have, the next value would be

@@ -114,7 +114,7 @@ class Digits:
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text of `size` bytes; `form` is None for ASCII that is filled up with zeros behind it."""
+    """A text of `size` bytes; `form` is None for ASCII that is padded with zeros."""
 
     size: int
     form: TextForm | None

@@ -28,7 +28,7 @@ _TITLES = {"ascii": "ASCII", "latin_1": "Latin-1", "utf_8": "UTF-8", UTF_16: "UT
 
 @dataclass(frozen=True, slots=True)
 class TextForm:
-    """How a text is sent that is not ASCII filled up with zeros behind it.
+    """How a text is sent that is not ASCII padded with zeros.
 
     `padding` is the code of the character that fills the text up, before it where `is_right`. `terminator` is the code
     of the character that ends the text, None without one; what follows it is not read. Where it `is_turned`, the two
@@ -77,7 +77,7 @@ def turned_words(data: bytes) -> bytes:
 
 
 def text_form(encoding: str, padding: str, align: str, terminator: int | None, byte_order: str) -> TextForm | None:
-    """The form of a text by what a spec states; None for ASCII that is filled up with zeros behind it."""
+    """The form of a text by what a spec states; None for ASCII that is padded with zeros."""
     is_turned = byte_order == "little" and encoding != UTF_16
     form = TextForm(encoding or "ascii", PADDINGS[padding or "nul"], align == "right", terminator, is_turned)
     return None if form == TextForm("ascii", 0, False, None) else form

@@ -125,7 +125,7 @@ class Value:
     orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number; `places` is
     how many of them follow a point. `scale_by` names the register with the exponent of a scale that is read from the
     device, else it is empty; `unit` then begins with that power of ten. `text_form` is how a text is sent, None for
-    ASCII that is filled up with zeros behind it. `width` is the most bytes of a value that varies in width, else
+    ASCII that is padded with zeros. `width` is the most bytes of a value that varies in width, else
     it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
     `has_blanks` says that decimal digits have blanks in place of leading zeros, and a sign below zero only.
     """

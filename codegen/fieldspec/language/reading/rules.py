@@ -71,7 +71,7 @@ Cure: Correct the name, or add the file.
 that all file systems of users can have.
 
 Why: somebody who cannot check the specs out, or write the outputs, cannot use them. A name with a line break or
-with another character that cannot be seen misleads whoever reads it.
+with another character that cannot be seen misleads the reader.
 
 Example: a device `aux`, a version `con`, or `Motion.yaml` beside `motion.yaml`.
 
@@ -148,7 +148,7 @@ Cure: Look at both places, decide which value is right now, and correct `was`.
 
 Why: an entry without effect is a mistake, or a change that is now in the base.
 
-Example: `unit: {was: mm, is: mm}`, an added register with a `since` behind the version, or a change of a register
+Example: `unit: {was: mm, is: mm}`, an added register with a `since` after the version, or a change of a register
 that the same file removes.
 
 Cure: State the new value, or remove the entry.
@@ -163,13 +163,13 @@ Cure: Base one of them on a version that does not depend on it.
 """,
     "overlay_fact_missing": """The facts that a version file changes are in its base version.
 
-Why: an entry that matches nothing would have no effect, and nobody would notice.
+Why: an entry that matches nothing would silently have no effect.
 
 Example: `fact: registers/sped`, or a register that only another version line has.
 
 Cure: Correct the path, or base the version on one that has the fact.
 """,
-    "overlay_removal_incomplete": """What is about a fact goes with it: errata, examples, notes and tasks.
+    "overlay_removal_incomplete": """A fact is removed with its errata, examples, notes and tasks.
 
 Why: they would be about something that the version does not have.
 
@@ -265,7 +265,7 @@ Cure: Use one of the words that the finding lists.
     "uses_bounded": """A device or a protocol uses at most 100 protocols, and a chain of uses has at most 16
 protocols.
 
-Why: reading a folder of specs must take a bounded time, whoever wrote it.
+Why: reading a folder of specs must take a bounded time, even if its author is hostile.
 
 Example: a chain of seventeen protocols, each of which uses the next.
 
@@ -273,7 +273,7 @@ Cure: Combine related protocols, and let each protocol use the ones that it need
 """,
     "version_never": """The bounds of a fact leave it at least one version.
 
-Why: no output has what no version has, so a mistake in it, or a missing register, would not be noticed.
+Why: outputs contain only facts of versions, so an error in an unused fact, or a missing register, would not be noticed.
 
 Example: `since: "2.0"` and `until: "1.0"` at one register, or a member with `until: "1.0"` in an enum that has
 `since: "2.0"`.
@@ -298,7 +298,7 @@ Cure: Correct the identifier, or declare the version.
 """,
     "versions_bounded": """A device has at most 250 version files, and 32 MiB, counted once for each version.
 
-Why: every version is built from the files, so many versions of a large spec take a long time to read.
+Why: every version is built from the files, so a large spec with thousands of versions takes a long time to read.
 
 Example: a file in `versions/` for each day of a year.
 

@@ -19,7 +19,7 @@ CONSTRUCTS = {
     "floats": "floating-point numbers of 32 bits",
     "half_floats": "floating-point numbers of 16 bits",
     "wide_floats": "floating-point numbers of 64 bits",
-    "absent_reals": "sentinels of floating-point numbers that are no number",
+    "absent_reals": "sentinels of floating-point numbers that are NaN",
     "booleans": "booleans",
     "texts": "texts and bytes",
     "formed_texts": "texts in other encodings than ASCII, and with a padding, an end or a byte order of their own",
@@ -32,7 +32,7 @@ CONSTRUCTS = {
     "bit_numbers": "fields of several bits with a sign or a scale",
     "records": "records, and records in records",
     "lists": "lists with a fixed number of elements",
-    "inner_lists": "lists of free length with fields behind them, and records that differ in size",
+    "inner_lists": "lists of free length that fields follow, and records that differ in size",
     "choices": "fields whose type another field decides",
     "groups": "groups of registers",
     "bits": "registers of single bits",
@@ -53,7 +53,7 @@ CONSTRUCTS = {
     "powers": "scales that are read from another register or field",
     "conversions": "shares of a reference",
     "ranges": "ranges, sentinels and constants",
-    "told_ranges": "numbers that are read outside of their range, told from others",
+    "told_ranges": "numbers that are read outside of their range, distinguished from others",
     "constants": "addresses, codes, masks and limits as constants",
     "code_texts": "texts of codes",
     "remedies": "causes and remedies of codes",
@@ -87,11 +87,11 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
         capabilities["wide_numbers"] = adapted(
             "become two numbers of 32 bits, whose scale and range programs must apply to both"
         )
-        capabilities["wide_lists"] = refused("the halves of an element cannot stand beside each other: plc_numbers_fit")
-        capabilities["odd_numbers"] = adapted("of 24 bits are exact; wider ones are refused: plc_numbers_fit")
-        capabilities["magnitudes"] = adapted("of up to 32 bits are exact; wider ones are refused: plc_numbers_fit")
+        capabilities["wide_lists"] = refused("the halves of an element cannot be adjacent: plc_numbers_fit")
+        capabilities["odd_numbers"] = adapted("numbers of 24 bits are exact; wider ones are refused: plc_numbers_fit")
+        capabilities["magnitudes"] = adapted("up to 32 bits are exact; wider numbers are refused: plc_numbers_fit")
     capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
-    capabilities["inner_lists"] = refused("there are no functions that find what is behind them: plc_lists_last")
+    capabilities["inner_lists"] = refused("no functions find the fields after them: plc_lists_last")
     capabilities["formed_texts"] = refused("there are no functions that convert them: plc_texts_ascii")
     if not dialect.nested_arrays:
         capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
@@ -112,15 +112,15 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["moving_tables"] = refused("the addresses of elements are constants: plc_addresses_constant")
     capabilities["pieces"] = refused("nothing puts the pieces together: plc_values_whole")
     capabilities["choices"] = adapted(
-        "are bit strings as wide as the widest type, with a function that says which it is; whoever makes a number of "
-        "them compares it with the ranges and the enum"
+        "are bit strings as wide as the widest type, with a function that returns the type; programs that convert them "
+        "to a number compare it with the ranges and the enum"
     )
     capabilities["bit_numbers"] = adapted("are masks with the sign and the scale in a comment")
     capabilities["told_ranges"] = adapted("are numbers; programs compare them with the constants of the range")
     capabilities["powers"] = adapted("are counts, with the name of the exponent in a comment")
     if dialect.bits == "packed":
         capabilities["bit_fields"] = adapted("are masks and single bits in images, because a BOOL is one bit")
-        capabilities["images"] = refused("a gap would move every value behind it: plc_images_exact")
+        capabilities["images"] = refused("a gap would move every value after it: plc_images_exact")
     else:
         capabilities["flags"] = adapted("are words with masks, because a BOOL is a byte there")
         capabilities["images"] = capabilities["aligned_images"] = adapted(

@@ -71,13 +71,13 @@ Cure: Exclude the output for the device (`--to`), or state two enums.
 """,
     "plc_numbers_binary": """Every number is binary on the wire.
 
-Why: the functions of controllers do not convert digits, so the characters would be taken for a number.
+Why: the functions of controllers do not convert digits, so the characters would be read as a number.
 
 Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Cure: Do without what is left out, or state the digits as a text.
 """,
-    "plc_texts_ascii": """Every text is ASCII of one length that is filled up with zeros behind it.
+    "plc_texts_ascii": """Every text is ASCII of one length, padded with zeros.
 
 Why: the functions of controllers copy the bytes of a text, so other encodings, spaces and terminators would be read as
 characters of the text.
@@ -88,10 +88,10 @@ Cure: Do without what is left out, or state the text as `bytes`.
 """,
     "plc_lists_last": """A list of free length comes last in its message, and its elements have one size.
 
-Why: behind such a list, and in one whose elements differ in size, the place of a field differs from frame to frame, and
-the functions of controllers have one place for each field.
+Why: after such a list, and in a list whose elements differ in size, the offset of a field differs from frame to
+frame, and the functions of controllers have one place for each field.
 
-Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` behind it.
+Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` after it.
 
 Cure: Do without what is left out, or use another output.
 """,

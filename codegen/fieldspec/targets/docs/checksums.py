@@ -42,11 +42,11 @@ def _algorithm_text(algorithm: str) -> str:
             (False, True): ", reflected result",
         }
         reflected = orders.get((kind.reflect_in, kind.reflect_out), "")
-        final = f", final xor {kind.final_xor:X}h" if kind.final_xor else ""
+        final = f", final xor 0x{kind.final_xor:X}" if kind.final_xor else ""
         units = f", in numbers of {kind.unit_size} bytes with the last one first" if kind.unit_size > 1 else ""
-        start = f", start value {kind.initial:X}h{final}{units}, of all bytes"
-        return f"CRC-{kind.width} with polynomial {kind.polynomial:X}h{reflected}{start}"
-    start = f", start value {kind.initial:X}h" if kind.initial else ""
+        start = f", start value 0x{kind.initial:X}{final}{units}, of all bytes"
+        return f"CRC-{kind.width} with polynomial 0x{kind.polynomial:X}{reflected}{start}"
+    start = f", start value 0x{kind.initial:X}" if kind.initial else ""
     order = f" with the {'low' if kind.unit_order == 'little' else 'high'} byte first" if kind.unit_order else ""
     operands = "all bytes" if kind.unit_size == 1 else f"all numbers of {kind.unit_size} bytes{order}"
     if kind.method == "fletcher":

@@ -371,7 +371,7 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
         yield "Source of the silence", (cited(link.silence_sources),)
     if link.exception_response is not None:
         error = link.exception_response
-        text = f"the code of the request with the bits {error.flag:02X}h set, and the record "
+        text = f"the code of the request with the bits 0x{error.flag:02X} set, and the record "
         if not error.flag:
             text = f"{error.mark_text}, and the record "
         yield (

@@ -8,6 +8,7 @@ from typing import Any, cast
 from fieldspec.targets.docs import html, markdown, search_index
 from fieldspec.targets.docs.document import (
     Document,
+    Facts,
     Paragraph,
     Section,
     TableColumn,
@@ -22,11 +23,22 @@ from fieldspec.targets.docs.site import PagePlace
 
 COLUMNS = (
     TableColumn("Device", unbroken=True),
-    TableColumn("What it is", "wide"),
-    TableColumn("Versions, the newest first"),
-    TableColumn("The newest has"),
-    TableColumn("Frame lab", unbroken=True),
+    TableColumn("Vendor", unbroken=True),
+    TableColumn("Type", "wide"),
+    TableColumn("Reference, newest version first", unbroken=True),
+    TableColumn("Contents"),
+    TableColumn("Decode a frame", unbroken=True),
     TableColumn("Identity", unbroken=True),
+)
+SUBTITLE = "Protocol reference of motion controllers, generated from their manuals"
+ABOUT = (
+    "fieldspec compiles a transcription of each manual into codecs for Python, C and JavaScript, into PLC code, and "
+    "into these pages. Every fact names its section and line in the manual."
+)
+USES = (
+    ("A model name", "Open its reference in the table below. The device's name leads to all its versions."),
+    ("An address, a name, an alarm", "Type it into the search box, which searches all devices."),
+    ("Recorded bytes", "Open the device's frame lab and paste them. The lab explains each byte."),
 )
 _ENDINGS = (".html", ".md")
 _INDEXES = ("index.html", "README.md")
@@ -47,24 +59,26 @@ def overview(paths: Iterable[str], content: Callable[[str], str]) -> dict[str, s
 
 def _document(devices: Iterable[dict[str, Any]], labs: set[str], ending: str, index: str) -> Document:
     rows = [_device_row(device, labs, ending, index) for device in devices]
-    text = (
-        "fieldspec has written these pages from the manuals of the devices; every fact has its section and line there. "
-        "Open a device for its registers, messages, parameters and codes, or its lab to explain a frame."
+    uses = Facts(tuple((case, ((text_piece(advice),),)) for case, advice in USES))
+    sections = (
+        Section("start", (text_piece("What do you have?"),), (Paragraph((text_piece(ABOUT),)), uses)),
+        Section("devices", (text_piece("Devices"),), (table("Devices", COLUMNS, rows),)),
     )
-    blocks = (Paragraph((text_piece(text),)), table("Devices", COLUMNS, rows))
-    return Document("Devices", "", "", "", (), (Section("devices", (text_piece("All devices"),), blocks),))
+    return Document("fieldspec", SUBTITLE, "", "", (), sections)
 
 
 def _device_row(device: dict[str, Any], labs: set[str], ending: str, index: str) -> TableRow:
     folder, pages = device["id"], device["pages"]
-    versions = joined((text_piece(version, f"{folder}/{page}{ending}"),) for page, version, _ in pages)
+    name = device["name"]
+    versions = joined((text_piece(f"{name} {version}", f"{folder}/{page}{ending}"),) for page, version, _ in pages)
     return TableRow(
         (
-            cell(text_piece(device["name"], f"{folder}/{index}")),
+            cell(text_piece(name, f"{folder}/{index}")),
+            cell(device["vendor"]),
             cell(device["title"]),
             cell(versions),
             cell(pages[0][2]),
-            cell(text_piece(f"Lab of {device['name']}", f"{folder}/lab.html") if folder in labs else text_piece("")),
+            cell(text_piece(f"{name} frame lab", f"{folder}/lab.html") if folder in labs else text_piece("")),
             cell(code(device["identity"])),
         ),
         f"devices/{folder}",

@@ -53,8 +53,8 @@ class Entry:
 def index_file(layouts: Sequence[DeviceLayout], pages: Mapping[str, Document]) -> str:
     """The file of a device: a call with one object, in JSON.
 
-    `id`, `name`, `title`, `language` (of the labels) and `identity` are those of the newest version; `pages` has the
-    file, the name and the counts of each version, the newest first. Each group is a kind, the title of a section, and
+    `id`, `name`, `vendor`, `title`, `language` (of the labels) and `identity` describe the newest version; `pages` has
+    the file, the name and the counts of each version, the newest first. Each group is a kind, a section's title, and
     what its anchors begin with; each of its entries has the end of the anchor (0 where it is the name), names, keys,
     text and the versions that have it, as bits; what is empty at the end is left out.
     """
@@ -71,7 +71,8 @@ def index_file(layouts: Sequence[DeviceLayout], pages: Mapping[str, Document]) -
         group.append(_entry_row(entry, versions[entry] if versions[entry] != all_versions else 0))
     data = {
         "id": newest.id,
-        "name": pages[newest.version].title if len(layouts) == 1 else newest.name,
+        "name": newest.name,
+        "vendor": newest.vendor,
         "title": pages[newest.version].subtitle,
         "language": newest.manual.language,
         "identity": layouts[-1].identity,

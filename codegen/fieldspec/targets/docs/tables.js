@@ -5,6 +5,8 @@
   const CHOICES = ["Access", "Unit", "Restart"];
   const FORMULA = /^[=+\-@\t\r\n]/;
   const NUMBER = /^[-+]?[0-9]+(\.[0-9]+)?$/;
+  const MOST_OPEN = 8;  // a section with more groups folds them
+  const main = document.getElementById("content");
   let serial = 0;
 
   function element(tag, properties) { return Object.assign(document.createElement(tag), properties); }
@@ -174,12 +176,36 @@
     block.setAttribute("aria-labelledby", caption.id);
   }
 
+  // ---- what is folded ----
+
+  function fold(summary, ...nodes) {
+    const folded = element("details", {});
+    folded.append(element("summary", {}), ...nodes);
+    folded.firstChild.append(summary);
+    folded.addEventListener("toggle", () => reachAll());
+    return folded;
+  }
+
   // The tables of an example are folded: its strips of bytes say most, and all tables together make most of a long page.
   for (const section of document.querySelectorAll("section[id^='examples/']")) {
-    const folded = element("details", {});
-    folded.append(element("summary", { textContent: "Byte by byte" }), ...section.querySelectorAll(":scope > .scroll"));
-    folded.addEventListener("toggle", () => reachAll());
-    section.append(folded);
+    section.append(fold("Byte by byte", ...section.querySelectorAll(":scope > .scroll")));
+  }
+
+  // The groups of a long section are folded below their headings, so that the page is its own table of contents.
+  for (const section of document.querySelectorAll("main > section")) {
+    const groups = [...section.querySelectorAll(":scope > section")];
+    if (groups.length <= MOST_OPEN) { continue; }
+    const folds = groups.map((group) => fold(...group.children));
+    groups.forEach((group, number) => group.append(folds[number]));
+    const tools = element("div", { className: "tools" });
+    const button = element("button", { type: "button", textContent: `Open all ${folds.length} groups` });
+    button.addEventListener("click", () => {
+      const open = folds.some((group) => !group.open);
+      folds.forEach((group) => { group.open = open; });
+      button.textContent = `${open ? "Close" : "Open"} all ${folds.length} groups`;
+    });
+    tools.append(button);
+    groups[0].before(tools);
   }
   window.addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((node) => { node.open = true; }));
 
@@ -199,13 +225,17 @@
   window.addEventListener("resize", reachAll);
   reachAll();
 
-  // A link to a row that a filter hides ends the filter.
-  window.addEventListener("hashchange", () => {
+  // A link to a row that a filter hides ends the filter; a link into a group opens it.
+  function arrive() {
     let target = null;
     try { target = document.getElementById(decodeURIComponent(location.hash.slice(1))); } catch { return; }
-    if (target && target.closest("[hidden]")) {
-      target.closest("table").dispatchEvent(new Event("reveal"));
-      target.scrollIntoView();
+    if (!target || !main.contains(target)) { return; }
+    if (target.closest("[hidden]")) { target.closest("table").dispatchEvent(new Event("reveal")); }
+    for (let fold = target.querySelector(":scope > details") || target; fold; fold = fold.parentElement.closest("details")) {
+      if (fold.tagName === "DETAILS") { fold.open = true; }
     }
-  });
+    target.scrollIntoView();
+  }
+  window.addEventListener("hashchange", arrive);
+  arrive();
 })();

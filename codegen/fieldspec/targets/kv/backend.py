@@ -109,7 +109,7 @@ _NOT_EXACT = {
     "powers": adapted(_TABLE),
     "conversions": refused("are formulas, which a map of words has not"),
     "digits": refused("instructions do not read them as numbers: output_numbers_binary"),
-    "inner_lists": refused("the words behind them have no place of their own: output_lists_last"),
+    "inner_lists": refused("the words after them have no fixed address: output_lists_last"),
     "formed_texts": refused("instructions copy their bytes: output_texts_ascii"),
     "ranges": adapted(_TABLE),
     "told_ranges": adapted(_TABLE),

@@ -122,7 +122,7 @@ class Space:
 
     def number_text(self, number: int) -> str:
         """A number as reports print it."""
-        return f"{number:0{self.digits}X}h"
+        return f"0x{number:0{self.digits}X}"
 
 
 class Extent(NamedTuple):

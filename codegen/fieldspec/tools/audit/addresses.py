@@ -213,7 +213,7 @@ def _plan_table(plan: ReadPlan) -> SectionTable:
     rows: list[tuple[Cell, ...]] = [
         (
             *([row.first.space] if has_spaces else []),
-            f"{row.first.start:04X}h",
+            f"0x{row.first.start:04X}",
             row.first.start,
             row.first.words,
             row.times,
@@ -248,7 +248,7 @@ def _left_out(plan: ReadPlan) -> SectionTable:
         name, _, name_rest = unit.name.partition("[")
         units.setdefault((name + name_rest.partition("]")[2], unit.refused), []).append(unit)
     rows = tuple(
-        (f"{units_of_name[0].first:04X}h", units_of_name[0].words, len(units_of_name), name, refused)
+        (f"0x{units_of_name[0].first:04X}", units_of_name[0].words, len(units_of_name), name, refused)
         for (name, refused), units_of_name in units.items()
     )
     return SectionTable("not_read", "What no block reads", ("start", "words", "times", "name", "reason"), rows)

@@ -124,7 +124,7 @@ def _all_hazards(layout: DeviceLayout) -> Iterator[Hazard]:
     for register in device.registers():
         yield from _of_register(device, register, alone)
     for table in device.tables.values():
-        yield from _handled(table, table.handling, f"{table.base:04X}h, {table.count} times", device)
+        yield from _handled(table, table.handling, f"0x{table.base:04X}, {table.count} times", device)
     placed = {field.field.place.path for record_layout in layout.records.values() for field in record_layout.fields}
     uses = table_records(device)
     for record in layers(device):
@@ -142,7 +142,7 @@ def _all_hazards(layout: DeviceLayout) -> Iterator[Hazard]:
 
 def _of_register(device: Device, register: Register, alone: frozenset[str]) -> Iterator[Hazard]:
     place = f" of {device.space_name(register.space)}" if device.several_spaces else ""
-    place_text = f"{register.address:04X}h{place}"
+    place_text = f"0x{register.address:04X}{place}"
     if register.trigger:
         yield _hazard("trigger", register, place_text, _started(register.value), key="trigger")
     if register.access == "wo":
@@ -152,7 +152,7 @@ def _of_register(device: Device, register: Register, alone: frozenset[str]) -> I
         yield _hazard("alias", register, place_text, f"the same as {register.same_as}", "same_as")
     if register.atomic and register.width > 1:
         last = register.address + register.width - 1
-        span = f"{register.address:04X}h..{last:04X}h{place}"
+        span = f"0x{register.address:04X}..0x{last:04X}{place}"
         unit = device.space(register.space).unit
         yield _hazard("atomic", register, span, f"{register.width} {unit}s", key="atomic")
     if register.restart:
@@ -270,7 +270,7 @@ def _alone(device: Device) -> frozenset[str]:
 
 def _code(message: Message) -> str:
     number = message.code if message.code is not None else message.number
-    return "" if number is None else f"{number:02X}h" if message.code is not None else str(number)
+    return "" if number is None else f"0x{number:02X}" if message.code is not None else str(number)
 
 
 def _hazard(kind: str, fact: Fact, place_text: str, reason: str, key: str = "name") -> Hazard:

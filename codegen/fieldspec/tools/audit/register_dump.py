@@ -209,7 +209,7 @@ def _decode_value(device: Device, slot: AddressedValue, words: Mapping[Address, 
     spare = _spare(device, slot.value, decoded, slot.reserved or slot.unread)
     return DumpValue(
         slot.name,
-        f"{slot.address:04X}h",
+        f"0x{slot.address:04X}",
         slot.fact,
         slot.value,
         rows,
@@ -281,7 +281,7 @@ def _findings(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> 
 
     findings = [finding for read in report.read for finding in _wrong(read, row_span(read.rows[0]))]
     for hole in report.holes:
-        lacking = ", ".join(f"{address:04X}h" for address in hole.missing)
+        lacking = ", ".join(f"0x{address:04X}" for address in hole.missing)
         text = f"{hole.name} has more words than the dump: {lacking} is missing"
         findings.append(
             finding(_WHOLE, text, row_span(hole.rows[0]), hole.fact, "read all of its words, in one request")
@@ -294,7 +294,7 @@ def _findings(report: DumpReport, file: SourceFile, rows: Mapping[int, int]) -> 
         text = "an address has two values"
         findings.append(Diagnostic(_WHOLE, text, row_span(entry.row), (label,), "use a dump with each address once"))
     for entry in report.unknown:
-        text = f"the spec does not have the address {entry.address:04X}h"
+        text = f"the spec does not have the address 0x{entry.address:04X}"
         help = "transcribe it, or use --base or --offset if the dump counts addresses differently"
         findings.append(Diagnostic(_ADDRESS, text, row_span(entry.row), help=help, severity=Severity.WARNING))
     return findings
@@ -380,5 +380,5 @@ def _defaults(reads: Sequence[DumpValue]) -> SectionTable:
 
 
 def _unknown(entries: Sequence[Entry]) -> SectionTable:
-    rows = tuple((f"{entry.address:04X}h", ", ".join(map(str, entry.values)), entry.row) for entry in entries)
+    rows = tuple((f"0x{entry.address:04X}", ", ".join(map(str, entry.values)), entry.row) for entry in entries)
     return SectionTable("unknown", "Addresses that are not in the spec", ("address", "raw", "row"), rows)

@@ -16,7 +16,7 @@ Cure: Correct the lines, the pattern or the paths, or remove the entry.
 value: the ends of ranges, scales, defaults, counts. For a type with a sign, they print a type or a number below
 zero, unless the spec states one. The lines are in the section that the fact names.
 
-Why: nobody can verify a citation of the wrong line, and often the fact is wrong too.
+Why: a citation of the wrong line cannot be verified, and often the fact is wrong too.
 
 Example: a register 2011h whose source is a line with `2014 H`, or a range `0..1000` where the line has `0~100`.
 
@@ -74,9 +74,9 @@ Example: a capture in which the speed is 130, with the range 0..100.
 Cure: Decide who is right. Correct the spec, with an erratum if the manual is wrong, or report the unit to the
 manufacturer. A baseline that has the contradiction makes the finding a warning.
 """,
-    "evidence_not_lost": """What the evidence of a baseline showed, the evidence of now shows too.
+    "evidence_not_lost": """The present evidence shows everything that the baseline showed.
 
-Why: a fact whose only capture was deleted, or that a change of the spec has moved, rests on the manual alone again.
+Why: a fact whose only capture was deleted, or that the spec now states elsewhere, is supported only by the manual.
 
 Example: the baseline has `observed` for a register, and the file that showed it is missing.
 
@@ -102,7 +102,7 @@ Cure: Transcribe it, write an erratum, or state under `audit: left_out` why the 
     "manual_recorded": """The index of the manual is next to the spec and belongs to the text that the spec
 cites.
 
-Why: the manual cannot be in the repository, and without its index nobody else can repeat the audit.
+Why: the manual cannot be in the repository, and only its index allows others to repeat the audit.
 
 Example: `manual.index` with the hash of an older edition.
 
@@ -123,7 +123,7 @@ cite it say all of it, or under `left_out`.
     "reviews_sound": """Every review names sections that facts cite, a valid date, and the current state of
 its facts.
 
-Why: a review that was edited by hand claims a comparison that nobody made.
+Why: a review that was edited by hand claims a comparison that was not made.
 
 Example: `section: "8.22"` where facts cite 8.2, or a `state` copied from another section.
 

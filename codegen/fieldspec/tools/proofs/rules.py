@@ -48,7 +48,7 @@ Cure: Correct the path; `fieldspec facts` lists all paths.
     "errata_proven": """If the printed value replaces the correct one, the spec breaks the rule that the
 erratum names.
 
-Why: this proves that the print is wrong, and that the same mistake would be detected again.
+Why: this proves that the printed value is wrong, and that the same mistake would be detected again.
 
 Example: `proof: addresses_disjoint` for an address that overlaps nothing.
 

@@ -75,7 +75,7 @@ def stride_changed(comparison: Comparison) -> Iterator[Change]:
 def index_changed(comparison: Comparison) -> Iterator[Change]:
     """The elements of a register, a table or a parameter have other numbers.
 
-    Why: element 5 is not the element 5 of before, and has another address.
+    Why: element 5 is a different element at a different address.
 
     Example: `index_from: 0` that becomes `index_from: 1`.
 

@@ -64,7 +64,7 @@ _NO_NETWORK = Network(None, None, ())
 def network_changed(comparison: Comparison) -> Iterator[Change]:
     """The device listens on another port of a network.
 
-    Why: a program that connects to the port of before reaches nobody.
+    Why: a program that connects to the old port receives no response.
 
     Example: `network: {tcp: 502}` that becomes `network: {tcp: 10502}`.
 

@@ -13,7 +13,7 @@ from fieldspec.language.model.enums import Bit, Enum, Member
 
 
 def enum_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value has another enum, has an enum now, or has none any more.
+    """The enum of a value was added, removed or replaced.
 
     Why: if the two enums give a number different names, it means something else. If not, the types of generated code
     change.
@@ -108,7 +108,7 @@ def member_removed(comparison: Comparison) -> Iterator[Change]:
 
 
 def member_renumbered(comparison: Comparison) -> Iterator[Change]:
-    """A member of an enum has another value.
+    """The value of an enum member has changed.
 
     Why: existing programs write the wrong member, and misread those that they receive.
 

@@ -98,7 +98,7 @@ def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
 
 
 def renamed(comparison: Comparison) -> Iterator[Change]:
-    """Something has another name. The message names the evidence that it is the same: what the two have in common, and
+    """A fact was renamed. The message names the evidence that it is the same: what the two have in common, and
     nothing else that is new or gone.
 
     Why: generated names follow the names of the spec, so programs that use the old ones no longer compile or run.
@@ -135,7 +135,7 @@ def availability_changed(comparison: Comparison) -> Iterator[Change]:
 
     Example: `unavailable: true` at a mode that the old version had.
 
-    Cure: Tell users what to use instead. A member that becomes available affects nobody.
+    Cure: Tell users what to use instead. A member that becomes available needs no action.
     """
 
     for pair in comparison.of(Member):
@@ -170,7 +170,7 @@ def documentation_changed(comparison: Comparison) -> Iterator[Change]:
     """The documentation of a fact has changed: printed names, labels, texts, notes, sources, or what the manual prints
     twice.
 
-    Why: nobody is affected. The texts are in the documentation and in the comments of generated code.
+    Why: no program is affected. The texts are in the documentation and in the comments of generated code.
 
     Example: a `doc` in other words, or a `source` with another line.
 
@@ -260,7 +260,7 @@ _EXAMPLE_KEYS = {"link": "links", "message": "messages", "reply_to": "examples"}
 def example_changed(comparison: Comparison) -> Iterator[Change]:
     """An example has other bytes or other values, or shows something else.
 
-    Why: an example affects nobody. But if its frame has changed and no fact has, one of the two is wrong.
+    Why: an example affects no program. But if its frame has changed and no fact has, one of the two is wrong.
 
     Example: a `frame` with another checksum.
 

@@ -33,7 +33,7 @@ def bit_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def flags_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value has another word of flags, has one now, or has none any more.
+    """The bit field of a value was added, removed or replaced.
 
     Why: if the two words give a bit different names, it means something else. If not, the types of generated code
     change.
@@ -119,7 +119,8 @@ def edge_changed(comparison: Comparison) -> Iterator[Change]:
 def reserved_changed(comparison: Comparison) -> Iterator[Change]:
     """A field, a bit, a parameter or an element of a parameter is reserved now, or is no longer reserved.
 
-    Why: generated code writes what is reserved as zero, and ignores it. What has a meaning now was written as zero
+    Why: generated code writes what is reserved as zero, and ignores it. Bits that have a meaning now were written as
+    zero
     before.
 
     Example: `reserved: true` at a field that the old version used.

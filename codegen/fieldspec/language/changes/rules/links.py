@@ -64,7 +64,7 @@ def _framing(link: Link, key: str) -> bytes | str:
 
 
 def check_changed(comparison: Comparison) -> Iterator[Change]:
-    """A checksum has another algorithm, prefix, suffix or digits; a checksum covers, or a length counts, other parts.
+    """A checksum's algorithm, prefix, suffix or digits, or the parts that a checksum or length covers, have changed.
 
     Why: each side refuses the frames of the other.
 
@@ -134,7 +134,7 @@ def _span_text(part: Part) -> str:
 
 
 def code_changed(comparison: Comparison) -> Iterator[Change]:
-    """A message has another code, its response has another code, or it has another number if it carries no code.
+    """The code of a message or of its response has changed, or its number if it carries no code.
 
     Why: existing programs send the wrong message, and misread those that they receive.
 
@@ -162,7 +162,7 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
-    """Another bit of the code marks an exception response, or it has another record.
+    """The bit of the code that marks an exception response, or the record of that response, has changed.
 
     Why: programs mistake an exception response for an answer, or misread its reason.
 
@@ -191,7 +191,7 @@ def _error_text(comparison: Comparison, error: ExceptionResponse | None, before:
 
 
 def role_changed(comparison: Comparison) -> Iterator[Change]:
-    """A field or a part of the frame has another purpose: it measures, decides, repeats or carries something else.
+    """The purpose of a field or of a frame part has changed: it measures, decides, repeats or carries something else.
 
     Why: the same bytes are read as a length, a code, an address or an ordinary value.
 
@@ -357,7 +357,7 @@ def building_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def detection_changed(comparison: Comparison) -> Iterator[Change]:
-    """Another value tells the version of the device, or tells it in another way.
+    """A different value identifies the version of the device, or its interpretation has changed.
 
     Why: a program that reads the version chooses the code of that version by it.
 

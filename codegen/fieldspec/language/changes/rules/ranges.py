@@ -111,7 +111,7 @@ def limit_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def access_changed(comparison: Comparison) -> Iterator[Change]:
-    """A register, a table, a field, a parameter or an element of one has another access.
+    """The access of a register, table, field, parameter or element has changed.
 
     Why: the device, or the generated code, refuses to write what can only be read.
 
@@ -178,7 +178,7 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
 def restart_changed(comparison: Comparison) -> Iterator[Change]:
     """A change of a value takes effect after a restart, or no longer needs one.
 
-    Why: a program that sets the value and goes on works with the old one.
+    Why: a program that sets the value without a restart works with the old one.
 
     Example: `restart: true` at a parameter that took effect at once.
 

@@ -17,11 +17,11 @@ from fieldspec.language.model.registers import Parameter, Register, Table
 def field_moved(comparison: Comparison) -> Iterator[Change]:
     """Fields of a record or a message, or parts of a frame, have other offsets.
 
-    Why: the bytes of one field are now those of another one.
+    Why: the bytes of one field now belong to a different field.
 
     Example: a new field before all others, or two fields that change places.
 
-    Cure: Put new fields behind the others, or in the place of reserved ones. Where the old spec was wrong, accept the
+    Cure: Put new fields after the others, or in the place of reserved ones. Where the old spec was wrong, accept the
     change with that reason; else give the new version a number of its own.
     """
 
@@ -48,7 +48,7 @@ def field_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def length_changed(comparison: Comparison) -> Iterator[Change]:
-    """A record, the data of a message, or the rest of a frame has another length.
+    """The length of a record, of a message's data, or of the rest of a frame has changed.
 
     Why: a program that waits for the old number of bytes cuts the frame short, or waits for ever. Generated code
     refuses frames of another length.

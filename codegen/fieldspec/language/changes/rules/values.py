@@ -21,7 +21,7 @@ from fieldspec.language.model.value import Conversion, Value
 
 
 def type_changed(comparison: Comparison) -> Iterator[Change]:
-    """A value has another type, other digits or another size, or a field or a table has another record.
+    """The type, the digits or the size of a value, or the record of a field or table, has changed.
 
     Why: the bytes are read as another number, and what follows them in a frame moves.
 
@@ -162,7 +162,7 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
-    """A special value is new, is gone, or has another name.
+    """A sentinel was added, removed or renamed.
 
     Why: 0xFFFF meant `ignore` and is a distance now, or was a distance and means `ignore`.
 

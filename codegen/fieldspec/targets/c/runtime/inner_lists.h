@@ -104,13 +104,9 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
             return 0u;
         }
         if (list->element_size != NULL) {
-            switch (device_take_elements(list, in + from, left - from, NULL, &size, &taken)) {
-            case DEVICE_OK:
-                break;
-            case DEVICE_ERR_INCOMPLETE:
-                return left + 1u;
-            default:
-                return 0u;
+            device_codec_status status = device_take_elements(list, in + from, left - from, NULL, &size, &taken);
+            if (status != DEVICE_OK) {
+                return status == DEVICE_ERR_INCOMPLETE ? left + 1u : 0u;
             }
         }
         from += taken;

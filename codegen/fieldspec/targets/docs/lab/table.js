@@ -52,7 +52,7 @@ class FrameTable {
     byId("remarks").replaceChildren(...reading.remarks.map((text) => element("li", { textContent: text })));
     byId("remarks").className = reading.wrong ? "wrong" : "";
     this.showBytes(explanation);
-    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, placeOf);
+    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, placeOf, this.rawForms(explanation));
     const registers = byId("registers");
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
@@ -98,15 +98,34 @@ class FrameTable {
     }));
   }
 
-  showTable(place, caption, columns, rows, first) {
+  // How the command line prints raw values: codes, addresses and wire numbers of parameters in hexadecimal.
+  rawForms({ link, direction, message, error, rows }) {
+    const { device } = this.lab;
+    const { code, checks } = device.links.get(link)[direction];
+    const { access, bitAccess, [direction]: record } = device.messages.get(message) ?? {};
+    const fields = error ? [] : record?.fields ?? [];
+    const isHexadecimal = ({ name, value }) => {
+      if (value?.flags) return true;
+      const row = rows.find(({ path }) => path === name);
+      if (value?.parameter?.[1] !== "number" || !isWhole(row?.number ?? "")) return false;
+      const found = parameterAt(device, value.parameter[0], row.number);
+      return !found || Boolean(found.words.digits || found.words.base);
+    };
+    return {
+      hidden: checks.map(({ name }) => name),
+      hexadecimal: [code?.name, (access ?? bitAccess)?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
+    };
+  }
+
+  showTable(place, caption, columns, rows, first, rawForms = { hidden: [], hexadecimal: [] }) {
     const titles = columns.map((text) => element("th", { scope: "col", textContent: text }));
     const body = element("tbody");
-    for (const [number, row] of rows.entries()) body.append(this.row(row, number, first(row)));
+    for (const [number, row] of rows.entries()) body.append(this.row(row, number, first(row), rawForms));
     const table = element("table", {}, element("caption", { textContent: caption }), element("thead", {}, element("tr", {}, ...titles)), body);
     place.replaceChildren(table);
   }
 
-  row(row, number, first) {
+  row(row, number, first, { hidden, hexadecimal }) {
     const { device } = this.lab;
     const isWrong = row.verdict.startsWith("wrong");
     const isDoubtful = row.kind === "register" || row.reason === "out_of_range";
@@ -119,7 +138,7 @@ class FrameTable {
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),
       element("th", { scope: "row" }, this.factLink(row.fact, name && element("code", { textContent: name })), row.path ? "" : row.doc),
       element("td", {}, ...labels.filter(Boolean)),
-      element("td", { className: "number", textContent: rawText(row) }),
+      element("td", { className: "number", textContent: hidden.includes(row.path) ? "" : rawText(row, hexadecimal.includes(row.path)) }),
       element("td", { className: "number", textContent: row.value }),
       element("td", { className: "wide" }, ...(meanings.length > 1 ? [element("ul", {}, ...meanings)] : meanings.flatMap((item) => [...item.childNodes]))),
       element("td", { className: isWrong ? "wrong" : "right", textContent: isWrong && isDoubtful ? row.verdict.replace("wrong", "doubtful") : row.verdict }),
@@ -182,12 +201,12 @@ function visibleCharacters(text) {
   return Array.from(text, (char) => characterOf(char.charCodeAt(0))).join("");
 }
 
-// The raw value; words of bits in hexadecimal digits.
-function rawText({ number, meanings, raw }) {
+// The raw value; bit fields are always hexadecimal.
+function rawText({ number, meanings, raw }, isHexadecimal) {
   if (number === null) return "";
   if (number instanceof Uint8Array) return hexOf(number, " ");
   if (typeof number === "boolean") return String(number);
-  if (meanings.some(({ bits }) => bits) && isWhole(number)) {
+  if ((isHexadecimal || meanings.some(({ bits }) => bits)) && isWhole(number)) {
     const digits = BigInt.asUintN(8 * raw.length, BigInt(number)).toString(16).toUpperCase();
     return `0x${digits.padStart(2 * raw.length, "0")}`;
   }
