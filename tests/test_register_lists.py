@@ -56,7 +56,8 @@ def cell(value: object) -> object:
 
 
 def place(row: dict[str, Any]) -> str:
-    return str(row["address"]) if row["space"] == "registers" else f"{row['space']}:{row['address']}"
+    number = str(row["address"]) if row["subindex"] is None else f"{row['address']}.{row['subindex']}"
+    return number if row["space"] == "registers" else f"{row['space']}:{number}"
 
 
 @pytest.mark.parametrize("case", CASES.values(), ids=CASES)

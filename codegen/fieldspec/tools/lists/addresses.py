@@ -30,7 +30,7 @@ _GROUPED = re.compile(r"[0-9]{1,3}(?:[,.' ][0-9]{3})+")
 _SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|\bto\b|\bbis\b)\s*", re.IGNORECASE)
 _SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
 _BREAK = re.compile(r"\s*<br\s*/?>\s*", re.IGNORECASE)
-_NAMED = re.compile(r"(?:%?([a-z]{1,3})\.?\s?|reg(?:ister)?\.?\s?|addr?(?:ess)?\.?\s?)(?=[0-9])", re.IGNORECASE)
+_NAMED = re.compile(r"(?:reg(?:ister)?s?|addr?(?:ess)?|%?([a-z]{1,3}))\.?\s?(?=[0-9])", re.IGNORECASE)
 _OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
 """Places in the memory of a controller that are not counted in words, and not alike by all controllers."""
 
@@ -38,25 +38,28 @@ _HALF = re.compile(
     r"(.*[0-9a-f]h?)(?:_(l|h|lo|hi|low|high)|[\s_(\[]*(?:(lo|low|hi|high)[\s_-]*byte|([lm]sb)))\s*[)\]]?", re.IGNORECASE
 )
 _LETTERED = re.compile(r"[a-z]?([0-9]{1,10})", re.IGNORECASE)
+_AREA = re.compile(r"([^\W\d_]{2,}(?:[ _-][^\W\d_]+)*)[ _.:#-]*(?=[0-9])")
 _PAIR = re.compile(r"(.+?)\s*[(\[/=|]\s*([^()\[\]]+?)\s*[)\]]?")
 _BITS = re.compile(
     r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*b?(?:it)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
     re.IGNORECASE,
 )
-_NO_SPACE = ("r", "x", "h", "b", "d", "c", "e", "a", "f")
-"""Letters before digits that are no name of a space: marks, and digits of hexadecimal numbers."""
+_NO_AREA = ("", "r", "x", "h", "add", "adr", "no", "nr", "reg")
+"""Letters before digits that are no name of an area, but marks and words for any address."""
 
 
 @dataclass(frozen=True, slots=True)
 class AddressText:
     """An address: its digits, and how its prefix or suffix says to read them: `hex`, `4xxxx`, or empty.
 
-    `space` is the address space that its prefix names, empty if it names none.
+    `area` is the name of an area of memory before the digits, `space` the address space that it names; both are empty
+    if there is none.
     """
 
     digits: str
     mark: str = ""
     space: str = ""
+    area: str = ""
 
     @property
     def lettered(self) -> bool:
@@ -66,7 +69,11 @@ class AddressText:
     @property
     def prefixed(self) -> bool:
         """Whether it may be a decimal number behind a letter, as controllers write it: `D100`."""
-        return self.lettered and _LETTERED.fullmatch(self.digits) is not None
+        return self.lettered and not self.area and _LETTERED.fullmatch(self.digits) is not None
+
+    def behind_area(self) -> AddressText:
+        """The decimal number behind the letter of an area: `C3` is the coil 3."""
+        return AddressText(self.digits[1:], "", meaning("spaces", self.digits[0]), self.digits[0])
 
     def reference(self) -> tuple[str, int] | None:
         """The space and the address of a reference, counted from 0; None if the text is none."""
@@ -110,7 +117,7 @@ def address_text(text: str) -> AddressText | None:
     text = unicodedata.normalize("NFKC", text).strip().strip("`*'\"").strip()
     pointless = _POINTLESS.fullmatch(text)
     text = pointless[1] if pointless else text
-    space = ""
+    space = area = ""
     if not _DIGITS.fullmatch(text):
         if marked := _HEX.fullmatch(text):
             return AddressText(marked[1] or marked[2], HEXADECIMAL)
@@ -120,11 +127,13 @@ def address_text(text: str) -> AddressText | None:
             return AddressText(table[2] or table[4], REFERENCE, TABLES[table[1] or table[3]])
         if _OF_BYTES.match(text):
             return None
-        if prefix := _NAMED.match(text):
-            letters = (prefix[1] or "").casefold()
-            space = "" if letters in _NO_SPACE else meaning("spaces", letters)
-            text = text[prefix.end() :]
-    return AddressText(text, "", space) if _DIGITS.fullmatch(text) else None
+        prefix, words = _NAMED.match(text), _AREA.match(text)
+        if prefix and (prefix[1] or "").casefold() not in _NO_AREA:
+            area = prefix[1]
+        elif not prefix and words and meaning("spaces", words[1]):
+            prefix, area = words, words[1]
+        space, text = meaning("spaces", area), text[prefix.end() :] if prefix else text
+    return AddressText(text, "", space, area) if _DIGITS.fullmatch(text) else None
 
 
 def place(text: str) -> Place | None:
@@ -168,7 +177,7 @@ def _joined(pieces: Sequence[Place | None]) -> Place | None:
 def _span(ends: list[AddressText], is_list: bool) -> Place:
     """The first and the last of several addresses. Raises CellError if those of an enumeration are no neighbours."""
     mark = next((end.mark for end in ends if end.mark), "")
-    ends = [AddressText(end.digits, mark, end.space) if not end.mark else end for end in ends]
+    ends = [replace(end, mark=end.mark or mark) for end in ends]
     first, last = ends[0], ends[-1]
     if not is_list and len(last.digits) < len(first.digits) and int(last.digits, 16) < int(first.digits, 16):
         last = replace(last, digits=first.digits[: -len(last.digits)] + last.digits)  # `40001-2`

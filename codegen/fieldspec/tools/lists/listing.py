@@ -10,17 +10,27 @@ from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists import directions
-from fieldspec.tools.lists.addresses import HIGHEST, REFERENCE, Place
+from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
 from fieldspec.tools.lists.column_roles import NOTE, Columns, columns
 from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
-from fieldspec.tools.lists.numbering import Placed, bases, contradictions, placed, shortened_bits, wire_number
+from fieldspec.tools.lists.numbering import (
+    Placed,
+    assumed_areas,
+    bases,
+    contradictions,
+    placed,
+    shortened_bits,
+    unknown_areas,
+    wire_number,
+)
+from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS, unread_scales
 from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row
-from fieldspec.tools.lists.sheet import Sheet, SheetRow, letters
+from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import folded, meaning
 
@@ -89,16 +99,21 @@ class Listing:
 
 def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NOTHING) -> Listing:
     """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is no list."""
-    columns_of_sheet = columns(sheet, names)
-    places = placed(columns_of_sheet)
-    ways = bases(places, options.base, columns_of_sheet.heading("address"))
+    columns_of_sheet = columns(with_subindices_apart(sheet), names)
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
+    refused: list[Refusal] = []
+    assumptions: list[Assumption] = []
+    has_objects = False
+    if not own:
+        columns_of_sheet, has_objects = with_objects(columns_of_sheet, options.base, refused, assumptions)
+    places = placed(columns_of_sheet, options.base)
+    ways = bases(places, options.base, columns_of_sheet.heading("address"))
     if own:
         cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
         columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
-    assumptions = list(shortened_bits(places))
+    assumptions += [*shortened_bits(places), *assumed_areas(places)]
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
-    refused = [*places.refused, *_formulas(sheet, columns_of_sheet)]
+    refused += [*places.refused, *_formulas(sheet, columns_of_sheet)]
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
@@ -114,20 +129,28 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         if "function_write" in texts:
             texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
         row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, options.order)
-        read.append(
-            replace(
-                row,
-                bits=row_place.bits or row.bits,
-                space=row_place.first.space or row.space or meaning("spaces", sheet.name),
-            )
-        )
+        area = row_place.first.space
+        if area and row.space not in ("", area):
+            row = replace(row, doubts=(*row.doubts, f"The list says {row.space}, and {row_place.first.area}."))
+        space = area or row.space or meaning("spaces", sheet.name)
+        read.append(replace(row, bits=row_place.bits or row.bits, space=space))
     read = _by_functions(_beneath_titles(read, sheet, assumptions))
+    unknown = list(unknown_areas(places, {row.row: row.space for row in read}, columns_of_sheet.heading("address")))
+    refused += unknown
+    refused_rows = {refusal.row for refusal in unknown}
+    read = [row for row in read if row.row not in refused_rows]
+    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in refused_rows))
+    if not read:
+        raise ListError(f"has no row that can be taken: {refused[0].text()}")
     undecided: list[Assumption] = []
     if own:
         read = [exported_row(row) for row in read]
     else:
         columns_of_sheet, read = with_values_beneath(columns_of_sheet, read, places.skipped)
         read = _decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
+    if has_objects:
+        indices = {row.number: row_place.first.number(HEXADECIMAL) or 0 for row, row_place in places.rows}
+        read = list(as_parameters(read, indices, refused, assumptions))
     return Listing(
         columns_of_sheet,
         places,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from string import hexdigits
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists.addresses import (
@@ -36,8 +37,9 @@ class Placed:
     refused: tuple[Refusal, ...]
 
 
-def placed(columns: Columns) -> Placed:
-    """The places of the rows of a list. Raises ListError if there is none."""
+def placed(columns: Columns, base: str = "") -> Placed:
+    """The places of the rows of a list, whose digits are of a base if the user says it. Raises ListError if there is
+    none."""
     rows: list[tuple[SheetRow, Place]] = []
     skipped: list[SheetRow] = []
     refused: list[Refusal] = []
@@ -59,7 +61,7 @@ def placed(columns: Columns) -> Placed:
             skipped.append(row)
     if not rows:
         _refuse_all(columns, refused)
-    placed_rows = list(_with_bits(rows))
+    placed_rows = list(_with_areas(list(_with_bits(rows)), base, heading))
     shortened = {row.number for row in _shortened(placed_rows)}
     reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
     refused += [
@@ -90,6 +92,51 @@ def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, P
     for row, row_place in rows:
         whole = row_place.pointless and not bits
         yield row, Place(row_place.first, row_place.last, None, row_place.other) if whole else row_place
+
+
+def _with_areas(rows: list[tuple[SheetRow, Place]], base: str, heading: str) -> Iterator[tuple[SheetRow, Place]]:
+    """The places, with `C3` as the coil 3 where the user reads numbers as decimal, and beside `HR100`.
+
+    Raises ListError where other digits show that `C3` may as well be a hexadecimal number.
+    """
+    firsts = [row_place.first for _, row_place in rows]
+    is_named = any(first.area for first in firsts) and base != HEXADECIMAL
+    lettered = next((first.digits for first in firsts if first.prefixed), "")
+    if is_named and not base and lettered and any(f.lettered and not (f.prefixed or f.area) for f in firsts):
+        raise _undecided(lettered, heading)
+    for row, row_place in rows:
+        first, last = row_place.first, row_place.last
+        if first.prefixed and (is_named or base == DECIMAL):
+            last = last.behind_area() if last is not None and last.prefixed else last
+            row_place = replace(row_place, first=first.behind_area(), last=last)
+        yield row, row_place
+
+
+def _undecided(digits: str, heading: str) -> ListError:
+    return ListError(
+        f"has the address `{digits}` under {heading}, which is hexadecimal, or decimal behind the name of a memory "
+        "area: choose with --base hex or --base decimal"
+    )
+
+
+def assumed_areas(placed_rows: Placed) -> Iterator[Assumption]:
+    """What is assumed of letters that may be hexadecimal digits beside names of areas."""
+    firsts = [row_place.first for _, row_place in placed_rows.rows if row_place.first.area]
+    digit = next((first for first in firsts if first.area in hexdigits), None)
+    other = next((first for first in firsts if first.area not in hexdigits), None)
+    if digit is not None and other is not None:
+        evidence = f"`{digit.area}{digit.digits}` beside `{other.area}{other.digits}`"
+        yield Assumption("addresses", "names of areas before decimal numbers", evidence, "--base hex")
+
+
+def unknown_areas(placed_rows: Placed, spaces: Mapping[int, str], heading: str) -> Iterator[Refusal]:
+    """The rows with the name of an area beside others, where neither it nor `spaces` says which address space it is."""
+    areas = {row_place.first.area.casefold() for _, row_place in placed_rows.rows if row_place.first.area}
+    for row, row_place in placed_rows.rows if len(areas) > 1 else ():
+        first = row_place.first
+        if first.area and not first.space and not spaces.get(row.number):
+            reason = f"names the area `{first.area}`; say its address space in a column, and name that with --space"
+            yield Refusal(row.number, heading, f"{first.area}{first.digits}", reason)
 
 
 def _shortened(rows: Sequence[tuple[SheetRow, Place]]) -> Iterator[SheetRow]:
@@ -148,8 +195,8 @@ def _ends(placed_rows: Placed) -> Iterator[AddressText]:
 
 
 def _is_prefixed(ends: Sequence[AddressText]) -> bool:
-    """Whether all addresses are decimal digits behind one letter, which may be the area of a controller's memory."""
-    return all(end.prefixed for end in ends) and len({end.digits[0].casefold() for end in ends}) == 1
+    """Whether all addresses are decimal digits behind a letter, which may be an area of a controller's memory."""
+    return all(end.prefixed for end in ends)
 
 
 def _are_references(ends: Sequence[AddressText]) -> bool:
@@ -187,11 +234,7 @@ def chosen(
         return ways[0], Assumption("addresses", _NOTATIONS[ways[0]], f"letters among digits: `{lettered}`", "--base")
     ends = [end for end in _ends(placed_rows) if not end.mark]
     if _is_prefixed(ends):
-        digits = ends[0].digits
-        raise ListError(
-            f"has addresses such as `{digits}` under {heading}, which are hexadecimal, or decimal behind the letter "
-            "of a memory area: choose with --base hex or --base decimal"
-        )
+        raise _undecided(ends[0].digits, heading)
     if REFERENCE in ways and all(map(_is_reference_of_other, (row_place for _, row_place in placed_rows.rows))):
         return REFERENCE, Assumption(
             "addresses", "those in brackets", "the numbers before them are their references", "--base"

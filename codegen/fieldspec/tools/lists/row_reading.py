@@ -136,7 +136,6 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     low, high, meanings = _bounds(texts, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
     quantity = quantity_of(texts, row.names, row.notes, decimal, doubts)
-    doubts += [f"Subindex in the list: {texts['subindex']}."] if texts.get("subindex") else []
     count = whole(texts.get("count", "")) or 1
     return ListRow(
         row=row.row,
@@ -153,7 +152,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         stride=max(whole(texts.get("stride", "")) or 0, 0),
         texts=texts,
         space=_space(texts, doubts),
-        bits=_bits(texts.get("bit", "")),
+        bits=bits(texts.get("bit", "")),
         scale=quantity.scale,
         factor=next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
         offset=quantity.offset,
@@ -181,8 +180,8 @@ def exported_row(row: ListRow) -> ListRow:
     kind = PARAMETER if is_parameter else FIELD if "." in row.texts.get("name", "") else REGISTER
     type_name, form = type_parts(row.texts.get("type", ""))
     own_type = Typed(type_name) if type_name in PRIMITIVES else None
-    subindices = _bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
-    doubts = [doubt for doubt in row.doubts if not doubt.startswith("Subindex")]
+    subindices = bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
+    doubts = list(row.doubts)
     section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
     cited = (section, int(line)) if _SECTION.fullmatch(section) and _LINE.fullmatch(line) else None
     if cited is None:
@@ -268,7 +267,8 @@ def _special(texts: Mapping[str, str], doubts: list[str]) -> tuple[tuple[str, st
     return tuple((state[1], state[2]) for state in states if state)
 
 
-def _bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
+def bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
+    """The lowest and the highest of one or two numbers in a text; None if it has others, or one that is too high."""
     numbers = [int(digits) for digits in re.findall(r"[0-9]{1,3}", text)]
     if not numbers or len(numbers) > 2 or max(numbers) > highest:
         return None

@@ -34,6 +34,7 @@ _CITING_HEAD = """\
 # Written from an export, which cites the manual. Put the manual's own title, file, hash and number of lines below.
 """
 _HAS_IT_SO = "The list has it so."
+_ORDER = "sources_ascending"  # an object may cite the line of its first element, whose order is right
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,13 +208,12 @@ class _Writer:
             parts.append(f"unit: {quoted(unit)}")
         elif unit:
             doubts.append(f"Unit in the list: {texts.get('unit', unit)}.")
-        scale_by = self._scale_by.get(place, "")
-        parts += [f"scale_by: {quoted(scale_by)}"] if scale_by else []
-        if scale_by:
+        if scale_by := self._scale_by.get(place, ""):
+            parts.append(f"scale_by: {quoted(scale_by)}")
             doubts = [doubt for doubt in doubts if not doubt.startswith("Scale in the list")]
         parts += _numbers(row, kind, bool(scale_by), doubts)
         parts += meaning.keys
-        allowed = list(self._allowed.get(row.row, ()))
+        allowed = [rule for rule in self._allowed.get(row.row, ()) if row.subindices is None or rule != _ORDER]
         if entry.is_own:
             parts += _words(row, name, self._labels[_list_of(entry)], allowed)
         if allowed:

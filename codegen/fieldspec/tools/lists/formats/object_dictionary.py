@@ -21,12 +21,10 @@ from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.formats.format_rows import FormatRows, decimal
 from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.object_rows import OBJECTS, TEXT_BYTES
 from fieldspec.tools.lists.row_reading import PARAMETER, ListRow
 from fieldspec.tools.lists.sheet import MOST_ROWS, ListError, Sheet
 from fieldspec.tools.lists.type_words import Typed
-
-OBJECTS = "objects"
-"""The space of the numbers of objects."""
 
 SIGNS = re.compile(
     r"^[ \t]*\[(?:FileInfo|DeviceInfo|DeviceComissioning|DeviceCommissioning|DummyUsage|MandatoryObjects)\]",
@@ -63,7 +61,6 @@ _TYPES = {
 _ACCESSES = {"ro": "ro", "const": "ro", "wo": "wo", "rw": "rw", "rwr": "rw", "rww": "rw"}
 _TEXT = "text"
 _TIME_BYTES = 6
-_TEXT_BYTES = 64
 _LAST_SUBINDEX = 0xFE
 _SECTION = re.compile(r"\s*\[([^\]]*)\]")
 _OBJECT = re.compile(r"([0-9A-Fa-f]{4})(?:sub([0-9A-Fa-f]{1,2}))?", re.IGNORECASE)
@@ -261,7 +258,7 @@ def _bytes(variable: Any) -> str:
     """The size of a text or of bytes; empty for a number."""
     match _type(variable):
         case "text":
-            return str(max(_TEXT_BYTES, len(str(variable.default or "").encode())))
+            return str(max(TEXT_BYTES, len(str(variable.default or "").encode())))
         case "bytes":
             return str(_TIME_BYTES)
         case _:
@@ -279,7 +276,7 @@ def _add(rows: FormatRows, element: _Element, place: tuple[int, int] | None) -> 
         rows.refuse(line, _cells(section), "is no access of an object", "AccessType")
     else:
         if name == _TEXT and not any(assumption.subject == "texts" for assumption in rows.assumptions):
-            reading = f"up to {_TEXT_BYTES} bytes, or as long as their defaults"
+            reading = f"up to {TEXT_BYTES} bytes, or as long as their defaults"
             rows.assumptions.append(Assumption("texts", reading, "such a file has no lengths"))
         rows.add(line, _cells(section), _row(section, variable, place))
 
