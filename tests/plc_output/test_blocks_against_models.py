@@ -103,18 +103,6 @@ def test_a_jog_does_not_run_away_when_its_successor_is_refused(
     assert broken(rig, 15, 16, 20, 30) == []
 
 
-@pytest.mark.parametrize("name", POSITIONING)
-def test_a_jog_that_is_aborted_stops(name: str, make: Callable[..., Any]) -> None:
-    rig = make(name)
-    jog = jogging(rig)
-    if (jog, "Abort") not in rig.bench.inputs:
-        pytest.skip("it has no Abort")
-    rig.set(jog, Abort=True)
-    rig.run(1000)
-    assert rig.model.state.velocity == 0
-    assert broken(rig, 15, 20, 30) == []
-
-
 @pytest.mark.parametrize("name", FRAMED)
 def test_a_jog_whose_stop_is_lost_asks_again(name: str, make: Callable[..., Any]) -> None:
     rig = make(name)
@@ -237,17 +225,6 @@ def test_a_successor_that_is_refused_leaves_somebody_responsible(name: str, make
     rig.run(1500)
     assert rig.ended(rig.block("relative")).startswith("Error")
     assert broken(rig, 15, 16, 17, 20) == []
-
-
-@pytest.mark.parametrize("name", POSITIONING)
-def test_who_is_aborted_stops_the_axis(name: str, make: Callable[..., Any]) -> None:
-    rig = make(name)
-    block = set_out(rig, name, 1900)
-    if (block, "Abort") not in rig.bench.inputs:
-        pytest.skip("it has no Abort")
-    rig.set(block, Abort=True)
-    rig.run(400)
-    assert broken(rig, 15, 20, 21) == []
 
 
 # A stop locks the axis.

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.html_text import clean
 from fieldspec.targets.docs.changes import page_name
 from fieldspec.targets.docs.context import address
 from fieldspec.targets.docs.document import (
@@ -71,8 +72,8 @@ def index_file(layouts: Sequence[DeviceLayout], pages: Mapping[str, Document]) -
         group.append(_entry_row(entry, versions[entry] if versions[entry] != all_versions else 0))
     data = {
         "id": newest.id,
-        "name": newest.name,
-        "vendor": newest.vendor,
+        "name": clean(newest.name),
+        "vendor": clean(newest.vendor),
         "title": pages[newest.version].subtitle,
         "language": newest.manual.language,
         "identity": layouts[-1].identity,
