@@ -74,6 +74,13 @@ def test_a_copy_is_a_group_of_its_own_at_other_addresses() -> None:
     ]
 
 
+def test_a_copy_is_in_the_address_space_of_its_group() -> None:
+    spaces = "\nspaces: [{name: words, source: 2 L1}, {name: bytes, unit: byte, source: 2 L2}]\n"
+    settings, stored = device(spaces + BLOCK.replace("settings\n", "settings\n    space: words\n")).groups
+    assert (settings.space, stored.space) == ("words", "words")
+    assert {row.space for row in stored.registers} == {"words"}
+
+
 def test_a_copied_register_has_the_value_of_its_original() -> None:
     settings, stored = device(BLOCK).groups
     assert [row.value for row in stored.registers] == [row.value for row in settings.registers]

@@ -13,7 +13,7 @@ from fieldspec.language.reading.project import read
 from fieldspec.language.schema import Schema, resolved, schema
 
 SEEDS = 400
-# Random specs hardly ever have them: the default length of parameters, which only texts have, and what a checksum covers.
+# Random specs hardly ever have them: the default length of parameters, which only texts have, and what checksums cover.
 RARE = """
 device: {id: gadget, name: G, vendor: V, manual: {title: T, file: f, sha256: "%s", lines: 1}}
 parameters: [{name: a, defaults: {type: text, length: 4}, rows: [{number: 1, name: b}]}]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import strategies as st
 
 from random_devices.draft import SIZES, Draft, Spec, bounds
-from random_devices.drawn_records import body, telegram
+from random_devices.drawn_records import body, draw_separator, telegram
 
 
 def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> list[Spec]:
@@ -17,6 +17,7 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
         drawn.append(draft.bounded(draft.fact(code=free_code(draft, codes), request=request, response=response), 5))
         if other_links or draft.chance(20):
             drawn[-1]["links"] = draft.some(coded_links)
+        draw_separator(draft, drawn[-1], request, response)
         if draft.chance(10):
             _repeat_field(draft, drawn[-1])
     if drawn and draft.chance(25):

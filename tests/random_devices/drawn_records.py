@@ -30,6 +30,7 @@ def _differing_record(draft: Draft) -> Spec:
             measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
             fields = [*_inserted(draft, fields, measure), repeated, *_behind(draft)]
     record["fields"] = fields
+    draw_separator(draft, record, fields)
     draft.differing.append(record["name"])
     return record
 
@@ -54,6 +55,7 @@ def _record(draft: Draft, words: bool) -> Spec:
         size += bytes_of_field
     if draft.chance(20):
         size += add_exponent(draft, record["fields"], "i16" if words else "i8")
+    size += 0 if words else draw_separator(draft, record, record["fields"])
     if draft.chance(20):
         record["size"] = size
     elif draft.chance(20) and words:
@@ -64,6 +66,14 @@ def _record(draft: Draft, words: bool) -> Spec:
     apart = any("write_range" in field for field in record["fields"])
     draft.records.append(RecordDraft(record["name"], size, words, apart))
     return record
+
+
+def draw_separator(draft: Draft, holder: Spec, *bodies: list[Spec]) -> int:
+    """Lets bytes separate the fields of a record or a message; returns how many there are in the first body."""
+    if max(map(len, bodies)) < 2 or not draft.chance(15):
+        return 0
+    holder["separator"] = draft.pick(("2C", "20", "0A", "3B 20", "2C 00 2C", "7C 7C 7C 7C"))
+    return (len(bodies[0]) - 1) * len(bytes.fromhex(holder["separator"]))
 
 
 def fixed_field(draft: Draft, place: str = "field") -> tuple[Spec, int]:

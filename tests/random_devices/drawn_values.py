@@ -247,19 +247,22 @@ def varying_value(draft: Draft) -> Spec:
 
 def _text_form(draft: Draft, keys: Spec) -> None:
     """How a text is sent that is not ASCII filled up with zeros."""
-    keys["encoding"] = draft.pick(("ascii", "latin_1", "utf_8", "utf_16"))
+    keys["encoding"] = draft.pick(("ascii", "latin_1", "utf_8", "utf_16", "packed_ascii"))
     if keys["encoding"] == "utf_16":
         keys["length"] += keys["length"] % 2
+    is_packed = keys["encoding"] == "packed_ascii"
+    if is_packed:
+        keys["length"] += -keys["length"] % 3
     if draft.chance(50):
-        keys["padding"] = draft.pick(("nul", "space"))
+        keys["padding"] = "space" if is_packed else draft.pick(("nul", "space"))
     if draft.chance(30):
         keys["align"] = draft.pick(("left", "right"))
     if draft.chance(30) and keys["length"] > 2 and keys.get("align") != "right":
-        keys["terminator"] = draft.pick((0x00, 0x0D, 0x20, 0x7F))
+        keys["terminator"] = draft.pick((0x20, 0x3F, 0x40, 0x5F) if is_packed else (0x00, 0x0D, 0x20, 0x7F))
     if keys["encoding"] == "utf_16" and draft.chance(40):
         keys["byte_order"] = draft.pick(("little", "big"))
     elif keys["encoding"] != "utf_16" and draft.chance(25):
-        keys["length"] += keys["length"] % 2
+        keys["length"] += keys["length"] % 2 * (3 if is_packed else 1)
         keys["byte_order"] = "little"
 
 

@@ -34,6 +34,7 @@ _CHARACTERS = {
     "latin_1": "AZ  \t\x7f\x80\xe4\xff",
     "utf_8": "AZ  \r\xe4\u20ac\U0001f600",
     "utf_16": "AZ  \r\xe4\u0d00\u2020\ufffd\U0001f600",
+    "packed_ascii": "AZ  @_?\r^a`",
 }
 """Characters of texts by their encodings: such as end and fill up texts are among them."""
 

@@ -107,7 +107,7 @@ def split(spec: Spec, dice: random.Random) -> Files:
     Of some of these, the device states keys of its own, also such as the protocol states otherwise. The protocol may
     have a link that the device does not take, and its enums may be those of a protocol that it uses itself.
     """
-    own = copy.deepcopy(spec)
+    own = _bare(spec, "")  # messages share fields, of which each gets keys of its own
     protocol: Spec = {"protocol": {"id": "shared", "title": "What several devices share"}}
     counts = {section: len(own.get(section, ())) for section in _OF_PROTOCOL}
     if dice.random() < 0.4:

@@ -1,10 +1,36 @@
-const ENCODING_NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16" };
+const ENCODING_NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16", packed_ascii: "packed ASCII" };
 const CHARACTER_NAMES = { 0x00: "a zero", 0x20: "a space", 0x0a: "a line feed", 0x0d: "a carriage return" };
 const LONE_SURROGATE = /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/;
 const UTF_8 = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
 const USUAL = { encoding: "ascii" };
 
 const unitOf = ({ encoding }) => (encoding === "utf_16" ? 2 : 1);
+
+const isPacked = ({ encoding }) => encoding === "packed_ascii";
+
+/** The characters that three bytes of packed ASCII have, or those of bytes that have one each. */
+function unpackedBytes(form, bytes) {
+  if (!isPacked(form)) return bytes;
+  return Uint8Array.from({ length: Math.floor(bytes.length / 3) * 4 }, (_, at) => {
+    const first = Math.floor(at / 4) * 3;
+    const number = bytes[first] * 65536 + bytes[first + 1] * 256 + bytes[first + 2];
+    const code = (number >> (18 - 6 * (at % 4))) & 63;
+    return code < 32 ? code + 64 : code;
+  });
+}
+
+/** The bytes of characters: three of four characters in packed ASCII. */
+function packedBytes(form, characters) {
+  if (!isPacked(form)) return characters;
+  return Uint8Array.from({ length: (characters.length / 4) * 3 }, (_, at) => {
+    const first = at + Math.floor(at / 3);
+    const pair = (characters[first] & 63) * 64 + (characters[first + 1] & 63);
+    return (pair >> (4 - 2 * (at % 3))) & 255;
+  });
+}
+
+/** The bytes of a text of `size` bytes before it is packed. */
+const wholeSize = (form, size) => (isPacked(form) ? Math.floor(size / 3) * 4 : size);
 
 function characterName(code) {
   return CHARACTER_NAMES[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
@@ -39,8 +65,8 @@ function unitsOfText({ encoding }, text) {
   if (LONE_SURROGATE.test(text)) return null;
   if (encoding === "utf_8") return [...new TextEncoder().encode(text)];
   const units = Array.from({ length: text.length }, (_, at) => text.charCodeAt(at));
-  const most = { ascii: 0x7f, latin_1: 0xff, utf_16: 0xffff }[encoding];
-  return units.some((unit) => unit > most) ? null : units;
+  const [least, most] = { ascii: [0, 0x7f], latin_1: [0, 0xff], utf_16: [0, 0xffff], packed_ascii: [0x20, 0x5f] }[encoding];
+  return units.some((unit) => unit < least || unit > most) ? null : units;
 }
 
 /**
@@ -49,7 +75,7 @@ function unitsOfText({ encoding }, text) {
  */
 export function decodedText(form, bytes, little) {
   const { padding = 0, isRight = false, terminator } = form ?? USUAL;
-  const units = unitsOf(form ?? USUAL, turnedBytes(form ?? USUAL, bytes), little);
+  const units = unitsOf(form ?? USUAL, unpackedBytes(form ?? USUAL, turnedBytes(form ?? USUAL, bytes)), little);
   let [first, last] = [0, units.length];
   if (terminator !== undefined) {
     last = units.indexOf(terminator);
@@ -74,17 +100,18 @@ export function textFault(form, size, text) {
     const place = isRight ? "begins" : "ends";
     return ["unknown_value", `${place} with ${characterName(padding)}, which fills the text up`];
   }
-  const room = size - (terminator === undefined ? 0 : unitOf(form));
+  const room = wholeSize(form, size) - (terminator === undefined ? 0 : unitOf(form));
   const taken = units.length * unitOf(form);
-  return taken > room ? ["wrong_length", `has ${room} bytes, not ${taken}`] : null;
+  const counted = isPacked(form) ? "characters" : "bytes";
+  return taken > room ? ["wrong_length", `has ${room} ${counted}, not ${taken}`] : null;
 }
 
 /** The `size` bytes of a text that has no fault. */
 export function textBytes(form, size, text, little) {
   const { padding = 0, isRight = false, terminator } = form;
   const units = [...unitsOfText(form, text), ...(terminator === undefined ? [] : [terminator])];
-  const filler = new Array(Math.floor(size / unitOf(form)) - units.length).fill(padding);
+  const filler = new Array(Math.floor(wholeSize(form, size) / unitOf(form)) - units.length).fill(padding);
   const all = isRight ? [...filler, ...units] : [...units, ...filler];
-  if (unitOf(form) === 1) return turnedBytes(form, Uint8Array.from(all));
+  if (unitOf(form) === 1) return turnedBytes(form, packedBytes(form, Uint8Array.from(all)));
   return Uint8Array.from(all.flatMap((unit) => (little ? [unit & 255, unit >> 8] : [unit >> 8, unit & 255])));
 }

@@ -140,6 +140,11 @@ class RecordLayout:
         return tuple(by_name[field.name] for field in self.record.fields)
 
     @property
+    def stated_fields(self) -> tuple[FieldLayout, ...]:
+        """The fields that the spec states one by one: those of the record but its separators."""
+        return tuple(field for field in self.fields if not field.field.is_separator)
+
+    @property
     def first_bytes(self) -> int:
         """The bytes before the first value that varies in width, or all where none does."""
         return sum(span.size for span in takewhile(lambda span: span.value is None, self.spans))

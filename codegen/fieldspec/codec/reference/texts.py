@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from fieldspec.language.model.value import Value
 
-_CODECS = {"ascii": "ascii", "latin_1": "iso8859-1", "utf_8": "utf-8"}
+_CODECS = {"ascii": "ascii", "latin_1": "iso8859-1", "utf_8": "utf-8", "packed_ascii": "ascii"}
 _NUL = "\0"
+_SIX_BITS = "@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_ !\"#$%&'()*+,-./0123456789:;<=>?"
+"""The characters of packed ASCII by their codes."""
 
 
 def text_of_bytes(value: Value, order: str, data: bytes) -> str | None:
@@ -14,6 +16,7 @@ def text_of_bytes(value: Value, order: str, data: bytes) -> str | None:
     if form is None:
         return data.rstrip(b"\0").decode("ascii") if data.isascii() else None
     data = _turned(data) if form.is_turned else data
+    data = _unpacked(data) if _is_packed(value) else data
     codec = _codec(value, order)
     if form.terminator is None:
         # What fills a text up is a whole character of its own, and no part of another one in any of the encodings.
@@ -44,8 +47,9 @@ def bytes_of_text(value: Value, order: str, text: str) -> bytes:
     codec = _codec(value, order)
     content = (text if form.terminator is None else text + chr(form.terminator)).encode(codec)
     filler = chr(form.padding).encode(codec)
-    room = (value.size - len(content)) // len(filler) * filler
+    room = (_characters_room(value) - len(content)) // len(filler) * filler
     whole = room + content if form.is_right else content + room
+    whole = _packed(whole) if _is_packed(value) else whole
     return _turned(whole) if form.is_turned else whole
 
 
@@ -56,9 +60,11 @@ def text_refusal(value: Value, order: str, text: str) -> tuple[str, str] | None:
         size = len(text.encode(codec))
     except UnicodeEncodeError:
         return "unknown_value", "has characters that its encoding lacks"
+    if _is_packed(value) and not set(text) <= set(_SIX_BITS):
+        return "unknown_value", "has characters that six bits lack"
     if _NUL in text:
         return "unknown_value", "has a zero"
-    room = value.size
+    room = _characters_room(value)
     if form is not None and form.terminator is not None:
         room -= len(chr(form.terminator).encode(codec))
         if chr(form.terminator) in text:
@@ -73,6 +79,27 @@ def _codec(value: Value, order: str) -> str:
         return "ascii"
     wide = "utf-16-be" if order == "big" else "utf-16-le"
     return _CODECS.get(value.text_form.encoding, wide)
+
+
+def _is_packed(value: Value) -> bool:
+    return value.text_form is not None and value.text_form.encoding == "packed_ascii"
+
+
+def _characters_room(value: Value) -> int:
+    return value.size * 8 // 6 if _is_packed(value) else value.size
+
+
+def _unpacked(data: bytes) -> bytes:
+    """The characters that each six bits of the data are."""
+    bits = "".join(f"{byte:08b}" for byte in data)
+    codes = (int(bits[place : place + 6], 2) for place in range(0, len(bits), 6))
+    return "".join(_SIX_BITS[code] for code in codes).encode()
+
+
+def _packed(characters: bytes) -> bytes:
+    """The bytes that six bits of each character make."""
+    bits = "".join(f"{_SIX_BITS.index(chr(character)):06b}" for character in characters)
+    return bytes(int(bits[place : place + 8], 2) for place in range(0, len(bits), 8))
 
 
 def _turned(data: bytes) -> bytes:

@@ -114,6 +114,8 @@ def _message(layout: DeviceLayout, message: MessageLayout) -> Iterator[Block]:
 def _record(layout: DeviceLayout, record: RecordLayout, base: int | None = None) -> Iterator[Block]:
     """The fields of a record, and drawings of the words of bits in it."""
     yield field_table(record, base)
+    if record.record.separator:
+        yield Line(f"{record.record.separator.hex(' ').upper()} between each two fields")
     words = dict.fromkeys(field.value.flags for field in record.fields if field.value and field.value.flags)
     for word in words:
         yield Line(word, "bold")

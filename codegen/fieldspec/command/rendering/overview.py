@@ -58,7 +58,12 @@ def field_table(record: RecordLayout, base: int | None = None) -> Block:
     """The fields of a record with their places and values; `base` is the address of the first word."""
     if not record.fields:
         return Line("no data")
-    rows = [row for field in record.sent_fields for row in _rows(field, base, record.has_place(field))]
+    rows = [
+        row
+        for field in record.sent_fields
+        if not field.field.is_separator
+        for row in _rows(field, base, record.has_place(field))
+    ]
     headings = ("at" if base is None else "address", "type", "name", "label", "unit", "range", "default", "names")
     return narrowed(Table(headings, tuple(rows)))
 

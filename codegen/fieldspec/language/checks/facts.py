@@ -18,12 +18,16 @@ _VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(limit=1
 
 
 def facts(device: Device) -> tuple[Fact, ...]:
-    """All facts in the order of the spec's sections, each before those that it contains."""
+    """All facts in the order of the spec's sections, each before those that it contains; separators are none."""
     return _FACTS.get_or_compute(device, _facts)
 
 
 def _facts(device: Device) -> tuple[Fact, ...]:
-    return tuple(item for item in descendants(device) if isinstance(item, Fact))
+    return tuple(item for item in descendants(device) if isinstance(item, Fact) and not _is_separator(item))
+
+
+def _is_separator(fact: Fact) -> bool:
+    return isinstance(fact, Field) and fact.is_separator
 
 
 def values(device: Device) -> tuple[tuple[Fact, Value], ...]:

@@ -1,6 +1,7 @@
 """A text has room for its characters and its terminator, and only texts have keys for texts. A terminator ends a text
-on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, and a default is a text that can
-be sent. Only fields and registers that are not reserved have a special text form.
+on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, packed ASCII has three of them
+for four characters and no zeros, and a default is a text that can be sent. Only fields and registers that are not
+reserved have a special text form.
 
 Why: a text that cannot be written as it is read loses or changes characters without a message.
 
@@ -49,6 +50,15 @@ def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
     elif value.size % form.unit:
         text = f"{fact.name} has {plural(value.size, 'byte')}, and UTF-16 an even number of them"
         yield finding(_CODE, fact.place, "encoding", text, "correct the length")
+    elif form.is_packed and value.size % 3:
+        text = f"{fact.name} has {plural(value.size, 'byte')}, and packed ASCII three of them for four characters"
+        yield finding(_CODE, fact.place, "encoding", text, "correct the length")
+    elif not form.has(chr(form.padding)):
+        text = f"{fact.name} is packed ASCII, which has no zeros that could fill it up"
+        yield finding(_CODE, fact.place, "padding", text, "remove it: spaces fill the text up")
+    elif form.terminator is not None and not form.has(chr(form.terminator)):
+        text = f"{fact.name} is packed ASCII, which does not have the character that ends it"
+        yield finding(_CODE, fact.place, "terminator", text, "use a character from the space to `_`, or remove it")
     elif form.is_turned and value.size % 2:
         text = f"{fact.name} has {plural(value.size, 'byte')}, and `byte_order: little` exchanges those of whole words"
         yield finding(_CODE, fact.place, "byte_order", text, "correct the length, or remove `byte_order`")

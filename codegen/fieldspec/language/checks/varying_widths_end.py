@@ -10,9 +10,10 @@ read as a part of it.
 
 Example: `{name: weight, type: u32, digits: decimal, length: 8, varies: true}` before a `u16`.
 
-Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or `{name: end, type: u8, const: 0}`
-for a zero behind a text; or its number of bytes before it, `{name: length, type: u8, measures: {bytes: label}}`.
-Remove `varies` where the manual prints a fixed number of characters.
+Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or once as the `separator` of all
+fields; `{name: end, type: u8, const: 0}` for a zero behind a text; or its number of bytes before it,
+`{name: length, type: u8, measures: {bytes: label}}`. Remove `varies` where the manual prints a fixed number of
+characters.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.record import Field, Message, Record, text_count
 from fieldspec.language.model.sizes import RecordSizes
-from fieldspec.language.model.text_form import UTF_16
+from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
 
 _CODE = "varying_widths_end"
@@ -70,9 +71,13 @@ def _form(value: Value) -> str:
     if is_text(value.encoding):
         form = value.text_form
         if form is not None and (
-            form.encoding == UTF_16 or form.is_right or form.padding or form.terminator is not None or form.is_turned
+            form.encoding in (UTF_16, PACKED_ASCII)
+            or form.is_right
+            or form.padding
+            or form.terminator is not None
+            or form.is_turned
         ):
-            return "varies in width, and has no UTF-16, no byte order, no padding and no terminator of its own"
+            return "varies in width, and has no UTF-16, packed ASCII, byte order, padding or terminator of its own"
         return ""
     if not value.digits or value.digits in NIBBLES:
         return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import is_count, is_signed, is_text
 from fieldspec.language.model.fact import Fact
@@ -47,7 +49,8 @@ class Field(Fact):
     """A value or a record at one place, once, `count` times, or repeated to the end of the data.
 
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
-    places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints.
+    places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
+    that `is_separator` stands for a byte of the record's `separator`, behind one of its fields.
     """
 
     value: Value | None
@@ -67,6 +70,7 @@ class Field(Fact):
     atomic: bool
     handling: Handling
     same_as: str
+    is_separator: bool = False
 
     @property
     def is_list(self) -> bool:
@@ -78,13 +82,25 @@ class Field(Fact):
 class Record(Fact):
     """Fields in the order of the wire. `size` in bytes and `words` are what the manual prints.
 
-    `same_as` names the record with the same layout, else it is empty.
+    `same_as` names the record with the same layout, else it is empty. The bytes of a `separator` are constants between
+    its fields.
     """
 
     size: int | None
     words: int | None
     fields: tuple[Field, ...]
     same_as: str = ""
+
+    @property
+    def separator(self) -> bytes:
+        """The bytes between each two fields that the spec states, none where nothing separates them."""
+        constants = takewhile(lambda field: field.is_separator, self.fields[1:])
+        return bytes(field.value.const or 0 for field in constants if field.value is not None)
+
+    @property
+    def stated_fields(self) -> tuple[Field, ...]:
+        """The fields that the spec states one by one: all but the separators."""
+        return tuple(field for field in self.fields if not field.is_separator)
 
     def named(self, name: str) -> Field | None:
         """The field with a name, None if there is none."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
 
 if TYPE_CHECKING:
@@ -19,11 +21,16 @@ if TYPE_CHECKING:
 UTF_16 = "utf_16"
 """The encoding whose characters are numbers of 16 bits, in the byte order of the value."""
 
+PACKED_ASCII = "packed_ascii"
+"""The encoding whose characters, from the space to `_`, have six bits: four of them are in three bytes."""
+
+_PACKABLE = re.compile("[ -_]*")
+
 PADDINGS = {"nul": 0x00, "space": 0x20}
 """The characters that fill up a text."""
 
-_CODECS = {"ascii": "ascii", "latin_1": "latin-1", "utf_8": "utf-8"}
-_TITLES = {"ascii": "ASCII", "latin_1": "Latin-1", "utf_8": "UTF-8", UTF_16: "UTF-16"}
+_CODECS = {"ascii": "ascii", "latin_1": "latin-1", "utf_8": "utf-8", PACKED_ASCII: "ascii"}
+_TITLES = {"ascii": "ASCII", "latin_1": "Latin-1", "utf_8": "UTF-8", UTF_16: "UTF-16", PACKED_ASCII: "packed ASCII"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +39,8 @@ class TextForm:
 
     `padding` is the code of the character that fills the text up, before it where `is_right`. `terminator` is the code
     of the character that ends the text, None without one; what follows it is not read. Where it `is_turned`, the two
-    bytes of each word of 16 bits are exchanged, so that the first character is in the low byte.
+    bytes of each word of 16 bits are exchanged, so that the first character is in the low byte. Where it `is_packed`,
+    its bytes are one for each character before they are packed.
     """
 
     encoding: str
@@ -40,6 +48,11 @@ class TextForm:
     is_right: bool
     terminator: int | None
     is_turned: bool = field(default=False, repr=False)
+
+    @property
+    def is_packed(self) -> bool:
+        """Whether four characters are in three bytes."""
+        return self.encoding == PACKED_ASCII
 
     @property
     def unit(self) -> int:
@@ -52,12 +65,22 @@ class TextForm:
 
     def room(self, size: int) -> int:
         """The bytes that the characters of a text of `size` bytes may take."""
-        return size if self.terminator is None else size - self.unit
+        whole = size // 3 * 4 if self.is_packed else size
+        return whole if self.terminator is None else whole - self.unit
+
+    def has(self, text: str) -> bool:
+        """Whether the encoding has the characters of a text."""
+        try:
+            text.encode(self.codec("big"))
+        except UnicodeEncodeError:
+            return False
+        return not self.is_packed or _PACKABLE.fullmatch(text) is not None
 
     def content(self, data: bytes, order: str) -> bytes | None:
         """The bytes of the characters alone; None where the terminator is missing."""
         codec = self.codec(order)
         data = turned_words(data) if self.is_turned else data
+        data = unpacked(data) if self.is_packed else data
         if self.terminator is not None:
             end = chr(self.terminator).encode(codec)
             places = range(0, len(data) - self.unit + 1, self.unit)
@@ -76,10 +99,26 @@ def turned_words(data: bytes) -> bytes:
     return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
 
 
+def unpacked(data: bytes) -> bytes:
+    """The characters of packed ASCII, of which each has a byte. The highest of its seven bits is not sent."""
+    number, count = int.from_bytes(data, "big"), len(data) // 3 * 4
+    codes = (number >> 6 * place & 0x3F for place in reversed(range(count)))
+    return bytes(code | (~code & 0x20) << 1 for code in codes)
+
+
+def packed(data: bytes) -> bytes:
+    """The bytes of characters of packed ASCII, four of which are in three bytes."""
+    number = 0
+    for character in data:
+        number = number << 6 | character & 0x3F
+    return number.to_bytes(len(data) // 4 * 3, "big")
+
+
 def text_form(encoding: str, padding: str, align: str, terminator: int | None, byte_order: str) -> TextForm | None:
     """The form of a text by what a spec states; None for ASCII that is padded with zeros."""
     is_turned = byte_order == "little" and encoding != UTF_16
-    form = TextForm(encoding or "ascii", PADDINGS[padding or "nul"], align == "right", terminator, is_turned)
+    usual = "space" if encoding == PACKED_ASCII else "nul"
+    form = TextForm(encoding or "ascii", PADDINGS[padding or usual], align == "right", terminator, is_turned)
     return None if form == TextForm("ascii", 0, False, None) else form
 
 
@@ -99,10 +138,7 @@ def decoded_text(value: Text, order: str, data: bytes) -> str | None:
 def text_fault(value: Text, order: str, text: str) -> tuple[str, str] | None:
     """Why a text cannot be sent, as a reason and in words; None where it can."""
     form = value.text_form
-    codec = "ascii" if form is None else form.codec(order)
-    try:
-        size = len(text.encode(codec))
-    except UnicodeEncodeError:
+    if not (text.isascii() if form is None else form.has(text)):
         return "unknown_value", f"holds characters that are not {encoding_title(value)}"
     if "\0" in text:
         return "unknown_value", "holds a zero, which ends a text"
@@ -112,9 +148,11 @@ def text_fault(value: Text, order: str, text: str) -> tuple[str, str] | None:
     elif form is not None and text[-1 if not form.is_right else 0 :][:1] == chr(form.padding):
         place = "begins" if form.is_right else "ends"
         return "unknown_value", f"{place} with {_character(form.padding)}, which fills the text up"
+    size = len(text) if form is None else len(text.encode(form.codec(order)))
     room = value.size if form is None else form.room(value.size)
     if size > room:
-        return "wrong_length", f"has {room} bytes, not {size}"
+        units = "characters" if form is not None and form.is_packed else "bytes"
+        return "wrong_length", f"has {room} {units}, not {size}"
     return None
 
 
@@ -124,13 +162,16 @@ def text_bytes(value: Text, order: str, text: str) -> bytes:
     if form is None:
         return text.encode("ascii", "replace").ljust(value.size, b"\0")[: value.size]
     codec = form.codec(order)
+    text = "".join(letter if form.has(letter) else "?" for letter in text) if form.is_packed else text
     data = text.encode(codec, "replace")
     while len(data) > form.room(value.size):
         text = text[:-1]
         data = text.encode(codec, "replace")
     end = b"" if form.terminator is None else chr(form.terminator).encode(codec)
-    padding = chr(form.padding).encode(codec) * ((value.size - len(data + end)) // form.unit)
+    filler = chr(form.padding).encode(codec)
+    padding = filler * ((form.room(value.size) - len(data)) // form.unit)
     whole = padding + data if form.is_right else data + end + padding
+    whole = packed(whole) if form.is_packed else whole
     return turned_words(whole) if form.is_turned else whole
 
 

@@ -59,13 +59,23 @@ class _Expansion:
 
     def message(self, message: Mapping) -> Mapping:
         """The message, with the keys of signals in the fields that place them."""
+        self._refuse_separator(message, "request", "response")
         for direction in ("request", "response"):
             message = self._placed(message, direction)
         return message
 
     def record(self, record: Mapping) -> Mapping:
         """The record, with the keys of signals in the fields that place them."""
+        self._refuse_separator(record, "fields")
         return self._placed(record, "fields")
+
+    def _refuse_separator(self, holder: Mapping, *keys: str) -> None:
+        """Adds a finding for a separator where no version has two fields that it could separate."""
+        stated = holder.values.get("separator")
+        counts = [len(fields.items) for key in keys if isinstance(fields := holder.values.get(key), Sequence)]
+        if isinstance(stated, Scalar) and max(counts, default=0) < 2:
+            text = "there are no two fields that a separator could be between"
+            self.findings.append(Diagnostic("keys_have_effect", text, stated.span, help="remove it"))
 
     def _placed(self, holder: Mapping, key: str) -> Mapping:
         fields = holder.values.get(key)
@@ -142,7 +152,7 @@ class _Expansion:
         result = copy
         for key in _OF_COPY & result.values.keys():
             result = result.without(key)
-        for key in ("defaults", "order", "allow"):
+        for key in ("defaults", "order", "allow", "space"):
             if key in group.values:
                 result = result.with_value(key, group.values[key])
         result = (

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from fieldspec.language.model.text_form import UTF_16
+from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.expressions import Call, Expression
 from fieldspec.targets.c.literals import FALSE, TRUE, hexadecimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Evaluation, call
 
-_ENCODINGS = {"ascii": 0, "latin_1": 1, "utf_8": 2, UTF_16: 3}
+_ENCODINGS = {"ascii": 0, "latin_1": 1, "utf_8": 2, UTF_16: 3, PACKED_ASCII: 8}
 """The numbers of encodings in `runtime/encoded_texts.h`; UTF-16 with the low byte first has the next one."""
-
-_TURNED = 5
-"""What is added for words whose bytes are exchanged."""
 
 _NO_END = 0x80
 
@@ -21,7 +18,9 @@ _NO_END = 0x80
 def text_capacity(value: Value) -> int:
     """The most bytes that the characters of a text have in C, without the zero that ends them."""
     encoding = value.text_form.encoding if value.text_form is not None else ""
-    return {"latin_1": 2 * value.size, UTF_16: value.size // 2 * 3}.get(encoding, value.size)
+    return {"latin_1": 2 * value.size, UTF_16: value.size // 2 * 3, PACKED_ASCII: value.size // 3 * 4}.get(
+        encoding, value.size
+    )
 
 
 def load_text(naming: Naming, value: Value, order: str, source: Expression, target: Expression) -> Evaluation:
@@ -52,7 +51,8 @@ def _form(value: Value, order: str) -> tuple[Expression, ...]:
     """
     form = value.text_form
     assert form is not None
-    encoding = _ENCODINGS[form.encoding] + (form.encoding == UTF_16 and order != "big") + _TURNED * form.is_turned
+    turned = 1 if form.is_packed else 5
+    encoding = _ENCODINGS[form.encoding] + (form.encoding == UTF_16 and order != "big") + turned * form.is_turned
     end = _NO_END if form.terminator is None else form.terminator
     characters = hexadecimal(form.padding, 1), TRUE if form.is_right else FALSE, hexadecimal(end, 1)
     return (unsigned(value.size), unsigned(encoding), *characters)

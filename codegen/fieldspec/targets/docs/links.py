@@ -156,7 +156,8 @@ class FrameTable:
     def _body(self, record: RecordLayout | None) -> Iterator[TableRow]:
         if record is not None:
             for field, start in zip(record.sent_fields, field_starts(record), strict=True):
-                yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
+                if not field.field.is_separator:
+                    yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
             return
         place = code(f"from {self.start + self.shape.header_size * self.width}")
         for part in self.link.link.parts(self.direction):
@@ -214,7 +215,7 @@ def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: st
     yield holder.field_row(field, position, path, elements)
     if field.record is not None:
         later = chr(ord(letter) + 1) if field.is_list else letter
-        for inner in field.record.fields:
+        for inner in field.record.stated_fields:
             yield from field_rows(holder, inner, position, f"{path}.{inner.name}", later)
 
 
@@ -243,6 +244,12 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
         meaning_cell(context, field.field, field.value, *lines),
         sources(field.field),
     )
+
+
+def separator(record: RecordLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
+    """What stands between the fields of a record, where it says so once."""
+    if record.record.separator:
+        yield "Separator", ((code(record.record.separator.hex(" ").upper()), text_piece(" between each two fields")),)
 
 
 def differs_in_size(field: FieldLayout) -> bool:

@@ -27,7 +27,7 @@ from fieldspec.targets.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.targets.docs.links import FrameTable, length_text
+from fieldspec.targets.docs.links import FrameTable, length_text, separator
 from fieldspec.targets.docs.sources import Inferences
 from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, meaning_cell, value_cells
 
@@ -180,6 +180,9 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         yield "Code of the response", (_code_pieces(context, message, message.response_code),)
     if message.code is not None:
         yield from _subcodes(context, message_layout)
+    separated = [body for body in message_layout.bodies if body.record.separator]
+    for body in separated[:1]:
+        yield from separator(body)
     printed = [
         f"{direction} {many(length, 'byte')}"
         for direction, length in zip(DIRECTIONS, (message.request_length, message.response_length), strict=True)

@@ -27,7 +27,7 @@ from fieldspec.targets.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.targets.docs.links import elements_text, field_cells
+from fieldspec.targets.docs.links import elements_text, field_cells, separator
 from fieldspec.targets.docs.sources import Inferences
 from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, access_cell, default_cell, restart_cell
 
@@ -90,6 +90,7 @@ def _facts(context: Context, table_layout: TableLayout) -> list[tuple[str, tuple
     return [
         ("Name", ((code(model.name),),)),
         *_space(context, model),
+        *separator(table_layout.record),
         ("Elements", (_elements_text(context, model, f"{model.count}, numbered {first} to {last}"),)),
         ("Address of element n", ((code(formula), *_base_text(context, model)),)),
         (
@@ -135,7 +136,7 @@ def _fields(context: Context, table_layout: TableLayout, anchored: bool) -> Docu
     record = table_layout.record.record
     marks = Inferences(f"{table_layout.table.place.path}/fields")
     holder = _Holder(context, marks, table_layout.table.access)
-    rows = [row for field in table_layout.record.fields for row in _table_rows(holder, field)]
+    rows = [row for field in table_layout.record.stated_fields for row in _table_rows(holder, field)]
     caption = f"Fields of an element, the record {record.name}"
     if not anchored:
         rows = [row._replace(anchor="") for row in rows]
@@ -173,7 +174,7 @@ def _table_rows(holder: _Holder, field: FieldLayout) -> Iterator[TableRow]:
         path=f"{holder.path}{_indexed_name(holder, field)}.",
         steps=(*holder.steps, field.size) if field.is_list else holder.steps,
     )
-    for own in field.record.fields:
+    for own in field.record.stated_fields:
         yield from _table_rows(inner, own)
 
 
@@ -246,7 +247,7 @@ def _addresses(table_layout: TableLayout) -> DocumentTable:
                 *(cell(_span(model.address(index) + field.offset // 2, field)) for index in indexes),
             )
         )
-        for field in table_layout.record.fields
+        for field in table_layout.record.stated_fields
     ]
     return table("Usual addresses" if model.base_by else "Addresses", columns, rows)
 
@@ -286,11 +287,12 @@ def _record(context: Context, record_layout: RecordLayout) -> Section:
     blocks = context.opening(record)
     users = context.users(path)
     facts: list[tuple[str, tuple[Line, ...]]] = [("Size", ((text_piece(_size(record_layout)),),))]
+    facts += separator(record_layout)
     if users:
         facts.append(("Used by", (users,)))
     blocks.append(Facts(tuple(facts)))
     marks = Inferences(path)
-    rows = [_record_row(context, field, marks) for field in record_layout.fields]
+    rows = [_record_row(context, field, marks) for field in record_layout.stated_fields]
     blocks.append(table(f"Fields of {record.name}", OF_RECORD, rows, marks.footnotes(), heading=2))
     return Section(path, (code(record.name), *context.section_title("", record)[1:]), tuple(blocks))
 

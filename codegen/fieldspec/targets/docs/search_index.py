@@ -189,7 +189,7 @@ def _table_keys(layout: DeviceLayout) -> dict[str, str]:
     keys = {}
     for table_layout in layout.tables.values():
         table = table_layout.table
-        for field in table_layout.record.fields:
+        for field in table_layout.record.stated_fields:
             first = table.base + field.offset // 2
             words = (field.offset % 2 + field.size * (field.count or 1) + 1) // 2
             span = f"{address(first)}..{address(first + words - 1)}" if words > 1 else address(first)

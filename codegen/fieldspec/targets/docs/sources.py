@@ -45,13 +45,13 @@ def _facts(device: Device) -> Iterator[Fact]:
         yield from link.response
     for message in device.messages.values():
         yield message
-        yield from message.request.fields
-        yield from message.response.fields
+        yield from message.request.stated_fields
+        yield from message.response.stated_fields
         yield from _cases(message.request)
         yield from _cases(message.response)
     for record in device.records.values():
         yield record
-        yield from record.fields
+        yield from record.stated_fields
     yield from device.signals.values()
     yield from device.conversions.values()
     for group in device.groups:

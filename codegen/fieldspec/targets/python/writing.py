@@ -278,7 +278,8 @@ def text_letters(value: Value, order: str) -> str:
     assert form is not None
     end = "-" if form.terminator is None else str(form.terminator)
     side = "right" if form.is_right else "left"
-    return f"{form.codec(order)} {value.size} {form.padding} {end} {side}{' turned' * form.is_turned}"
+    codec = form.encoding if form.is_packed else form.codec(order)
+    return f"{codec} {value.size} {form.padding} {end} {side}{' turned' * form.is_turned}"
 
 
 def text_form(value: Value, order: str) -> str:

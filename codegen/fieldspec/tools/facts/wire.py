@@ -105,7 +105,7 @@ def fields(
 
     `base` is the address of the first element of a table of such records, and `access` that of the table.
     """
-    for field in record.fields:
+    for field in record.stated_fields:
         allowed = narrowed(access, field.field.access)
         cells: FactRow = {"code": code, "access": allowed, "direction": direction, **_address_cells(field, base)}
         cells.update(count=field.field.count, restart=of_flag(field.field.restart), position=_position(field))

@@ -186,7 +186,7 @@ def _message(layout: MessageLayout, direction: str) -> Iterator[Item]:
 
 def _parts(record: RecordLayout, before: str = "") -> Iterator[tuple[str, FieldLayout]]:
     """The name and the layout of each field in a record, and in the records and cases in it."""
-    for part in record.fields:
+    for part in record.stated_fields:
         name = f"{before}{part.name}"
         if part.record is not None:
             yield from _parts(part.record, f"{name}.")

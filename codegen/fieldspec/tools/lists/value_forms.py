@@ -9,7 +9,7 @@ from fieldspec.language.model.value import Value
 _SPACE = ord(" ")
 _FORM = re.compile(
     r"(?P<type>[a-z]+[0-9]*)(?: (?P<digits>bcd|packed_decimal|decimal|upper_hex|lower_hex))?"
-    r"(?: (?P<encoding>latin_1|utf_8|utf_16))?"
+    r"(?: (?P<encoding>latin_1|utf_8|utf_16|packed_ascii))?"
     r"(?: places (?P<places>[0-9]{1,2}))?(?: padding (?P<padding>space))?(?: align (?P<align>right))?"
     r"(?: terminator (?P<terminator>[0-9]{1,5}))?(?: byte_order (?P<byte_order>little))?"
 )

@@ -14,6 +14,7 @@ from fieldspec.language.model.record import (
     SegmentsAbort,
 )
 from fieldspec.language.reading.building.context import Entry, Reused, rows
+from fieldspec.language.reading.building.separators import with_separators
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
 
 _OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "reserved"}
@@ -26,7 +27,7 @@ def record(entry: Entry, reused: Reused) -> Record:
         **entry.fact(),
         size=entry.integer("size"),
         words=entry.integer("words"),
-        fields=rows(entry, entry.path, None, reused, _field, key="fields"),
+        fields=rows(with_separators(entry, "fields"), entry.path, None, reused, _field, key="fields"),
         same_as=entry.text("same_as"),
     )
 
@@ -66,6 +67,7 @@ def _field(entry: Entry) -> Field:
         repeat=entry.whole_ranges("repeat"),
         measures=measure,
         reserved=entry.flag("reserved"),
+        is_separator="separator" in entry.own,
         at=entry.integer("at"),
         words=words,
         span=_span(entry.text("span")),
@@ -257,5 +259,6 @@ def _data(entry: Entry, direction: str, reused: Reused) -> Record:
         "roles": (),
         "unverified": False,
     }
-    fields = rows(entry, f"{entry.path}/{direction}", None, reused, _field, key=direction)
+    separated = with_separators(entry, direction)
+    fields = rows(separated, f"{entry.path}/{direction}", None, reused, _field, key=direction)
     return Record(**arguments, size=None, words=None, fields=fields)

@@ -1,7 +1,8 @@
 /* ---- encoded_texts ---- */
 
 /* Encodings are 0 for ASCII, 1 for Latin-1, 2 for UTF-8, 3 for UTF-16 with the high byte first, 4 with the low one;
- * 5 to 7 are the first three with the bytes of each word of 16 bits exchanged. Texts in structs are UTF-8. `padding` fills a text up, before it where `is_right`; `end` ends it, unless it is above 0x7F. */
+ * 5 to 7 are the first three with the bytes of each word of 16 bits exchanged; 8 is packed ASCII, and 9 that of such words.
+ * Packed ASCII has a unit of six bits for each character. Texts in structs are UTF-8. `padding` fills a text up, before it where `is_right`; `end` ends it, unless it is above 0x7F. */
 
 /** The bytes of a unit of an encoding. */
 static inline size_t device_text_unit_size(uint32_t encoding)
@@ -41,9 +42,43 @@ static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t 
     return character;
 }
 
-/** The unit at byte `at` of a text: a byte, or 16 bits of UTF-16. */
+/** The bytes of a text of `size` bytes where each character of packed ASCII has one. */
+static inline size_t device_whole_text_size(size_t size, uint32_t encoding)
+{
+    return encoding > 7u ? size / 3u * 4u : size;
+}
+
+/** The character `at` of packed ASCII, four of which are in three bytes. `turn` is as in UTF-8. */
+static inline uint32_t device_packed_character(const uint8_t *in, size_t at, size_t turn)
+{
+    size_t first = at / 4u * 3u;
+    uint32_t number = (uint32_t)in[first ^ turn] << 16 | (uint32_t)in[(first + 1u) ^ turn] << 8 | in[(first + 2u) ^ turn];
+    uint32_t code = number >> (18u - 6u * (uint32_t)(at % 4u)) & 0x3Fu;
+    return code < 0x20u ? code + 0x40u : code;
+}
+
+/** Writes the characters of packed ASCII, `before` of which fill the text up before it. */
+static inline void device_pack_text(uint8_t *out, const char *text, size_t length, size_t size, uint8_t padding,
+                                    size_t before, uint8_t end)
+{
+    size_t at;
+    uint32_t bits = 0u;
+    for (at = 0; at < size / 3u * 4u; at++) {
+        bool is_text = at >= before && at - before < length;
+        bool is_end = at == before + length && end < 0x80u;
+        bits = bits << 6 | ((is_text ? (uint8_t)text[at - before] : is_end ? end : padding) & 0x3Fu);
+        if (at % 4u != 0u) {
+            out[at / 4u * 3u + at % 4u - 1u] = (uint8_t)(bits >> (6u - 2u * (uint32_t)(at % 4u)) & 0xFFu);
+        }
+    }
+}
+
+/** The unit at byte `at` of a text: a byte, 16 bits of UTF-16, or the character `at` of packed ASCII. */
 static inline uint32_t device_text_unit(const uint8_t *in, size_t at, uint32_t encoding)
 {
+    if (encoding > 7u) {
+        return device_packed_character(in, at, encoding == 9u ? 1u : 0u);
+    }
     if (encoding < 3u || encoding > 4u) {
         return in[encoding > 4u ? at ^ 1u : at];
     }
@@ -92,6 +127,10 @@ static inline size_t device_put_unit(uint8_t *out, uint32_t unit, uint32_t encod
 static inline size_t device_put_character(uint8_t *out, uint32_t character, uint32_t encoding)
 {
     size_t size = 1u, at;
+    if (encoding == 8u) {
+        out[0] = (uint8_t)(character & 0xFFu);
+        return character < 0x20u || character > 0x5Fu ? 0u : 1u;
+    }
     if (encoding > 2u) {
         if (character < 0x10000u) {
             return device_put_unit(out, character, encoding);
@@ -117,7 +156,9 @@ static inline bool device_read_encoded_text(char *out, const uint8_t *in, size_t
                                             bool is_right, uint8_t end)
 {
     size_t unit = device_text_unit_size(encoding);
-    size_t at = 0, last = size, length = 0, byte;
+    size_t at = 0, last, length = 0, byte;
+    size = device_whole_text_size(size, encoding);
+    last = size;
     if (end < 0x80u) {
         for (last = 0; last < size && device_text_unit(in, last, encoding) != end; last += unit) {
         }
@@ -174,12 +215,13 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
 {
     const uint8_t *in = (const uint8_t *)text;
     uint8_t *first = out;
-    bool is_turned = encoding > 4u;
+    bool is_turned = encoding > 4u && encoding != 8u;
     size_t unit = device_text_unit_size(encoding);
-    size_t room = end < 0x80u ? size - unit : size;
+    size_t whole = device_whole_text_size(size, encoding);
+    size_t room = end < 0x80u ? whole - unit : whole;
     size_t length = 0, total = 0, at, byte;
     uint8_t bytes[4];
-    encoding -= is_turned ? 5u : 0u;
+    encoding -= !is_turned ? 0u : encoding > 7u ? 1u : 5u;
     while (length < capacity && text[length] != '\0') {
         length++;
     }
@@ -198,10 +240,14 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
     if (out == NULL) {
         return true;
     }
-    for (at = 0; at < size; at += unit) {
+    if (encoding > 7u) {
+        device_pack_text(out, text, length, size, padding, is_right ? whole - total : 0u, end);
+        length = 0u;
+    }
+    for (at = encoding > 7u ? size : 0u; at < size; at += unit) {
         (void)device_put_unit(out + at, padding, encoding);
     }
-    out += is_right ? size - total : 0u;
+    out += is_right && encoding < 8u ? size - total : 0u;
     for (at = 0; at < length;) {
         size_t written = device_put_character(bytes, device_next_utf_8(in, length, &at, 0u), encoding);
         for (byte = 0; byte < written; byte++) {
@@ -209,7 +255,7 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
         }
         out += written;
     }
-    if (end < 0x80u) {
+    if (end < 0x80u && encoding < 8u) {
         (void)device_put_unit(out, end, encoding);
     }
     for (at = 0; is_turned && at < size; at += 2u) {

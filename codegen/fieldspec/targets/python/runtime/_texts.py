@@ -7,6 +7,8 @@ from ._error import CodecError
 from ._typing import TYPE_CHECKING
 from ._values import Text
 
+_PACKABLE = frozenset(range(0x20, 0x60))
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
@@ -17,24 +19,28 @@ class TextForm:
 
     `letters` are the encoding, the number of bytes, the codes of the character that fills the text up and of the one
     that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is behind spaces. With `turned`, the
-    bytes of each word are exchanged. Characters that the encoding does not have are refused.
+    bytes of each word are exchanged. `packed_ascii` has four characters in three bytes. Characters that the encoding
+    does not have are refused.
     """
 
-    __slots__ = ("codec", "end", "is_right", "is_turned", "padding", "room", "size", "unit")
+    __slots__ = ("codec", "end", "is_packed", "is_right", "is_turned", "padding", "room", "size", "unit")
 
     def __init__(self, letters: str) -> None:
-        self.codec, size, padding, end, align, *more = letters.split()
+        codec, size, padding, end, align, *more = letters.split()
+        self.is_packed = codec == "packed_ascii"
+        self.codec = "ascii" if self.is_packed else codec
         self.is_turned = bool(more)
         self.padding = chr(int(padding))
         self.end = "" if end == "-" else chr(int(end))
         self.size, self.is_right = int(size), align == "right"
         self.unit = len("0".encode(self.codec))
-        self.room = self.size - len(self.end) * self.unit
+        self.room = (self.size // 3 * 4 if self.is_packed else self.size) - len(self.end) * self.unit
 
     def text(self, name: str, raw: bytes, at: int) -> str:
         """The characters of the bytes at byte `at` of the whole. Raises CodecError."""
         sent = raw[: self.size]
-        content = self._content(turned(sent) if self.is_turned else sent)
+        sent = turned(sent) if self.is_turned else sent
+        content = self._content(_unpacked(sent) if self.is_packed else sent)
         try:
             text = None if content is None else content.decode(self.codec)
         except UnicodeDecodeError:
@@ -52,17 +58,21 @@ class TextForm:
         if not isinstance(text, str):
             return CodecError("wrong_type", f"{name} is a text, not {text!r}")
         try:
-            size = len(text.encode(self.codec))
+            data = text.encode(self.codec)
         except UnicodeEncodeError:
-            return CodecError("unknown_value", f"{name} holds characters that {self.codec} does not have")
+            data = None
+        if data is None or (self.is_packed and not _PACKABLE.issuperset(data)):
+            encoding = "packed ASCII" if self.is_packed else self.codec
+            return CodecError("unknown_value", f"{name} holds characters that {encoding} does not have")
         if "\0" in text:
             return CodecError("unknown_value", f"{name} holds a zero, which ends a text")
         if self.end and self.end in text:
             return CodecError("unknown_value", f"{name} holds {self.end!r}, which ends the text")
         if not self.end and self._is_filled(text):
             return CodecError("unknown_value", f"{name} is {text!r}, of which {self.padding!r} would fill up the field")
-        if size > self.room:
-            return CodecError("wrong_length", f"{name} has {self.room} bytes, not {size}")
+        if len(data) > self.room:
+            units = "characters" if self.is_packed else "bytes"
+            return CodecError("wrong_length", f"{name} has {self.room} {units}, not {len(data)}")
         return None
 
     def fits(self, text: str) -> bool:
@@ -71,9 +81,10 @@ class TextForm:
 
     def data(self, text: str) -> bytes:
         """The bytes of a text that can be sent."""
-        content = (text + self.end).encode(self.codec)
-        padding = self.padding.encode(self.codec) * ((self.size - len(content)) // self.unit)
-        data = padding + content if self.is_right else content + padding
+        content = text.encode(self.codec)
+        padding = self.padding.encode(self.codec) * ((self.room - len(content)) // self.unit)
+        data = padding + content if self.is_right else content + self.end.encode(self.codec) + padding
+        data = _packed(data) if self.is_packed else data
         return turned(data) if self.is_turned else data
 
     def _is_filled(self, text: str) -> bool:
@@ -92,6 +103,21 @@ class TextForm:
         while self.is_right and last > first and raw[first : first + self.unit] == padding:
             first += self.unit
         return raw[first:last]
+
+
+def _unpacked(data: bytes) -> bytes:
+    """The characters of packed ASCII: the highest bit of each is the opposite of the next one."""
+    number = int.from_bytes(data, "big")
+    codes = (number >> shift & 0x3F for shift in range(8 * len(data) - 6, -1, -6))
+    return bytes(code if code & 0x20 else code | 0x40 for code in codes)
+
+
+def _packed(characters: bytes) -> bytes:
+    """The bytes of characters of packed ASCII."""
+    number = 0
+    for character in characters:
+        number = number << 6 | character & 0x3F
+    return number.to_bytes(len(characters) // 4 * 3, "big")
 
 
 _FORMS: dict[str, TextForm] = {}
