@@ -10,7 +10,7 @@ from fractions import Fraction
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists.cells import number, whole
 from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, words
 
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
@@ -135,6 +135,12 @@ def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
         quantity = unit_cell(aside[1], decimal) if aside else None
         if aside is None or quantity is None or not known_unit(quantity.unit):
             continue
-        if len(quantity.unit) > 1 or aside[0].startswith("[") or quantity.scale:
+        if quantity.scale or aside[0].startswith("[") or not _may_be_a_phase(known_unit(quantity.unit), name):
             return quantity
     return Quantity()
+
+
+def _may_be_a_phase(unit: str, name: str) -> bool:
+    """Whether a capital letter in round brackets may be a phase or a half: the name does not say what it measures."""
+    is_capital = len(unit) == 1 and unit.isupper()
+    return is_capital and not any(word in folded(name) for word in words("measured").get(unit, ()))
