@@ -15,6 +15,7 @@ from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import bit_names
 from fieldspec.tools.lists.words import folded, words
 
+_SHORT_REGISTER = re.compile(r"reg(?![a-z])", re.IGNORECASE)
 _ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
 _BETWEEN = re.compile(r"\s*[/|\n]\s*")
 _LONGEST = 200
@@ -243,6 +244,8 @@ def _variants(texts: Sequence[str]) -> Iterator[str]:
         yield text
         if bare := _ASIDE.sub(" ", text).strip():
             yield bare
+        if _SHORT_REGISTER.match(text):
+            yield _SHORT_REGISTER.sub("register", text)
         pieces = _BETWEEN.split(text)
         roles = {_whole_words().get(folded(piece)) for piece in pieces}
         if len(pieces) > 1 and len(roles) == 1 and None not in roles:

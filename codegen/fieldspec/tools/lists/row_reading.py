@@ -26,6 +26,7 @@ REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", 
 OF_THE_MANUAL = ("section", "line", "unverified")
 """The columns of an export about the place where the manual prints a fact."""
 
+_ASIDE = re.compile(r"[(\[](.+)[)\]]\s*$")
 _SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile("[1-9][0-9]{0,5}")
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
@@ -196,7 +197,7 @@ def exported_row(row: ListRow) -> ListRow:
 def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
     text = texts.get("type", "")
     own_type = typed(text)
-    if text and own_type is None:
+    if text and (own_type is None or own_type.aside):
         doubts.append(f"Type in the list: {text}.")
     signed_text = texts.get("signed", "")
     if not signed_text:
@@ -300,8 +301,9 @@ def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[
         if meanings is not None:
             return meanings
         doubts.append(f"Values in the list: {text}.")
-    for role in ("label", "note"):
-        described = value_meanings(texts.get(role, ""))
+    asides = (_ASIDE.search(texts.get(role, "")) for role in ("printed_name", "name"))
+    for described_text in (texts.get("label", ""), texts.get("note", ""), *(aside[1] for aside in asides if aside)):
+        described = value_meanings(described_text)
         if of_range is None and described is not None and len(described.members) + len(described.bits) > 1:
             return described
     return of_range or Meanings()

@@ -159,6 +159,8 @@ def _separator(lines: list[str]) -> str:
     looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
+    if any({"|", "-"} <= {*line} and _RULE.fullmatch(line) for line in looked_at):
+        return "|"  # a table within a text of Markdown
     best, best_score, rows = ",", (0, 0), 0
     for separator in _SEPARATORS:
         try:

@@ -29,6 +29,10 @@ _ORDER_WORD = re.compile(
     r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
 )
 
+_OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)
+_ORDERS = {(False, False): "ABCD", (False, True): "CDAB", (True, False): "BADC", (True, True): "DCBA"}
+"""The orders of bytes by whether words have the low byte first, and whether the low word is first."""
+
 
 class Loose(Enum):
     """What a list may say of a type without naming it."""
@@ -52,7 +56,8 @@ class Typed:
     """A type as a list has it: the name of a type, or its kind and perhaps whether it is signed.
 
     `bits` is its size where only that is said, `length` a number in brackets: of characters, or of elements. `order`
-    is that of the bytes, such as `CDAB`, and empty if the type does not say it.
+    is that of the bytes, such as `CDAB`, and empty if the type does not say it. `aside` are the words in brackets
+    behind it that say something else.
     """
 
     name: str = ""
@@ -61,6 +66,7 @@ class Typed:
     bits: int = 0
     length: int = 0
     order: str = ""
+    aside: str = ""
 
     def fits(self, name: str) -> bool:
         """Whether the type with a name agrees."""
@@ -106,8 +112,23 @@ def typed(text: str) -> Typed | None:
     length = _LENGTH.search(text)
     if length and (inner := typed(text[: length.start()])) and not inner.length:
         return replace(inner, length=int(next(filter(None, length.groups()))))
-    bare = re.sub(r"[\[(].*", "", text)
-    return typed(bare) if bare != text else None
+    bare, _, aside = re.sub("[(]", "[", text).partition("[")
+    inner = typed(bare) if aside else None
+    if inner is None:
+        return None
+    stated, rest = _order_and_rest(aside.strip(" )]"))
+    return replace(inner, order=stated or inner.order, aside=rest)
+
+
+def _order_and_rest(aside: str) -> tuple[str, str]:
+    """The order of bytes in words beside a type, such as `big endian, low word first`, and other words."""
+    stated = [(piece.strip(), meaning("orders", piece)) for piece in re.split(r"[,;/]", aside)]
+    rest = ", ".join(piece for piece, order in stated if piece and not order)
+    of_words = [order for piece, order in stated if order and _OF_WORDS.search(piece)]
+    of_bytes = [order for piece, order in stated if order and not _OF_WORDS.search(piece)]
+    if not of_words or not of_bytes:
+        return next(iter((*of_words, *of_bytes)), ""), rest
+    return _ORDERS[of_bytes[0] == "DCBA", of_words[0] == "CDAB"], rest
 
 
 def _known(text: str) -> Typed | None:
