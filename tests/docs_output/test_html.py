@@ -65,7 +65,7 @@ def strings(node: object) -> Iterator[str]:
 
 
 def facts(layout: DeviceLayout) -> Iterator[Fact]:
-    """The facts that have an anchor of their own."""
+    """The facts that have an anchor of their own: not the separators, which a record states once."""
     device = layout.device
     yield from device.registers()
     for holder in (device.links, device.messages, device.tables, device.parameters, device.enums, device.flags):
@@ -75,9 +75,9 @@ def facts(layout: DeviceLayout) -> Iterator[Fact]:
     for word in device.flags.values():
         yield from word.bits
     for record in device.records.values():
-        yield from record.fields
+        yield from record.stated_fields
     for message in device.messages.values():
-        yield from (*message.request.fields, *message.response.fields)
+        yield from (*message.request.stated_fields, *message.response.stated_fields)
     yield from device.limits
     yield from device.lookups
 
