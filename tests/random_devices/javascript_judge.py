@@ -17,7 +17,7 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.encoding import is_real, is_truth
 from fieldspec.language.model.value import Value
 from fieldspec.targets.js.backend import shared
-from fieldspec.targets.js.links import WIDE
+from fieldspec.targets.js.framing import WIDE
 from fieldspec.targets.js.members import Member, members_of
 from javascript_modules import module_code
 from random_devices.quantities import Measured, StatedValue

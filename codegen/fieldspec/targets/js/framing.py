@@ -12,11 +12,14 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.language.model.link import LARGEST_SET
 from fieldspec.targets.js.declaration import Names
-from fieldspec.targets.js.text import flag, literal, object_of
+from fieldspec.targets.js.text import flag, literal, object_of, pairs_literal
 from fieldspec.targets.js.values import sign_literal
+from fieldspec.targets.runtime_values import is_wide
 
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
+WIDE = 6
+"""The bytes of a number up to which it is not a bigint."""
 
 
 def framer(
@@ -100,7 +103,12 @@ def _extent_row(extent: FrameExtent) -> str:
     return f"{{ length: {extent.length}, {place}, unit: {extent.unit}{', isTurned: true' * extent.is_turned} }}"
 
 
-def _part_number(part: PartLayout) -> str:
+def is_wide_part(part: PartLayout) -> bool:
+    """Whether the number of a part is a bigint."""
+    return is_wide(part.value.encoding) if part.value is not None else part.size > WIDE
+
+
+def _part_number(part: PartLayout, wide: bool = False) -> str:
     row = {
         "offset": str(part.offset),
         "size": str(part.size),
@@ -109,6 +117,7 @@ def _part_number(part: PartLayout) -> str:
         "unitSize": str(part.unit_size),
         "base": str(part.base),
     }
+    row |= {"wide": flag(True)} if wide else {}
     return object_of(row | ({"digits": literal(part.form)} if part.form else {}))
 
 
@@ -128,8 +137,9 @@ def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
     part, addresses = frame.role("unit_address"), link.link.unit_addresses
     if part is None or addresses is None or addresses.ranges is None:
         return "addresses: null"
-    intervals = addresses.intervals(direction)
-    if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
-        return f"address: {_part_number(part)}, addresses: addressIntervals({[list(bounds) for bounds in intervals]})"
+    intervals, wide = addresses.intervals(direction), is_wide_part(part)
+    number = f"address: {_part_number(part, wide)}"
+    if wide or sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
+        return f"{number}, addresses: addressIntervals({pairs_literal(intervals, wide)})"
     numbers = [n for low, high in intervals for n in range(low, high + 1)]
-    return f"address: {_part_number(part)}, addresses: new Set({numbers})"
+    return f"{number}, addresses: new Set({numbers})"

@@ -14,17 +14,13 @@ from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.framing import framer
+from fieldspec.targets.js.framing import framer, is_wide_part
 from fieldspec.targets.js.naming import property_scope
-from fieldspec.targets.js.text import PURE, comment, flag, literal, object_of
+from fieldspec.targets.js.text import PURE, comment, flag, integer_literal, literal, object_of, pairs_literal
 from fieldspec.targets.js.values import sign_literal
-from fieldspec.targets.runtime_values import is_wide
 
 SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
 """The functions of `checksums.js` by the names of the algorithms that have one of their own."""
-
-WIDE = 6
-"""The bytes of a number up to which it is not a bigint."""
 
 
 def carries(link: LinkLayout, message: MessageLayout) -> bool:
@@ -84,10 +80,10 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
             "  },",
         ]
     units = [part for frame in (link.request, link.response) for part in frame.header if part.role == "unit_address"]
-    wide = any(map(_is_wide, units))
+    wide = any(map(is_wide_part, units))
     ranges = _intervals(addresses.ranges, wide) if addresses is not None else "null"
     stated = addresses.broadcast if addresses is not None else None
-    broadcast = "null" if stated is None else _integer_literal(stated, wide)
+    broadcast = "null" if stated is None else integer_literal(stated, wide)
     code.append(
         f"  unitAddresses: {'null' if addresses is None else f'{{ ranges: {ranges}, broadcast: {broadcast} }}'},"
     )
@@ -150,23 +146,18 @@ def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> 
     if part is not None and part.value is not None:
         row["part"] = literal(part.name)
         for name, is_exception in (("normal", False), ("marks", True)):
-            row[name] = _intervals(exception.permitted(part.value, is_exception), _is_wide(part))
-        row["all"] = _intervals(exception.normal, _is_wide(part))
+            row[name] = _intervals(exception.permitted(part.value, is_exception), is_wide_part(part))
+        row["all"] = _intervals(exception.normal, is_wide_part(part))
     return object_of(row)
 
 
 def _header_type(frame: FrameLayout) -> str:
     rows = [
-        f"readonly {key}: {'bigint' if _is_wide(part) else 'number'}"
+        f"readonly {key}: {'bigint' if is_wide_part(part) else 'number'}"
         for key, part in zip(argument_keys(frame.header), frame.header, strict=True)
         if key
     ]
     return f"{{ {'; '.join(rows)} }}" if rows else "Record<string, never>"
-
-
-def _is_wide(part: PartLayout) -> bool:
-    """Whether the number of a part is a bigint."""
-    return is_wide(part.value.encoding) if part.value is not None else part.size > WIDE
 
 
 def argument_keys(parts: Sequence[PartLayout]) -> list[str]:
@@ -185,7 +176,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
     parts = frame.header if place == "header" else frame.trailer
     lines = [f"    {place}: ["]
     for part, key in zip(parts, argument_keys(parts), strict=True):
-        wide = _is_wide(part) and part.role not in ("length", "code", "checksum")
+        wide = is_wide_part(part) and part.role not in ("length", "code", "checksum")
         low, high = (part.value.low, part.value.high) if part.value else (0, (1 << 8 * part.size) - 1)
         row = {
             "name": literal(part.name),
@@ -196,15 +187,15 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "order": literal(part.order or "big"),
             "signed": sign_literal(part.value) if part.value is not None else flag(False),
             "wide": flag(wide),
-            "low": _integer_literal(low, wide),
-            "high": _integer_literal(high, wide),
+            "low": integer_literal(low, wide),
+            "high": integer_literal(high, wide),
             "reserved": flag(part.reserved),
             "unitSize": str(part.unit_size),
             "base": str(part.base),
             "start": str(part.start),
             "stop": "null" if part.stop is None else str(part.stop),
             "beforeEscape": flag(part.before_escape),
-            "constant": "null" if part.constant is None else _integer_literal(part.constant, wide),
+            "constant": "null" if part.constant is None else integer_literal(part.constant, wide),
             "ranges": _intervals(part.value.ranges, wide) if part.value else "null",
         }
         if part.form:
@@ -278,13 +269,7 @@ def checksum_function(algorithm: str, order: str) -> str:
     return f"{PURE} totalOf({object_of(parameters)})"
 
 
-def _integer_literal(number: int, wide: bool) -> str:
-    """The literal of an integer: a bigint where its type is `wide`, since other numbers of that size are inexact."""
-    return f"{number}n" if wide else str(number)
-
-
 def _intervals(ranges: Ranges | None, wide: bool = False) -> str:
     if ranges is None:
         return "null"
-    pairs = (f"[{_integer_literal(low, wide)}, {_integer_literal(high, wide)}]" for low, high in ranges.intervals)
-    return f"[{', '.join(pairs)}]"
+    return pairs_literal(ranges.intervals, wide)

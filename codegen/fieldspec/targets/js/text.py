@@ -63,3 +63,14 @@ def _visible(text: str) -> str:
 def runs_of(bit: Bit) -> str:
     """The first bit and the number of bits of each run of a field of bits: `[[8, 7], [0, 1]]`"""
     return f"[{', '.join(f'[{run.first}, {run.width}]' for run in bit.runs)}]"
+
+
+def integer_literal(number: int, wide: bool) -> str:
+    """The literal of an integer: a bigint where its type is `wide`, since other numbers of that size are inexact."""
+    return f"{number}n" if wide else str(number)
+
+
+def pairs_literal(intervals: Iterable[tuple[int, int]], wide: bool) -> str:
+    """The first and the last number of each interval as an array of arrays."""
+    pairs = (f"[{integer_literal(low, wide)}, {integer_literal(high, wide)}]" for low, high in intervals)
+    return f"[{', '.join(pairs)}]"
