@@ -319,8 +319,10 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "first": lambda text: cells.whole(text) is not None,
     "bit": lambda text: re.search(r"[0-9]", text),
     "name": lambda text: any(map(str.isalpha, text)),
+    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None,
     "unit": lambda text: not text.isdecimal() or text == "1",
     "word_order": lambda text: cells.order(text) or cells.answer(text) is not None,
+    "byte_order": lambda text: cells.order(text) or cells.answer(text) is not None,
 }
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
@@ -331,7 +333,7 @@ _FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
 }
 """The same for roles whose own headings are enough, and others are not."""
 
-_NOTED = ("access", "unit", "writable", "word_order")
+_NOTED = ("access", "unit", "writable", "word_order", "byte_order")
 """Roles whose heading, if it is a whole word, is enough: cells that are none become notes."""
 
 

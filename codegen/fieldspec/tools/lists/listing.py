@@ -36,7 +36,7 @@ from fieldspec.tools.lists.words import folded, meaning
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
-_SHORTEST_TITLE = 8
+_SHORTEST_TITLE, _COILS = 8, "coils"
 """The letters of a title that names a space: shorter ones, such as `Inputs`, are those of groups."""
 
 _EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
@@ -208,7 +208,8 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
     for row in sheet.rows:
         texts = {cell for cell in row.cells if cell}
         text = next(iter(texts)) if len(texts) == 1 else ""
-        if len(folded(text)) >= _SHORTEST_TITLE and (space := meaning("spaces", text)):
+        is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
+        if is_long and (space := meaning("spaces", text)):
             titles[row.number] = space, text
     result = []
     title, used = ("", ""), dict[str, str]()

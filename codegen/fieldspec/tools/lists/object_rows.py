@@ -16,7 +16,7 @@ from fieldspec.tools.lists.type_words import Loose, Typed
 from fieldspec.tools.lists.words import meaning
 
 OBJECTS = "objects"
-"""The space of the numbers of objects, where a list does not name it."""
+"""The space of the numbers of objects."""
 
 TEXT_BYTES = 64
 """The size of texts, of which such lists have no lengths."""
@@ -59,7 +59,7 @@ def with_objects(
     columns: Columns, base: str, refused: list[Refusal], assumptions: list[Assumption]
 ) -> tuple[Columns, bool]:
     """The columns of a list, and whether its rows are objects: each has its index then, such as 0x6040, and a decimal
-    subindex. In another list, rows with a subindex are refused."""
+    subindex. In another list, such as one that names spaces, rows with a subindex are refused."""
     if _SUBINDEX not in columns.places:
         return columns, False
     texts = [text for row in columns.rows if (text := address_text(columns.cell(row, "address")))]
@@ -67,6 +67,7 @@ def with_objects(
     stated = base or base_of_heading(columns.heading("address"))
     own_base = stated or (HEXADECIMAL if all(len(text.digits) <= _DIGITS_OF_INDEX for text in texts) else DECIMAL)
     is_hexadecimal = any(text.mark or text.lettered for text in subindices)
+    has_spaces = "space" in columns.places and any(columns.cell(row, "space") for row in columns.rows)
     rows: list[SheetRow] = []
     other: dict[SheetRow, str] = {}
     index: int | None = None
@@ -75,7 +76,7 @@ def with_objects(
         address = address_text(index_text)
         index = address.number(own_base) if address is not None else None if index_text else index
         ends = _ends(subindex, HEXADECIMAL if is_hexadecimal else DECIMAL)
-        if subindex and (ends is None or index is None or not _FIRST <= index <= _LAST):
+        if subindex and (has_spaces or ends is None or index is None or not _FIRST <= index <= _LAST):
             other[row] = subindex
         elif index is not None and (address is not None or subindex):
             row = _with_cell(row, columns.places["address"], f"0x{index:04X}")
@@ -109,17 +110,17 @@ def as_parameters(
     rows: Sequence[ListRow], indices: Mapping[int, int], refused: list[Refusal], assumptions: list[Assumption]
 ) -> Iterator[ListRow]:
     """The rows as objects and their elements, below an object for elements that have none. `indices` are by row."""
-    groups: dict[tuple[str, int], list[ListRow]] = {}
+    groups: dict[int, list[ListRow]] = {}
     for row in rows:
         if row.bits is not None:
             refused.append(Refusal(row.row, "", "", "is a bit of an object; write its bits into the row of the object"))
         else:
-            groups.setdefault((row.space or OBJECTS, indices[row.row]), []).append(_object(row))
+            groups.setdefault(indices[row.row], []).append(_object(row))
     if any(
         row.type == Typed(_TEXT) and row.texts["bytes"] == str(TEXT_BYTES) for group in groups.values() for row in group
     ):
         assumptions.append(Assumption("texts", f"up to {TEXT_BYTES} bytes", "the list has no lengths"))
-    for (space, index), group in groups.items():
+    for index, group in groups.items():
         elements = [row for row in group if row.subindices is not None]
         wholes = [row for row in group if row.subindices is None]
         if not elements or (not wholes and {row.subindices for row in elements} == {(0, 0)}):
@@ -129,12 +130,12 @@ def as_parameters(
             (row for row in elements if row.type), key=lambda row: row.subindices or (0, 0), default=elements[0]
         )
         whole_row = wholes[0] if wholes else elements[0]
-        texts = {"space": space, "bytes": usual.texts["bytes"]}
+        texts = {"space": OBJECTS, "bytes": usual.texts["bytes"]}
         texts |= {"label": whole_row.texts["label"]} if wholes and "label" in whole_row.texts else {}
         count = max((row.subindices or (0, 0))[1] for row in elements) + 1
         names = whole_row.names if wholes else (f"object_{index:04x}",)
         yield ListRow(
-            whole_row.row, names=names, type=usual.type, texts=texts, count=count, kind=PARAMETER, space=space
+            whole_row.row, names=names, type=usual.type, texts=texts, count=count, kind=PARAMETER, space=OBJECTS
         )
         yield from (*elements, *wholes[1:])
 
@@ -151,7 +152,7 @@ def _object(row: ListRow) -> ListRow:
     doubts = [doubt for doubt in row.doubts if not doubt.startswith(_LENGTH)]
     doubts += [] if agrees else [f"{_LENGTH}: {row.texts['words']}."]
     texts = {role: text for role, text in row.texts.items() if role not in ("name", "printed_name")}
-    texts |= {"space": row.space or OBJECTS, "bytes": ""} | ({"label": row.names[0]} if row.names else {})
+    texts |= {"space": OBJECTS, "bytes": ""} | ({"label": row.names[0]} if row.names else {})
     if own_type is not None and own_type.name == _TEXT:
         texts["bytes"] = str(own_type.length or row.length or TEXT_BYTES)
     return replace(
@@ -159,7 +160,7 @@ def _object(row: ListRow) -> ListRow:
         type=own_type,
         texts=texts,
         kind=PARAMETER,
-        space=row.space or OBJECTS,
+        space=OBJECTS,
         subindices=bits(row.texts.get(_SUBINDEX, ""), _LAST_SUBINDEX),
         words=None,
         doubts=tuple(doubts),

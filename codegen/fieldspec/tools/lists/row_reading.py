@@ -15,7 +15,7 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.row_quantity import FACTORS, open_factor, quantity_of
-from fieldspec.tools.lists.type_words import Loose, Typed, typed
+from fieldspec.tools.lists.type_words import Loose, Typed, joined_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
@@ -320,15 +320,23 @@ def _with_bits(texts: Mapping[str, str], meanings: Meanings, doubts: list[str]) 
 
 
 def _order(texts: Mapping[str, str], own_type: Typed | None, default_order: str, doubts: list[str]) -> str:
-    text = texts.get("word_order", "")
+    of_words, of_bytes = (_stated_order(role, texts.get(role, ""), doubts) for role in ("word_order", "byte_order"))
+    stated = joined_order(of_bytes, of_words)
+    of_type = own_type.order if own_type is not None else ""
+    if stated and of_type and stated != of_type:
+        text = texts.get("word_order") or texts.get("byte_order")
+        doubts.append(f"The list says {texts['type']}, and the order {text}.")
+    return stated or of_type or default_order
+
+
+def _stated_order(role: str, text: str, doubts: list[str]) -> str:
+    """The order in a column of orders of bytes, or of words, where `little` has the low word first and usual bytes."""
     stated = cells.order(text)
     if text and not stated:
         answer_value = answer(text)
         if answer_value is None:
-            doubts.append(f"Order of words in the list: {text}.")
+            doubts.append(f"Order of {role.partition('_')[0]}s in the list: {text}.")
         else:
             stated = "CDAB" if answer_value else "ABCD"
-    of_type = own_type.order if own_type is not None else ""
-    if stated and of_type and stated != of_type:
-        doubts.append(f"The list says {texts['type']}, and the order {text}.")
-    return stated or of_type or default_order
+    is_code = folded(text) in ("dcba", "4321")
+    return "CDAB" if role == "word_order" and stated == "DCBA" and not is_code else stated

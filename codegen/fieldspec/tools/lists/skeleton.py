@@ -334,8 +334,7 @@ def _orders(order: str, kind: Primitive, size: int) -> Iterator[str]:
 
 def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list[str]) -> list[str]:
     """Scale, offset, range, default and constant, if they are whole counts of the type; else they become doubts."""
-    texts, parts = row.texts, []
-    is_integer = is_count(primitive.encoding)
+    texts, parts, is_integer = row.texts, [], is_count(primitive.encoding)
     scale = row.scale or Fraction(1)
     if scale != 1 and not has_exponent:
         if is_integer:
@@ -348,6 +347,7 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
         doubts.append(f"Offset in the list: {row.offset:f}.")
     has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
     low, high = (count_of(bound, row) for bound in (row.low, row.high))
+    are_counts = has_counts and (low, high).count(None) == (row.low, row.high).count(None)
     if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
         parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
         lowest, highest = low, high
@@ -361,7 +361,7 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
     special = Ranges(whole_intervals(states) or ()) if states else Ranges(())
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
         count = count_of(number, row) if key == "default" else _whole(number)
-        if key in texts and count is not None and has_counts and (lowest <= count <= highest or count in special):
+        if key in texts and count is not None and are_counts and (lowest <= count <= highest or count in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
             parts.append(f"{unit_key}: {_bound(number)}")
         elif key in texts and (row.is_own or row.kind == PARAMETER) and is_text(primitive.encoding):

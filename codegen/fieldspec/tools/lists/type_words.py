@@ -126,9 +126,14 @@ def _order_and_rest(aside: str) -> tuple[str, str]:
     rest = ", ".join(piece for piece, order in stated if piece and not order)
     of_words = [order for piece, order in stated if order and _OF_WORDS.search(piece)]
     of_bytes = [order for piece, order in stated if order and not _OF_WORDS.search(piece)]
-    if not of_words or not of_bytes:
-        return next(iter((*of_words, *of_bytes)), ""), rest
-    return _ORDERS[of_bytes[0] == "DCBA", of_words[0] == "CDAB"], rest
+    return joined_order("".join(of_bytes[:1]), "".join(of_words[:1])), rest
+
+
+def joined_order(of_bytes: str, of_words: str) -> str:
+    """The order that one of bytes and one of words give together; an empty one says nothing."""
+    if not of_words or of_bytes not in ("ABCD", "DCBA"):
+        return of_bytes or of_words
+    return _ORDERS[of_bytes == "DCBA", of_words in ("CDAB", "DCBA")]
 
 
 def _known(text: str) -> Typed | None:
