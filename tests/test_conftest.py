@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -50,9 +51,11 @@ class Deselected:
         self.items += items
 
 
-@pytest.mark.parametrize(("is_whole", "left"), [(False, ["a", "p[0]", "p[2]", "p[5]", "p[7]", "z"]), (True, None)])
+@pytest.mark.parametrize(
+    ("is_whole", "numbers"), [(False, [0, 2, 5, 7]), (True, range(10))], ids=["a share", "the whole"]
+)
 def test_a_run_has_an_even_share_of_a_proof_and_every_other_test(
-    is_whole: bool, left: list[str] | None, monkeypatch: pytest.MonkeyPatch
+    is_whole: bool, numbers: Iterable[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(proofs, "IS_WHOLE", is_whole)
     proof = pytest.mark.proof(4).mark
@@ -61,7 +64,7 @@ def test_a_run_has_an_even_share_of_a_proof_and_every_other_test(
     module = conftest()
     items = [*every]
     module.pytest_collection_modifyitems(SimpleNamespace(hook=deselected), items)
-    assert [item.nodeid for item in items] == (left or [item.nodeid for item in every])
+    assert [item.nodeid for item in items] == ["a", *(f"p[{number}]" for number in numbers), "z"]
     assert [item for item in every if item not in items] == deselected.items
 
 

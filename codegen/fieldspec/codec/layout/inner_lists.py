@@ -207,13 +207,13 @@ def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None
     while offset < len(data) if size is None else len(sizes) * inner.element < size:
         if len(sizes) * inner.element == inner.most:
             return ListFault("wrong_length", start + offset)
-        own = parts.sent_size(data[offset:])
-        if isinstance(own, ListFault):
-            return ListFault(own.reason, start + offset + own.at)
-        if offset + own > len(data):
+        element_size = parts.sent_size(data[offset:])
+        if isinstance(element_size, ListFault):
+            return ListFault(element_size.reason, start + offset + element_size.at)
+        if offset + element_size > len(data):
             return ListFault("incomplete", start + len(data))
-        sizes.append(own)
-        offset += own
+        sizes.append(element_size)
+        offset += element_size
     if len(sizes) * inner.element < inner.least:
         return ListFault("incomplete", start + offset)
     return ListExtent(offset, tuple(sizes))

@@ -57,11 +57,13 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
             varying = next(span.name for span in record.spans if span.value is not None)
             raise UsageError(f"{record.name} has no layout: {varying} varies in width")
         if record.inner_lists is not None:
-            first = next((own.name for own in record.inner_lists.lists if own.parts), record.inner_lists.lists[0].name)
+            repeated_name = next(
+                (own.name for own in record.inner_lists.lists if own.parts), record.inner_lists.lists[0].name
+            )
             problem = (
-                f"elements of {first} differ in size"
+                f"elements of {repeated_name} differ in size"
                 if record.has_differing
-                else f"fields come behind {first}, which repeats"
+                else f"fields come behind {repeated_name}, which repeats"
             )
             raise UsageError(f"{record.name} has no layout: {problem}")
         for decided, chosen in choices(record):

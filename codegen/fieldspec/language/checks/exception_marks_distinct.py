@@ -90,8 +90,8 @@ def _is_another(device: Device, field: Field, start: int, offset: int, mark: byt
     if field.reserved or field.count is not None or field.repeat is not None:
         return False
     low, high = max(start, offset), min(start + value.size, offset + len(mark))
-    own = mark[low - offset : high - offset]
-    if value.digits and any(byte not in _bytes_of_digits(value) for byte in own):
+    marked_bytes = mark[low - offset : high - offset]
+    if value.digits and any(byte not in _bytes_of_digits(value) for byte in marked_bytes):
         return True
     order, swapped = orders_of(value, device.byte_order, device.word_order)
     if value.has_characters:
@@ -99,13 +99,15 @@ def _is_another(device: Device, field: Field, start: int, offset: int, mark: byt
     if swapped:
         # The words have their places exchanged, and the bytes in each keep theirs.
         places = [value.size - 2 - place + 2 * (place % 2) for place in range(low - start, high - start)]
-        own = bytes(byte for _, byte in sorted(zip(places, own, strict=True)))
+        marked_bytes = bytes(byte for _, byte in sorted(zip(places, marked_bytes, strict=True)))
         low, high = start + min(places), start + max(places) + 1
-        if high - low != len(own):
+        if high - low != len(marked_bytes):
             return False
     shift = start + value.size - high if order == "big" else low - start
-    bits = int.from_bytes(own, "big" if order == "big" else "little")
-    return not any(_may_have(interval, value, 8 * shift, 8 * len(own), bits) for interval in _numbers(device, value))
+    bits = int.from_bytes(marked_bytes, "big" if order == "big" else "little")
+    return not any(
+        _may_have(interval, value, 8 * shift, 8 * len(marked_bytes), bits) for interval in _numbers(device, value)
+    )
 
 
 def _bytes_of_digits(value: Value) -> bytes:

@@ -151,13 +151,13 @@ class Bit(Fact):
         Those of bits that lie apart are as `joined` has them.
         """
         turn = 1 << self.width
-        first = 0 if self.pieces else self.first
+        shift = 0 if self.pieces else self.first
         pairs = [
             pair
             for low, high in (self.ranges or Ranges(((self.low, self.high),))).intervals
             for pair in _unsigned(low, high, turn)
         ]
-        return tuple((low << first, high << first) for low, high in merged(pairs))
+        return tuple((low << shift, high << shift) for low, high in merged(pairs))
 
     @property
     def greatest_image(self) -> int:

@@ -259,8 +259,8 @@ class _Search:
         deciders = [_part(fact, name.text, ["response"]) for name in names if isinstance(name, Scalar)]
         for key in ("when", "unsized"):
             if key in segments.values:
-                known = [decider for decider in deciders if decider is not None]
-                yield from self._of_values(segments.values[key], key, known, holder, (*keys, key))
+                stated_deciders = [decider for decider in deciders if decider is not None]
+                yield from self._of_values(segments.values[key], key, stated_deciders, holder, (*keys, key))
         abort = segments.values.get("abort")
         message, reason = value_of(abort, "message"), value_of(abort, "reason")
         abort_message = self.names["messages"].get(message.text) if isinstance(message, Scalar) else None

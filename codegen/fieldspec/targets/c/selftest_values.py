@@ -92,13 +92,13 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
     """The mask of each bit field, and what its function gives of a word with only its bits, and of all others."""
     size = word.type.size
     for name, bit in named_bits(word):
-        ones = hexadecimal(sum(1 << number for number in bit.places), size)
+        all_bits = hexadecimal(sum(1 << number for number in bit.places), size)
         mask, get = naming.macro("bit", word.name, name, "mask"), naming.function("bit", word.name, name)
-        other_bits = Cast(machine(word.type.encoding).word, Unary("~", ones))
+        other_bits = Cast(machine(word.type.encoding).word, Unary("~", all_bits))
         wide = bit.width > 1
-        yield _expect_constant(mask, ones)
+        yield _expect_constant(mask, all_bits)
         all_ones = integer(-1 if bit.signed else (1 << bit.width) - 1, number_of_bit(word, bit))
-        yield expect_equal(get, Call(get, (ones,)), all_ones if wide else TRUE)
+        yield expect_equal(get, Call(get, (all_bits,)), all_ones if wide else TRUE)
         yield expect_equal(get, Call(get, (other_bits,)), ZERO if wide else FALSE)
     if word.states:
         yield from _test_states(naming, word)

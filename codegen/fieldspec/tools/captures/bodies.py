@@ -85,16 +85,16 @@ def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLa
             path = f"{prefix}{field.name}[{index}]" if is_list else f"{prefix}{field.name}"
             place = start + field.offset + index * field.size
             if field.record is not None:
-                own = slots(field.record, f"{path}.", place, outer or field)
+                field_slots = slots(field.record, f"{path}.", place, outer or field)
             elif inner is not None and field.value is not None and field.value.width:
                 count = record.named(inner.count)
                 assert count is not None
                 text = replace(inner, room=field.offset, count_at=count.offset)
-                own = iter([Slot(path, place, field, outer or field, text=text)])
+                field_slots = iter([Slot(path, place, field, outer or field, text=text)])
                 inner = None
             else:
-                own = iter([Slot(path, place, field, outer or field)])
-            for slot in own:
+                field_slots = iter([Slot(path, place, field, outer or field)])
+            for slot in field_slots:
                 if inner is not None and inner.count:
                     slot = replace(slot, places=((start, inner, index), *slot.places))
                 yield slot

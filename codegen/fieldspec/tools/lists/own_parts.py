@@ -62,9 +62,9 @@ def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[in
     for key, inner in tree.items():
         if isinstance(inner, dict):
             yield from _record(f"{name}_{key}", inner, entries, fact)
-    first = entries[next(_places(tree))].row
-    yield f"  - name: {name}", first.row
-    yield from ((f"    {key}", 0) for key in first.source())
+    first_row = entries[next(_places(tree))].row
+    yield f"  - name: {name}", first_row.row
+    yield from ((f"    {key}", 0) for key in first_row.source())
     yield "    fields:", 0
     ordered = sorted(tree.items(), key=lambda item: entries[next(_places({"": item[1]}))].row.address)
     end = entries[next(_places({"": ordered[0][1]}))].row.address
@@ -102,9 +102,9 @@ def parameters(
         yield "parameters:", 0
     for space in spaces:
         places = [place for place, entry in enumerate(entries) if entry.kind == PARAMETER and entry.space == space]
-        first = entries[places[0]].row
-        yield f"  - name: {space}", first.row
-        yield from ((f"    {key}", 0) for key in first.source())
+        first_row = entries[places[0]].row
+        yield f"  - name: {space}", first_row.row
+        yield from ((f"    {key}", 0) for key in first_row.source())
         wholes = {entries[place].row.address: place for place in places if entries[place].row.subindices is None}
         elements: dict[int, list[int]] = {}
         for place in places:

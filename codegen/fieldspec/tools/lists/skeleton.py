@@ -155,15 +155,15 @@ class _Writer:
 
     def _units(self) -> Iterator[tuple[str, int]]:
         """The units that the language does not have."""
-        first: dict[str, ListRow] = {}
+        first_rows: dict[str, ListRow] = {}
         for entry in self._registers:
             for list_row in (entry.row, *(bit.row for bit in entry.bits if bit.row is not None)):
                 if list_row.unit and not known_unit(list_row.unit):
-                    first.setdefault(list_row.unit, list_row)
+                    first_rows.setdefault(list_row.unit, list_row)
         used: set[str] = set()
-        if first:
+        if first_rows:
             yield "units:", 0
-        for unit, row in first.items():
+        for unit, row in first_rows.items():
             name = fresh(named([unit], 0).replace("register_0000", "unit"), "unit", used)
             yield f"  - {{symbol: {quoted(unit)}, name: {name}, {', '.join(row.source())}}}", row.row
 
