@@ -4291,7 +4291,7 @@ function titled(name) {
 
 // A text of the manual, in its language.
 function labelText(device, text) {
-  return text ? element("span", { className: "label", lang: device.data.language, textContent: text }) : "";
+  return text ? element("i", { lang: device.data.language, textContent: text }) : "";
 }
 
 async function copyText(text, button) {

@@ -93,7 +93,7 @@ def test_every_type_that_blocks_and_functions_use_is_declared(layout: DeviceLayo
     used = {name for text in outputs.values() for name in re.findall(r': (?:ARRAY\[[^]]*\] OF )?"(type\w+)"', text)}
     assert used <= declared
     functions = set(re.findall(r'^FUNCTION "(\w+)"', outputs["functions.scl"], re.M))
-    called = set(re.findall(r'"(F_\w+)"\(', "".join(outputs.values())))
+    called = set(re.findall(r'"(\w+_\w+)"\(', "".join(outputs.values())))
     assert called <= functions
 
 
@@ -115,6 +115,25 @@ def test_no_text_of_a_spec_leaves_its_comment_or_its_string(layout: DeviceLayout
         ), line
 
 
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_regions_close_within_the_branches_that_they_open_in(layout: DeviceLayout) -> None:
+    opened: list[str] = []
+    for line in sources(layout)["functions.scl"].split("\r\n"):
+        word = re.split("[ ;]", line.strip(), maxsplit=1)[0]
+        if word in ("REGION", "IF", "CASE", "FOR"):
+            opened.append(word)
+        elif word in ("END_REGION", "END_IF", "END_CASE", "END_FOR"):
+            assert opened.pop() == word.removeprefix("END_")
+        elif word == "END_FUNCTION_BLOCK":
+            assert opened == []
+
+
+def test_a_block_that_moves_has_its_parts_in_regions() -> None:
+    text = sources(newest(SPECS, "tc100"))["functions.scl"]
+    block = text.partition('FUNCTION_BLOCK "Tc100_MoveAbsolute"')[2].partition("END_FUNCTION_BLOCK")[0]
+    assert re.findall(r"REGION \w+", block) == ["REGION Timers", "REGION Start", "REGION Steps"]
+
+
 def test_strings_escape_what_ends_them_and_have_ascii_alone() -> None:
     assert string("5 $ 'off' 85 °C\n") == "'5 $$ $'off$' 85 ?C?'"
     assert string("x" * 300, 254) == "'" + "x" * 254 + "'"
@@ -130,8 +149,8 @@ def test_blocks_that_are_laid_over_the_wire_have_standard_access_and_the_others_
 
 def test_the_calls_in_the_comments_of_blocks_are_of_functions_that_are_there() -> None:
     outputs = sources(newest(SPECS, "hiwin-e"))
-    assert '"F_HiwinE_PackTelegram111RequestBytes"(data := "HiwinETelegram111Values".toDevice' in outputs["data.db"]
-    assert 'FUNCTION "F_HiwinE_PackTelegram111RequestBytes" : UINT' in outputs["functions.scl"]
+    assert '"HiwinE_PackTelegram111RequestBytes"(data := "HiwinETelegram111Values".toDevice' in outputs["data.db"]
+    assert 'FUNCTION "HiwinE_PackTelegram111RequestBytes" : UINT' in outputs["functions.scl"]
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)

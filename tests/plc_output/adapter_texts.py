@@ -128,5 +128,5 @@ def siemens_types(device: str) -> str:
 
 
 def called_in(content: str) -> list[str]:
-    """The generated blocks and functions that a text uses."""
-    return re.findall(r"\bFB?_\w+", content)
+    """The words of a text, the generated blocks and functions that it uses among them."""
+    return re.findall(r"\b[A-Za-z]\w+", content)

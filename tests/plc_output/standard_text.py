@@ -64,7 +64,7 @@ def needed(content: str, names: Iterable[str]) -> str:
         name = left.pop()
         if name not in wanted and name in by_name:
             wanted.add(name)
-            left += [word.upper() for word in re.findall(r"\bFB?_\w+", by_name[name])]
+            left += [word.upper() for word in re.findall(r"\b[A-Za-z]\w+", by_name[name])]
     return "".join(
         item
         for item in objects

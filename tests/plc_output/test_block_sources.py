@@ -69,6 +69,14 @@ FAULTS = {
         *("«IF» Axis.urgent > 0 THEN\n    Axis.urgent := Axis.urgent - 1;",),
         "END_IF is missing before line",
     ),
+    "a comment without a statement": (
+        *("client", "        iStep := STEP_ASK;\n    ELSIF", "        iStep := STEP_ASK;\n    «// lost»\n    ELSIF"),
+        "a comment stands in front of a statement",
+    ),
+    "a missing END_REGION": (
+        *("line", "REGION Start\n    {Edges};\nEND_REGION", "«REGION» Start\n    {Edges};"),
+        "END_REGION is missing before line",
+    ),
     "an unknown slot": (
         *("client", "{has.several} THEN\n        {Build", "{has.«severl»} THEN\n        {Build"),
         "has has no severl: is it several?",

@@ -23,7 +23,8 @@ MOTION = {
     "PLCopen": {"Done", "Busy", "Active", "CommandAborted", "Error", "ErrorID"},
     "Siemens": {"done", "busy", "active", "commandAborted", "error", "status"},
 }
-MOVES = re.compile(r"FB_[A-Za-z0-9]+_(?:Telegram\d+)?(?:Move\w+|Home|Jog|Grip|Release|RunPoint\w*|Halt)$")
+NAMED = re.compile(r"\b(?:FB_\w+|\w+(?:ModbusMaster|PointToPoint|Program|Input|Output)|(?<=FUNCTION_BLOCK \")\w+)\b")
+MOVES = re.compile(r"(?:FB_)?[A-Za-z0-9]+_(?:Telegram\d+)?(?:Move\w+|Home|Jog|Grip|Release|RunPoint\w*|Halt)$")
 
 
 def house(target: str) -> str:
@@ -33,7 +34,7 @@ def house(target: str) -> str:
 def interfaces(target: str, device: str) -> Iterator[tuple[str, str, list[tuple[str, str]]]]:
     """The blocks with the variables of each role: names and types."""
     for block in blocks(target, device):
-        name = re.search(r"\b(?:FB_\w+|\w+(?:ModbusMaster|PointToPoint|Program|Input|Output))\b", block)
+        name = NAMED.search(block)
         if name is None or re.search(r"^FUNCTION |FUNCTION F_|pouType=\"function\"", block, re.MULTILINE):
             continue
         for role, element in ROLES.items():
@@ -83,7 +84,7 @@ def test_a_block_that_moves_says_how_it_is_in_the_words_of_the_house(target: str
 @pytest.mark.parametrize("device", sorted({case.values[1] for case in CASES}))
 def test_a_block_for_tia_portal_has_a_word_for_its_status_and_no_other_number(device: str) -> None:
     outputs = {block: dict(variables) for block, role, variables in interfaces("scl", device) if role == "OUTPUT"}
-    with_error = {block: kinds for block, kinds in outputs.items() if "error" in kinds and block.startswith("FB_")}
+    with_error = {block: kinds for block, kinds in outputs.items() if "error" in kinds and "_" in block}
     assert with_error
     assert {kinds["status"] for kinds in with_error.values()} == {"WORD"}
     assert [block for block, kinds in outputs.items() if "errorid" in map(str.lower, kinds)] == []
@@ -91,7 +92,7 @@ def test_a_block_for_tia_portal_has_a_word_for_its_status_and_no_other_number(de
 
 @pytest.mark.parametrize("device", sorted({case.values[1] for case in CASES}))
 def test_what_a_block_for_tia_portal_keeps_is_called_static_or_instance(device: str) -> None:
-    texts = [block for block in blocks("scl", device) if block.startswith('FUNCTION_BLOCK "FB_')]
+    texts = [block for block in blocks("scl", device) if re.match(r'FUNCTION_BLOCK "\w+_', block)]
     inside = [
         name
         for block in texts

@@ -127,6 +127,7 @@ class _Declaring:
             self._enum_members,
             Status(status, self.status_members),
             dialect.has_status,
+            dialect.prefixed,
         )
         self.world = World(layout, names)
 

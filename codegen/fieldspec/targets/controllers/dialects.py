@@ -22,7 +22,8 @@ class Spelling:
     an enum, a member and its number; where `enums` is false, the dialect has none, and a variable has the type of the
     numbers. `struct` holds the name of a declared type. `array` is the form of the names of array types, which the
     arrays in `named` have, or all where a variable cannot have an array without a name. `sections` are the words for
-    the roles of variables. `comment` is the form of a comment, `timer` the type of an on-delay timer.
+    the roles of variables. `comment` is the form of a comment, `timer` the type of an on-delay timer. `has_regions`
+    says that REGION gives statements a heading.
     """
 
     variable: str = "{}"
@@ -43,6 +44,7 @@ class Spelling:
     attributes: tuple[str, ...] = ()
     comment: str = "// {}"
     timer: str = "TON"
+    has_regions: bool = False
 
 
 STRUCTURED_TEXT = Spelling(array="T_{}_{}")
@@ -64,6 +66,7 @@ SCL = Spelling(
     head="FUNCTION {} : {}",
     begin="BEGIN",
     timer="TON_TIME",
+    has_regions=True,
     attributes=("{ S7_Optimized_Access := 'TRUE' }", "VERSION : 0.1"),
 )
 

@@ -72,7 +72,7 @@ class _Writer:
     """Writes lines and cells of pages whose labels are in one language."""
 
     def __init__(self, language: str) -> None:
-        self._tags = _TAGS | {"label": (f'<span class="label"{_attribute("lang", language)}>', "</span>")}
+        self._tags = _TAGS | {"label": (f"<i{_attribute('lang', language)}>", "</i>")}
         self.line = lru_cache(maxsize=REUSED)(self._line)
         self.cell = lru_cache(maxsize=REUSED)(self._cell)
         self.strip = lru_cache(maxsize=REUSED)(self._strip)
@@ -178,17 +178,18 @@ class _Page:
         yield f'<div class="scroll">\n<table{_attribute("id", table.anchor)}{_attribute("class", table.style)}>\n'
         yield f"<caption>{escaped(table.caption)}</caption>\n"
         yield f"<thead><tr>{''.join(titles)}</tr></thead>\n<tbody>\n"
-        tags = [(f"<td{style}>", "</td>") for style in classes]
+        # HTML needs no end tags of cells and rows, which are a tenth of such a page.
+        tags = [f"<td{style}>" for style in classes]
         if table.heading >= 0:
-            tags[table.heading] = f'<th scope="row"{classes[table.heading]}>', "</th>"
+            tags[table.heading] = f'<th scope="row"{classes[table.heading]}>'
         cell_text, right = self._writer.cell, self._anchors.cell
         for row in table.rows:
             style = ' class="element"' if row.element else ""
             cells = [
-                f"{opening}{cell_text(right(cell) if cell.paths else cell)}{closing}"
-                for cell, (opening, closing) in zip(row.cells, tags, strict=True)
+                f"{tag}{cell_text(right(cell) if cell.paths else cell)}"
+                for cell, tag in zip(row.cells, tags, strict=True)
             ]
-            yield f"<tr{_attribute('id', row.anchor)}{style}>{''.join(cells)}</tr>\n"
+            yield f"<tr{_attribute('id', row.anchor)}{style}>{''.join(cells)}\n"
         yield "</tbody>\n</table>\n"
         if table.footnotes:
             yield '<ul class="footnotes">\n'

@@ -235,7 +235,7 @@
     link.href = entry.link;
     const head = element("span", "", "hit");
     head.append(element("code", entry.labels[0]));
-    for (const label of entry.labels.slice(1)) { head.append(" ", element("span", label, "label", entry.language)); }
+    for (const label of entry.labels.slice(1)) { head.append(" ", element("i", label, "", entry.language)); }
     if (entry.only) { head.append(" ", element("span", `only ${entry.only}`, "badge")); }
     const numbers = entry.numbers.replace(/\+(\d+)\*(\d+)/g, " and $2 elements").replace("and 1 elements", "");
     link.append(head, element("span", [numbers, entry.where].filter(Boolean).join(" \u00b7 "), "quiet"));

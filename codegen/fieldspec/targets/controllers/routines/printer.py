@@ -36,6 +36,7 @@ from fieldspec.targets.controllers.statements.routine import (
     Condition,
     Invocation,
     Loop,
+    Region,
     Remark,
     Return,
     Routine,
@@ -199,6 +200,10 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
             lines += _invoked(block, arguments, spelling, indent)
         case Remark(text):
             lines += comment(text, indent, spelling.comment)
+        case Region(heading, body) if spelling.has_regions:
+            lines += [f"{indent}REGION {heading}", *_body(body, spelling, indent), f"{indent}END_REGION"]
+        case Region(heading, body):
+            lines += ["", *comment(heading, indent, spelling.comment), *_body(body, spelling, indent)]
         case Return():
             lines.append(f"{indent}RETURN;")
         case Loop(index, first, last, body):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
@@ -65,7 +65,8 @@ class Names:
 
     `structs` are known by the names of records, of groups of registers and of the data of telegrams, `members` by those
     and the names of fields and registers. An enum that is missing in `enums` is no type; its values are numbers.
-    `has_status` says that blocks have a WORD that says how they are, in place of the number of an error.
+    `has_status` says that blocks have a WORD that says how they are, in place of the number of an error. `prefixed`
+    says that names of functions and blocks begin with letters for what they are.
     """
 
     device: str
@@ -75,6 +76,7 @@ class Names:
     enum_members: Mapping[str, Mapping[str, str]]
     status: Status
     has_status: bool = False
+    prefixed: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,15 +92,18 @@ class World:
     _raw: dict[str, Elementary] = field(default_factory=dict)
 
     def routine(self, *parts: str) -> str:
-        """The name of a routine: `F_GADGET_ReadPoint`"""
+        """The name of a routine: `F_Gadget_ReadPoint`, or `Gadget_ReadPoint`"""
+        return self._name("F_", parts)
+
+    def block(self, *parts: str) -> str:
+        """The name of a function block: `FB_Gadget_ReadRegisters`, or `Gadget_ReadRegisters`"""
+        return self._name("FB_", parts)
+
+    def _name(self, prefix: str, parts: Sequence[str]) -> str:
         words = Name(())
         for part in parts:
             words += Name.of(part)
-        return f"F_{self.names.device}_{words.pascal()}"
-
-    def block(self, *parts: str) -> str:
-        """The name of a function block: `FB_Gadget_ReadRegisters`"""
-        return "FB" + self.routine(*parts).removeprefix("F")
+        return f"{prefix if self.names.prefixed else ''}{self.names.device}_{words.pascal()}"
 
     def variable(self, name: str, kind: Type) -> str:
         """The name of a variable for a part or a field: `uiSpeed`, `stPoint`, `aCorners`"""

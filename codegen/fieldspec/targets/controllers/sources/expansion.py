@@ -14,7 +14,9 @@ from fieldspec.targets.controllers.sources.nodes import (
     Assigned,
     Block,
     Chosen,
+    Commented,
     Entry,
+    Headed,
     Indexed,
     Insertion,
     Iteration,
@@ -49,6 +51,8 @@ from fieldspec.targets.controllers.statements.routine import (
     Condition,
     Declared,
     Loop,
+    Region,
+    Remark,
     Routine,
     Selection,
     Statement,
@@ -192,8 +196,17 @@ class Expansion(Lookup):
                 return (Loop(index, first, last, self._block(step.body)),)
             case Timed():
                 return (self._timing(step.call),)
+            case Commented():
+                return self._commented(step.comment, self._step(step.step))
+            case Headed():
+                body = self._block(step.body)
+                return (Region(step.heading, body),) if body else ()
             case _:
                 assert_never(step)
+
+    def _commented(self, comment: str, statements: Sequence[Statement]) -> Sequence[Statement]:
+        """Statements with their comment, unless nothing is left of them."""
+        return (Remark(comment), *statements) if comment and statements else statements
 
     def _place(self, term: Term) -> Variable | Member | Element:
         place = self.expression(term)
@@ -233,7 +246,8 @@ class Expansion(Lookup):
             raise self.fail(step.token, f"{name} has {'one argument' if action.parameter else 'no argument'}")
         argument_text = argument.token.text if argument is not None else ""
         arguments = {action.parameter: self.value(argument)} if argument is not None else {}
-        return self._expand(action.body, arguments, f"{name}({argument_text}), line {step.token.line}")
+        statements = self._expand(action.body, arguments, f"{name}({argument_text}), line {step.token.line}")
+        return self._commented(action.comment, statements)
 
     def _choice(self, step: Chosen) -> Sequence[Statement]:
         """An IF without the branches that cannot be taken; the one that always is becomes its ELSE."""

@@ -155,7 +155,25 @@ class Iteration:
     body: Block
 
 
-Step: TypeAlias = Assigned | Timed | Insertion | Chosen | Selected | Iteration
+@dataclass(frozen=True, slots=True)
+class Commented:
+    """A statement with the comment in front of it."""
+
+    token: Token
+    comment: str
+    step: Step
+
+
+@dataclass(frozen=True, slots=True)
+class Headed:
+    """REGION: statements with a heading."""
+
+    token: Token
+    heading: str
+    body: Block
+
+
+Step: TypeAlias = Assigned | Timed | Insertion | Chosen | Selected | Iteration | Commented | Headed
 Block: TypeAlias = tuple[Step, ...]
 
 
@@ -181,10 +199,11 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """Statements with a name and perhaps a parameter."""
+    """Statements with a name, perhaps a parameter, and perhaps a comment."""
 
     parameter: str
     body: Block
+    comment: str = ""
 
 
 @dataclass(slots=True)

@@ -14,8 +14,10 @@ from fieldspec.targets.controllers.sources.nodes import (
     Assigned,
     Block,
     Chosen,
+    Commented,
     Entry,
     File,
+    Headed,
     Indexed,
     Insertion,
     Inverted,
@@ -38,7 +40,7 @@ _TOKEN = re.compile(
     r"|(?P<word>[A-Za-z_]\w*)|(?P<mark>:=|=>|<>|<=|>=|[-+*/=<>()\[\]{},;:.])"
 )
 _ROLES = {"VAR_INPUT": "input", "VAR_IN_OUT": "in_out", "VAR_OUTPUT": "output", "VAR": "local"}
-_ENDS = frozenset({"ELSIF", "ELSE", "END_IF", "END_FOR", "END_ACTION", "END_FUNCTION_BLOCK"})
+_ENDS = frozenset({"ELSIF", "ELSE", "END_IF", "END_FOR", "END_REGION", "END_ACTION", "END_FUNCTION_BLOCK"})
 _LEVELS = (("OR",), ("AND",), ("=", "<>"), ("<", ">", "<=", ">="), ("+", "-"), ("*", "/", "MOD"))
 _CHAINED = ("AND", "OR", "+")
 
@@ -89,6 +91,16 @@ class _Parser:
         self.next += 1
         return token.text[2:].strip()
 
+    def comments(self) -> str:
+        """The comments that stand here, line by line, without an empty line behind the last one; else nothing."""
+        texts: list[str] = []
+        while self.tokens[self.next].kind == "comment":
+            line = self.tokens[self.next].line
+            texts.append(self.remark())
+            if self.tokens[self.next].line > line + 1:
+                texts.clear()
+        return " ".join(texts)
+
     def file(self) -> Source:
         source = self.source
         begin = self.take("FUNCTION_BLOCK")
@@ -99,7 +111,10 @@ class _Parser:
             paragraphs.append(self.remark())
         source.remarks = tuple(" ".join(part.split()) for part in "\n".join(paragraphs).split("\n\n"))
         sections = source.sections
-        while self.here.text.startswith(("VAR", "ACTION", "PROPERTY")):
+        while True:
+            comment = self.comments()
+            if not self.here.text.startswith(("VAR", "ACTION", "PROPERTY")):
+                break
             if self.here.text.startswith("VAR"):
                 sections.append(self.section())
                 continue
@@ -110,7 +125,7 @@ class _Parser:
                 source.properties[name] = self.term()
                 self.take(";")
             else:
-                self.action()
+                self.action(comment)
         source.body = self.block(begin, "END_FUNCTION_BLOCK")
         self.take("END_FUNCTION_BLOCK")
         self.take(kind="end")
@@ -141,26 +156,42 @@ class _Parser:
             entries.append(Entry(token, name, kind, initial, self.remark()))
         return Section(role, condition, tuple(entries))
 
-    def action(self) -> None:
+    def action(self, comment: str) -> None:
         begin = self.take("ACTION")
         name, parameter = self.take(kind="word"), ""
         if self.taken("("):
             parameter = self.take(kind="word").text
             self.take(")")
-        self.source.actions[name.text] = Action(parameter, self.block(begin, "END_ACTION"))
+        self.source.actions[name.text] = Action(parameter, self.block(begin, "END_ACTION"), comment)
         self.take("END_ACTION")
 
     def block(self, begin: Token, *ends: str) -> Block:
         steps: list[Step] = []
-        while self.here.text not in ends:
+        while True:
+            token, comment = self.tokens[self.next], self.comments()
+            if self.here.text in ends:
+                break
             if self.here.kind == "end" or self.here.text in _ENDS:
                 raise wrong(begin, f"{ends[-1]} is missing before line {self.here.line}")
-            steps.append(self.step())
+            step = self.step()
+            steps.append(Commented(token, comment, step) if comment else step)
+        if comment:
+            raise wrong(token, "a comment stands in front of a statement")
         return tuple(steps)
+
+    def region(self, token: Token) -> Headed:
+        words: list[str] = []
+        while self.here.line == token.line:
+            words.append(self.take(kind="word").text)
+        body = self.block(token, "END_REGION")
+        self.take("END_REGION")
+        return Headed(token, " ".join(words), body)
 
     def step(self) -> Step:
         token = self.here
         result: Step
+        if self.taken("REGION"):
+            return self.region(token)
         if self.taken("IF"):
             result = self.choice(token)
         elif self.taken("CASE"):

@@ -38,9 +38,10 @@ class EnumType:
 
 @dataclass(frozen=True, slots=True)
 class StructType:
-    """A struct as the type of a variable, by its name."""
+    """A struct as the type of a variable, by its name; with `is_block`, a function block, whose instance it is."""
 
     name: str
+    is_block: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -57,7 +57,7 @@ def _inner_name(routine: Routine, variable: Variable) -> str:
 
 
 def _is_instance(kind: Type) -> bool:
-    return kind == TIMER or (isinstance(kind, StructType) and kind.name.startswith("FB_"))
+    return kind == TIMER or (isinstance(kind, StructType) and kind.is_block)
 
 
 class BlockVariables(Variables):

@@ -77,6 +77,14 @@ class Remark:
 
 
 @dataclass(frozen=True, slots=True)
+class Region:
+    """Statements with a heading."""
+
+    heading: str
+    body: Body
+
+
+@dataclass(frozen=True, slots=True)
 class Timing:
     """A call of an on-delay timer: it runs while `running` holds, and its Q is true when `time` has passed."""
 
@@ -93,7 +101,7 @@ class Invocation:
     arguments: tuple[tuple[str, Expression], ...]
 
 
-Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing | Invocation | Remark
+Statement: TypeAlias = Assignment | Condition | Loop | Selection | Return | Timing | Invocation | Remark | Region
 Body: TypeAlias = tuple[Statement, ...]
 
 
@@ -259,6 +267,8 @@ def _names(body: Body) -> tuple[set[str], set[str], list[Whole]]:
         elif isinstance(node, Call):
             routines.add(node.routine)
             left += [argument for _, argument in (*node.inputs, *node.outputs)]
+        elif isinstance(node, Region):
+            left += node.body
         elif isinstance(node, Timing):
             left += (node.timer, node.running, node.time)
         elif isinstance(node, Invocation):

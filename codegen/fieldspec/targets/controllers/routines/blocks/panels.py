@@ -94,7 +94,7 @@ class _Panel:
 
     def _called(self, kind: str, block: Routine) -> Variable:
         """Adds the call of a block, and gives its instance."""
-        instance = self.variables.declare(f"fb{Name.of(kind).pascal()}", StructType(block.name), "local")
+        instance = self.variables.declare(f"fb{Name.of(kind).pascal()}", StructType(block.name, is_block=True), "local")
         arguments: list[tuple[str, Expression]] = []
         for declared in block.declared:
             variable = declared.variable

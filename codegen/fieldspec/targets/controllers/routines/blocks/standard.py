@@ -203,9 +203,14 @@ class BlockDraft(BlockVariables):
         """Whether there is no reason to end with an error."""
         return compared(self.reason, "=", Whole(0, UINT))
 
-    def attempt(self, call: Expression, success: Body, reason: str) -> list[Statement]:
-        """The statements that call a function and go on with `success` where it returns Ok, else fail."""
-        return [Assignment(self.result, call), when(self.good, success, [self.fail(reason)])]
+    def attempts(self, calls: Iterable[Expression], success: Body, reason: str) -> list[Statement]:
+        """The statements that call functions while each returns Ok, and go on with `success`, or fail."""
+        first, *following = (Assignment(self.result, call) for call in calls)
+        return [
+            first,
+            *(when(self.good, [call]) for call in following),
+            when(self.good, success, [self.fail(reason)]),
+        ]
 
     def finished(self) -> Routine:
         """The routine of the block, without local variables that no statement uses."""

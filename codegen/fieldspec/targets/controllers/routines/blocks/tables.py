@@ -79,13 +79,14 @@ def _add(
 ) -> None:
     """Adds the step that reads or writes registers; it refuses a number of words that no request can have."""
     if direction == "write":
-        block.request(block.attempt(call, tuple(block.ask(*ask)), "request"), success)
+        block.request(block.attempts([call], tuple(block.ask(*ask)), "request"), success)
         return
     status = block.status
     too_many = compared(count, ">", number(block.world.words.high + 1))
     refused: list[Statement] = [Assignment(block.result, status.of("no_room")), block.fail("request")]
     block.request(
-        [chain([(few, refused), (too_many, refused)], block.ask(*ask))], block.attempt(call, tuple(success), "damaged")
+        [chain([(few, refused), (too_many, refused)], block.ask(*ask))],
+        block.attempts([call], tuple(success), "damaged"),
     )
 
 
@@ -190,8 +191,8 @@ def _transfer(
     )
     if direction == "read":
         block.request(
-            block.attempt(address_call, tuple(ask), "request"), block.attempt(call, tuple(success), "damaged")
+            block.attempts([address_call], tuple(ask), "request"), block.attempts([call], tuple(success), "damaged")
         )
         return
-    packed = block.attempt(call, tuple(ask), "request")
-    block.request(block.attempt(address_call, (*(ready or ()), *packed), "request"), success)
+    packed = block.attempts([call], tuple(ask), "request")
+    block.request(block.attempts([address_call], (*(ready or ()), *packed), "request"), success)

@@ -237,14 +237,13 @@ class WordTask(LineTask):
     def _asks(self, run: Sequence[RegisterLayout], success: Sequence[Statement], remark: str = "") -> None:
         """Adds a step that reads a run of registers."""
         first = run[0].address
-        for register in reversed(run):
+        calls: list[Expression] = []
+        for register in run:
             helper = self.helpers.from_words(register)
-            call = helper.called(
-                **{declared.variable.name: self._variable(register) for declared in helper.of_role("output")},
-                iFirst=number(register.address - first),
-                aWords=self.draft.of_port("words"),
-            )
-            success = self.draft.attempt(call, tuple(success), "damaged")
+            outputs = {declared.variable.name: self._variable(register) for declared in helper.of_role("output")}
+            offset = number(register.address - first)
+            calls.append(helper.called(**outputs, iFirst=offset, aWords=self.draft.of_port("words")))
+        success = self.draft.attempts(calls, tuple(success), "damaged")
         words = max(register.address + register.words for register in run) - first
         self.draft.request(self.draft.ask(*self._address(run[0], words, False)), success, remark)
 
@@ -257,7 +256,7 @@ class WordTask(LineTask):
             aWords=draft.of_port("words"),
         )
         address = self._address(register, register.words, True)
-        fill = draft.attempt(call, tuple(draft.ask(*address)), "request")
+        fill = draft.attempts([call], tuple(draft.ask(*address)), "request")
         draft.request(fill, decide(draft.next + 1), remark)
 
     def _next(self, following: int) -> list[Statement]:
