@@ -17,8 +17,6 @@ from fieldspec_devices.hiwin_e import client as hiwin_client
 from fieldspec_devices.tc100 import client as tc100_client
 from simulators import SPECS
 
-POINT_1 = {f"point_number_bit_{bit}": bit == 0 for bit in range(7)}
-
 
 def address(place: str) -> tuple[str, int]:
     """The host and the port of a place."""
@@ -115,14 +113,19 @@ def test_a_point_is_run_and_its_start_is_taken_back(client: tc100_client.Client,
     # Long enough that a client on a busy machine sees the axis move.
     point.speed = 1
     client.write(tc100.points[1], point)
-    client.run_point(**POINT_1)
+    client.run_point(point_number=1)
     assert client.read_position() == 9000
     assert not client.read(tc100.SIMULATED_INPUTS).simulated_input_4
 
 
+def test_a_point_that_no_bits_can_have_is_refused_before_anything_is_written(client: tc100_client.Client) -> None:
+    with pytest.raises(errors.InvalidValueError, match=r"128 is not in 0\.\.127"):
+        client.run_point(point_number=128)
+
+
 def test_a_failed_point_takes_its_start_back(client: tc100_client.Client, device: SimulatedDevice) -> None:
     with pytest.raises(errors.TimeLimitError, match="action_status is still"):
-        client.run_point(**POINT_1, limit=0.3)
+        client.run_point(point_number=1, limit=0.3)
     assert not client.read(tc100.SIMULATED_INPUTS).simulated_input_4
 
 
@@ -235,7 +238,7 @@ def test_a_cancelled_point_takes_its_start_back(device: SimulatedDevice) -> None
             client = tc100_client.AsyncClient(transport, link="ascii", timeout=0.6, settle=0.1)
             await client.home()
             with pytest.raises(asyncio.TimeoutError):
-                await asyncio.wait_for(client.run_point(**POINT_1), 0.5)
+                await asyncio.wait_for(client.run_point(point_number=1), 0.5)
             return (await client.read(tc100.SIMULATED_INPUTS)).simulated_input_4
 
     assert asyncio.run(work()) is False

@@ -66,8 +66,6 @@ def fitting(device: str, kind: str, name: str, of: str, dice: random.Random) -> 
         return _number(dice.randrange(-15, 16) * 100 / scale, of)
     if DISTANCE.search(name):
         return _number(dice.choice([-300, -100, 50, 100, 300]) / scale, of)
-    if re.search(r"PointNumberBit\d|PointBit\d", name):
-        return dice.random() < 0.3
     if re.search(r"point", name, re.IGNORECASE) and of != "bool":
         return dice.randrange(1, 16)
     if re.search(r"direction", name, re.IGNORECASE):

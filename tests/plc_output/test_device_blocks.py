@@ -199,7 +199,7 @@ def test_a_command_that_the_device_does_not_carry_out_is_an_error(folder: Path) 
 def test_a_start_bit_that_a_failed_task_has_left_is_cleared_before_the_point_is_chosen(folder: Path) -> None:
     axis = Axis("tc100", folder)
     axis.rig.device.words[0x2040] = 1 << 3
-    assert axis.rig.done("RunPoint", PointNumberBit1=True) == "Done"
+    assert axis.rig.done("RunPoint", PointNumber=2) == "Done"
     chosen, started, *_ = [words[0] for address, words in axis.rig.device.written if address == 0x2040]
     assert (chosen, started) == (1 << 5, 1 << 5 | 1 << 3)
     assert axis.starts == ["point 2"]

@@ -275,11 +275,9 @@ class RegisterTask(Task):
 
     def write(self, place: Any, value: Any) -> Work[None]:
         """Writes a value, which is encoded at once."""
-        if isinstance(place, Register):
-            assert self.registers is not None
-            return self.registers.write(place, value)
-        assert self.parameters is not None
-        return self.parameters.write(place, value)
+        holder = self.registers if isinstance(place, Register) else self.parameters
+        assert holder is not None
+        return holder.write(place, value)
 
     def write_in_unit(self, place: Register[Any] | Parameter[Any], quantity: Quantity) -> Work[None]:
         """Writes a value in its unit, which is encoded at once."""
@@ -294,6 +292,12 @@ class RegisterTask(Task):
         word = yield from self._read(place)
         changed = int(raw(word)) & ~mask | bits
         yield from self.write(place, word.__class__(changed) if isinstance(word, Flags) else changed)
+
+    def write_bits(self, place: Any, number: int, *masks: int) -> Work[None]:
+        """Writes a number, which is checked at once, into bits of a word, the lowest first."""
+        if not 0 <= number < 1 << len(masks):
+            raise InvalidValueError(f"{number} is not in 0..{(1 << len(masks)) - 1}")
+        return self.change(place, sum(masks), sum(mask for bit, mask in enumerate(masks) if number >> bit & 1))
 
 
 class MessageTask(Task):

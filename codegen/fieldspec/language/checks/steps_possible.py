@@ -40,6 +40,7 @@ def steps_possible(device: Device) -> Iterator[Diagnostic]:
                 text = f"there is no message `{name}`"
                 yield finding(_RULE, task.place, "messages", text, near(name, device.messages))
         yield from _keys_of_kind(task)
+        yield from _bits_of_arguments(task)
         for index, step in enumerate(task.steps):
             yield from _of_step(device, operands, task, step)
             if step.action == "wait" and step.argument:
@@ -84,6 +85,9 @@ def _value_present(step: Step) -> Iterator[Diagnostic]:
     for key, used in (("within", step.within is not None), ("relative", step.relative)):
         if used and not compares:
             yield finding(_RULE, step.place, key, f"`{key}` is for a wait with an argument", "remove it")
+    if step.argument_bit is not None and not (step.action == "write" and step.argument):
+        text = "`argument_bit` is for a step that writes an argument"
+        yield finding(_RULE, step.place, "argument_bit", text, "remove it")
     if step.action != "send" and (step.values or step.arguments):
         key = "values" if step.values else "arguments"
         yield finding(_RULE, step.place, key, f"`{step.action}` does not take `{key}`", "only `send` takes it")
@@ -94,6 +98,20 @@ def _keys_of_kind(task: Task) -> Iterator[Diagnostic]:
     for key, kind, used in (("halt", "stop", task.halt), ("direction", "jog", bool(task.direction))):
         if used and task.kind != kind:
             yield finding(_RULE, task.place, key, f"`{key}` is for tasks of the kind `{kind}`", "remove it")
+
+
+def _bits_of_arguments(task: Task) -> Iterator[Diagnostic]:
+    """Findings of an argument whose bits are written one by one: from 0 on, and no other step uses the argument."""
+    for argument in task.arguments():
+        steps = task.bits_of(argument)
+        bits = [step.argument_bit for step in steps]
+        if bits != [*range(len(bits))]:
+            text = f"the steps write the bit {enumeration([str(bit) for bit in bits])} of {argument_text(argument)}"
+            yield finding(_RULE, steps[0].place, "argument_bit", text, "write each bit once, from 0 on")
+        uses = sum(argument in (step.argument, *step.arguments.values()) for step in task.steps)
+        if steps and uses > len(steps):
+            text = f"other steps use {argument_text(argument)} as a whole"
+            yield finding(_RULE, steps[0].place, "argument_bit", text, "give the number of the bits another name")
 
 
 def _compared(operands: Operands, task: Task, index: int) -> Iterator[Diagnostic]:
@@ -153,6 +171,9 @@ def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
         yield finding(_RULE, place, step.action, f"{operand.path} cannot be written", "name the fact that commands it")
     elif step.action in _ON_BITS:
         yield from _on_bit(step, operand)
+    elif step.argument_bit is not None and (operand.bit is None or operand.bit.width != 1):
+        text = f"{operand.path} is not a bit"
+        yield finding(_RULE, place, step.action, text, "name the bit of a register that takes the bit of the argument")
     else:
         for value in (step.value, *step.wanted):
             if value is not None:

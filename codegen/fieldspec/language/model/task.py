@@ -20,8 +20,9 @@ class Step:
 
     `value` is what is written, None where there is none or an `argument` is. `wanted` has the values that end a wait,
     empty for an `argument`: the target has to be what the argument says or, where it is `relative`, to have changed by
-    it since the task began; `within` is how far it may be away, in its unit, None for no distance. `values` and
-    `arguments` are by field of a message's request. `timeout` is the path of a limit, or empty.
+    it since the task began; `within` is how far it may be away, in its unit, None for no distance. `argument_bit` is
+    the bit of the argument that is written, None for all of it. `values` and `arguments` are by field of a message's
+    request. `timeout` is the path of a limit, or empty.
     """
 
     place: Place
@@ -30,6 +31,7 @@ class Step:
     value: ScalarValue
     wanted: tuple[ScalarValue, ...]
     argument: str
+    argument_bit: int | None
     within: Decimal | None
     relative: bool
     values: Mapping[str, object]
@@ -56,6 +58,8 @@ def stated_text(step: Step) -> str:
     """What a step writes or waits for: `homing`, `stopped or abnormal_stop`, `<position>`, `start + <distance>`."""
     if step.argument:
         text = argument_text(step.argument)
+        if step.argument_bit is not None:
+            text = f"bit {step.argument_bit} of {text}"
         text = f"start + {text}" if step.relative else text
         return f"{text} within {step.within}" if step.within is not None else text
     values = step.wanted if step.action == "wait" else () if step.value is None else (step.value,)
@@ -87,6 +91,11 @@ class Task(Fact):
     steps: tuple[Step, ...]
     not_applicable: str
     open: str
+
+    def bits_of(self, argument: str) -> list[Step]:
+        """The steps that write single bits of an argument, the lowest bit first."""
+        steps = [step for step in self.steps if step.argument == argument and step.argument_bit is not None]
+        return sorted(steps, key=lambda step: step.argument_bit or 0)
 
     def arguments(self) -> Iterator[str]:
         """The arguments that the user of the task chooses, each once, in the order of the steps."""

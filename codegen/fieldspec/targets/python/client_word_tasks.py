@@ -159,7 +159,24 @@ class WordTask:
         cleared = [f"task.change({place}, 0x{other.mask:X}, 0x0)" for other in later if not is_rewritten]
         if not step.argument:
             return [*cleared, f"{change}0x{bit.mask if step.value else 0:X})"]
+        if step.argument_bit is not None:
+            return [*cleared, *self._number(step, operand, place)]
         if step.argument not in self.draft.arguments:
             self.draft.arguments[step.argument] = Argument(self.draft.scope.take(step.argument), "bool", False)
         argument = self.draft.arguments[step.argument]
         return [*cleared, f"{change}0x{bit.mask:X} if {argument.name} else 0)"]
+
+    def _number(self, step: Step, operand: Operand, place: str) -> list[str]:
+        """The call that writes all bits of a number at once, at the step of its lowest bit."""
+        draft = self.draft
+        if step.argument_bit:
+            return []
+        argument = Argument(draft.scope.take(step.argument), "int", False)
+        draft.arguments[step.argument] = argument
+        masks: list[str] = []
+        for other in self.task.bits_of(step.argument):
+            target = draft.target(other)
+            if target.holder is not operand.holder or target.bit is None:
+                raise NoTask(f"the bits of {step.argument} are not in one word")
+            masks.append(f"0x{target.bit.mask:X}")
+        return [f"task.write_bits({place}, {argument.name}, {', '.join(masks)})"]

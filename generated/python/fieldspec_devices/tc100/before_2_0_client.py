@@ -315,7 +315,7 @@ class _Tasks(_DeviceWork):
             lambda: [task.run([task.write(_codec.MOTION_COMMAND, 8), task.wait(_Condition(_codec.ACTION_STATUS, 0, 2))])],
         )
 
-    def run_point(self, *, point_number_bit_0: bool, point_number_bit_1: bool, point_number_bit_2: bool, point_number_bit_3: bool, point_number_bit_4: bool, point_number_bit_5: bool, point_number_bit_6: bool, limit: float = 60.0) -> _Work[_Any]:
+    def run_point(self, *, point_number: int, limit: float = 60.0) -> _Work[_Any]:
         task = self.register_task(
             "run_point",
             limit,
@@ -326,13 +326,7 @@ class _Tasks(_DeviceWork):
             [
                 task.look(),
                 task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0),
-                task.change(_codec.SIMULATED_INPUTS, 0x10, 0x10 if point_number_bit_0 else 0),
-                task.change(_codec.SIMULATED_INPUTS, 0x20, 0x20 if point_number_bit_1 else 0),
-                task.change(_codec.SIMULATED_INPUTS, 0x40, 0x40 if point_number_bit_2 else 0),
-                task.change(_codec.SIMULATED_INPUTS, 0x80, 0x80 if point_number_bit_3 else 0),
-                task.change(_codec.SIMULATED_INPUTS, 0x100, 0x100 if point_number_bit_4 else 0),
-                task.change(_codec.SIMULATED_INPUTS, 0x200, 0x200 if point_number_bit_5 else 0),
-                task.change(_codec.SIMULATED_INPUTS, 0x400, 0x400 if point_number_bit_6 else 0),
+                task.write_bits(_codec.SIMULATED_INPUTS, point_number, 0x10, 0x20, 0x40, 0x80, 0x100, 0x200, 0x400),
                 task.change(_codec.SIMULATED_INPUTS, 0x8, 0x8),
                 task.refuse(_Condition(_codec.FAULT, 0, reason="refused")),
                 task.wait(_Condition(_codec.ACTION_STATUS, 1)),
@@ -342,7 +336,7 @@ class _Tasks(_DeviceWork):
             ],
             ending=[task.change(_codec.SIMULATED_INPUTS, 0x8, 0x0)],
             halting=lambda: [task.write(_codec.MOTION_COMMAND, 8)],
-            first=9,
+            first=3,
         )
 
     def stop(self, *, limit: float = 60.0) -> _Work[_Any]:
@@ -567,19 +561,19 @@ class Client(_RegisterClient):
         """
         return _Motion(self._run, self._work.jog_negative(speed=speed))
 
-    def run_point(self, *, point_number_bit_0: bool, point_number_bit_1: bool, point_number_bit_2: bool, point_number_bit_3: bool, point_number_bit_4: bool, point_number_bit_5: bool, point_number_bit_6: bool, limit: float = 60.0) -> None:
+    def run_point(self, *, point_number: int, limit: float = 60.0) -> None:
         """Run point.
 
         No command of 201EH starts a stored point; the input START does, with the number of the point
         at PRGSEL0 to PRGSEL6 and MANUAL off. 2040H to 204EH stand for the inputs.
 
-        Steps: write registers/simulated_inputs/simulated_input_5 = <point_number_bit_0>; write
-        registers/simulated_inputs/simulated_input_6 = <point_number_bit_1>; write
-        registers/simulated_inputs/simulated_input_7 = <point_number_bit_2>; write
-        registers/simulated_inputs/simulated_input_8 = <point_number_bit_3>; write
-        registers/simulated_inputs/simulated_input_9 = <point_number_bit_4>; write
-        registers/simulated_inputs/simulated_input_10 = <point_number_bit_5>; write
-        registers/simulated_inputs/simulated_input_11 = <point_number_bit_6>; set
+        Steps: write registers/simulated_inputs/simulated_input_5 = bit 0 of <point_number>; write
+        registers/simulated_inputs/simulated_input_6 = bit 1 of <point_number>; write
+        registers/simulated_inputs/simulated_input_7 = bit 2 of <point_number>; write
+        registers/simulated_inputs/simulated_input_8 = bit 3 of <point_number>; write
+        registers/simulated_inputs/simulated_input_9 = bit 4 of <point_number>; write
+        registers/simulated_inputs/simulated_input_10 = bit 5 of <point_number>; write
+        registers/simulated_inputs/simulated_input_11 = bit 6 of <point_number>; set
         registers/simulated_inputs/simulated_input_4; wait fault_code = no_fault; wait busy = moving;
         clear registers/simulated_inputs/simulated_input_4; wait busy = stopped; wait fault_code =
         no_fault.
@@ -601,7 +595,7 @@ class Client(_RegisterClient):
 
         Source: 8.2 L1624-1642, 1648; 7.4 L1425-1429; 3.8 L684-691; 6.3 L1339-1340.
         """
-        self._run(self._work.run_point(point_number_bit_0=point_number_bit_0, point_number_bit_1=point_number_bit_1, point_number_bit_2=point_number_bit_2, point_number_bit_3=point_number_bit_3, point_number_bit_4=point_number_bit_4, point_number_bit_5=point_number_bit_5, point_number_bit_6=point_number_bit_6, limit=limit))
+        self._run(self._work.run_point(point_number=point_number, limit=limit))
 
     def stop(self, *, limit: float = 60.0) -> None:
         """Stop.
@@ -837,19 +831,19 @@ class AsyncClient(_AsyncRegisterClient):
         """
         return _AsyncMotion(self._run, self._work.jog_negative(speed=speed))
 
-    async def run_point(self, *, point_number_bit_0: bool, point_number_bit_1: bool, point_number_bit_2: bool, point_number_bit_3: bool, point_number_bit_4: bool, point_number_bit_5: bool, point_number_bit_6: bool, limit: float = 60.0) -> None:
+    async def run_point(self, *, point_number: int, limit: float = 60.0) -> None:
         """Run point.
 
         No command of 201EH starts a stored point; the input START does, with the number of the point
         at PRGSEL0 to PRGSEL6 and MANUAL off. 2040H to 204EH stand for the inputs.
 
-        Steps: write registers/simulated_inputs/simulated_input_5 = <point_number_bit_0>; write
-        registers/simulated_inputs/simulated_input_6 = <point_number_bit_1>; write
-        registers/simulated_inputs/simulated_input_7 = <point_number_bit_2>; write
-        registers/simulated_inputs/simulated_input_8 = <point_number_bit_3>; write
-        registers/simulated_inputs/simulated_input_9 = <point_number_bit_4>; write
-        registers/simulated_inputs/simulated_input_10 = <point_number_bit_5>; write
-        registers/simulated_inputs/simulated_input_11 = <point_number_bit_6>; set
+        Steps: write registers/simulated_inputs/simulated_input_5 = bit 0 of <point_number>; write
+        registers/simulated_inputs/simulated_input_6 = bit 1 of <point_number>; write
+        registers/simulated_inputs/simulated_input_7 = bit 2 of <point_number>; write
+        registers/simulated_inputs/simulated_input_8 = bit 3 of <point_number>; write
+        registers/simulated_inputs/simulated_input_9 = bit 4 of <point_number>; write
+        registers/simulated_inputs/simulated_input_10 = bit 5 of <point_number>; write
+        registers/simulated_inputs/simulated_input_11 = bit 6 of <point_number>; set
         registers/simulated_inputs/simulated_input_4; wait fault_code = no_fault; wait busy = moving;
         clear registers/simulated_inputs/simulated_input_4; wait busy = stopped; wait fault_code =
         no_fault.
@@ -871,7 +865,7 @@ class AsyncClient(_AsyncRegisterClient):
 
         Source: 8.2 L1624-1642, 1648; 7.4 L1425-1429; 3.8 L684-691; 6.3 L1339-1340.
         """
-        await self._run(self._work.run_point(point_number_bit_0=point_number_bit_0, point_number_bit_1=point_number_bit_1, point_number_bit_2=point_number_bit_2, point_number_bit_3=point_number_bit_3, point_number_bit_4=point_number_bit_4, point_number_bit_5=point_number_bit_5, point_number_bit_6=point_number_bit_6, limit=limit))
+        await self._run(self._work.run_point(point_number=point_number, limit=limit))
 
     async def stop(self, *, limit: float = 60.0) -> None:
         """Stop.

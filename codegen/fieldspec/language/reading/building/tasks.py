@@ -43,6 +43,7 @@ def _step(entry: Entry) -> Step:
         value=None if waits else entry.value("value"),
         wanted=_awaited_values(entry.get("value")) if waits else (),
         argument=entry.text("argument"),
+        argument_bit=entry.integer("argument_bit"),
         within=entry.decimal("within"),
         relative=entry.flag("relative"),
         values=free(entry.get("values")),

@@ -10,6 +10,7 @@ from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.fact import Fact, ScalarValue
 from fieldspec.language.model.operand import Operand
+from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
 from fieldspec.targets.controllers.routines.named_numbers import joined_bits, mask_of
@@ -126,6 +127,24 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
     if isinstance(kind, Elementary) and value is not None and is_count(value.encoding):
         block.at_start += _unless_refused(block, [*_ranged(block, value, raw, kind)])
     return raw
+
+
+def bit_of_argument(block: BlockDraft, task: Task, step: Step) -> Expression:
+    """Whether the bit of an argument is set that a step writes. The argument is an input of all its bits."""
+    width = len(task.bits_of(step.argument))
+    kind, most = UNSIGNED[_bytes(width)], (1 << width) - 1
+    words = Name.of(step.argument).pascal()
+    raw = Variable(bare(f"{PREFIXES[kind.name]}{words}Raw"), kind)
+    if all(declared.variable != raw for declared in block.declared):
+        source = block.declare(f"{PREFIXES[kind.name]}{words}", kind, "input", f"0..{most}.")
+        raw = block.declare(f"{PREFIXES[kind.name]}{words}Raw", kind, "output", "what is sent")
+        block.at_start.append(Assignment(raw, source))
+        refused: list[Statement] = [Assignment(block.result, block.status.of("out_of_range")), block.refuse()]
+        wrong = outside(raw, [(0, most)], kind)
+        block.at_start += _unless_refused(block, [when(wrong, refused)] if wrong is not None else [])
+    bits = BITS[kind.size]
+    mask = Whole(1 << (step.argument_bit or 0), bits, True)
+    return compared(Operation("AND", (converted(raw, bits), mask), bits), "<>", Whole(0, bits, True))
 
 
 def unit_of(operand: Operand) -> str:

@@ -15,7 +15,7 @@ from fieldspec.language.model.value import Value
 from fieldspec.language.model.watches import before_effect, conditions
 from fieldspec.targets.controllers.routines.blocks.line_tasks import Decide, LineTask, Unit
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
-from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, constant, kind_of
+from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, bit_of_argument, constant, kind_of
 from fieldspec.targets.controllers.routines.blocks.progress import Seen
 from fieldspec.targets.controllers.routines.holders import Words
 from fieldspec.targets.controllers.routines.named_numbers import mask_of, named
@@ -282,11 +282,11 @@ class WordTask(LineTask):
             if later.action == "set" and self.target(later).holder is operand.holder and action == "write"
         ]
         for step in steps[unit.index : unit.behind]:
-            changes += self._changed(self.target(step), step, word)
+            changes += self._changed(task, self.target(step), step, word)
         self._asks([register], [*changes, self.draft.go(self.draft.next + 1)])
         self._writes(operand, word, decide, remark)
 
-    def _changed(self, operand: Operand, step: Step, word: Variable) -> list[Statement]:
+    def _changed(self, task: Task, operand: Operand, step: Step, word: Variable) -> list[Statement]:
         """The statements that change the bits of an operand in a word that was read."""
         bit = operand.bit
         assert bit is not None
@@ -296,7 +296,10 @@ class WordTask(LineTask):
             raise NoBlock(f"{operand.path} is several bits")
         if not step.argument:
             return [_masked(word, operand, bool(step.value))]
-        value = argument(self.draft, step.argument, operand, None)
+        if step.argument_bit is not None:
+            value = bit_of_argument(self.draft, task, step)
+        else:
+            value = argument(self.draft, step.argument, operand, None)
         return [when(value, [_masked(word, operand, True)], [_masked(word, operand, False)])]
 
 
