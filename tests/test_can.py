@@ -83,7 +83,7 @@ def test_the_offset_of_an_error_counts_the_identifier_first_and_then_the_data_as
 @pytest.mark.parametrize(
     ("at", "byte", "text"),
     [
-        (0, 0x80, "it is no CAN frame with an identifier of 11 bits"),
+        (0, 0x80, "it is not a CAN frame with an identifier of 11 bits"),
         (4, 7, "byte 4 says 7 bytes of data, but there are 8"),
         (6, 1, "the three bytes behind the number of the data are not zero"),
     ],

@@ -283,10 +283,10 @@ def test_a_percentage_that_is_no_whole_count_is_rounded_with_a_note(run: Command
         (["--telegram", "3", "control=0"], "speed_setpoint is not given; telegram_3 received has the fields control, "),
         (["--telegram", "3", "--direction", "request", "speed=1"], "there is no field speed"),
         (["--telegram", "3", "control=1", "CTL=2"], "CTL and control are the same field"),
-        (["--telegram", "3", "control=of"], "`of` is no bit of control_word: on, no_off2, acknowledge, sign_of_life"),
+        (["--telegram", "3", "control=of"], "`of` is not a bit of control_word: on, no_off2, acknowledge, sign_of_life"),
         (["--telegram", "3", "control=sign_of_life=16"], "16 does not fit the 4 bits of sign_of_life"),
         (["--telegram", "3", "control=0", "speed_setpoint=250 %"], "out_of_range"),
-        (["--telegram", "3", "control=0", "speed_setpoint=50 rpm"], "`50 rpm` is no number; give a count, or with its"),
+        (["--telegram", "3", "control=0", "speed_setpoint=50 rpm"], "`50 rpm` is not a number; give a count, or with its"),
         (
             ["11", "control=0", "target=0", "gain=1.5 1/s", "torque_reduction=101 %"],
             "out_of_range: torque_reduction is",

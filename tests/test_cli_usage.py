@@ -54,12 +54,12 @@ def test_an_option_takes_the_least_number_that_has_a_meaning(
     ("number", "text", "reason"),
     [
         (seconds, "-0.001", "-0.001 is less than 0"),
-        (seconds, "nan", "nan is no number"),
+        (seconds, "nan", "nan is not a number"),
         (positive, "0", "0 is not more than 0"),
-        (positive, "inf", "inf is no number"),
-        (whole, "-1", "-1 is no whole number from 0 on"),
-        (natural, "0", "0 is no whole number from 1 on"),
-        (natural, "\u0661", "\u0661 is no whole number from 1 on"),
+        (positive, "inf", "inf is not a number"),
+        (whole, "-1", "-1 is not a whole number from 0 on"),
+        (natural, "0", "0 is not a whole number from 1 on"),
+        (natural, "\u0661", "\u0661 is not a whole number from 1 on"),
     ],
 )
 def test_an_option_refuses_numbers_without_a_meaning(number: Callable[[str], float], text: str, reason: str) -> None:

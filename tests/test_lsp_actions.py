@@ -58,7 +58,7 @@ SLIPS = {
         ROW.replace("at: 0", "at: 0, decimal: 7"),
         "Correct `decimal` to 0",
     ),
-    "a command that is no trigger": (
+    "a command that is not a trigger": (
         ROW.replace("access: ro", "access: wo, roles: [alarm_reset]"),
         "Add `trigger: true`",
     ),

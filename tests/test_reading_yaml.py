@@ -48,7 +48,7 @@ SLIPS = {
     "a text and a mapping": ("yaml_syntax", "a\nb: 1\n"),
     "a NUL": ("yaml_syntax", "a: «\0»\n"),
     "an escape character": ("yaml_syntax", "a: 伺服«\x1b»[31m\n"),
-    "a character that is no character": ("yaml_syntax", "a: 伺服«\uffff»\n"),
+    "a character that is not a character": ("yaml_syntax", "a: 伺服«\uffff»\n"),
     "an escape of no character": ("yaml_syntax", 'a: "\\UFFFFFFFF"\n'),
     "an escape of half a character": ("yaml_syntax", 'a: "\\uD800"\n'),
     "an escape of half a character in a tag": ("yaml_syntax", "a: !%ED%A0%80 b\n"),

@@ -24,7 +24,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         ([*WRITE, "values.0.x=1"], "values.0: one value is expected, and neither members nor a list"),
         (["encode", "tc100", "read_registers", "station.x=1"], "station: one value is expected"),
         (["encode", "tc100", "read_registers", "address=99999999999999999999999"], "has more than 64 bits"),
-        (["encode", "tc100", "read_registers", "address="], "address: `` is no number"),
+        (["encode", "tc100", "read_registers", "address="], "address: `` is not a number"),
         (["encode"], "the following arguments are required: DEVICE[@VERSION]; see: fieldspec encode --help"),
         (["show", "tc100", "alarm", "other"], "unrecognized arguments: other; see: fieldspec show --help"),
         (["show", ""], "there is no device without a name; there are ck10, esc11, hiwin-e, tc100"),
@@ -63,14 +63,14 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         ),
         (["simulate", "tc100", "--control", "--view"], "use one of them"),
         (["simulate", "tc100", "--rate", "0"], "argument --rate: 0 is not more than 0"),
-        (["simulate", "tc100", "--rate", "nan"], "argument --rate: nan is no number"),
-        (["simulate", "tc100", "--baud", "0"], "argument --baud: 0 is no whole number from 1 on"),
+        (["simulate", "tc100", "--rate", "nan"], "argument --rate: nan is not a number"),
+        (["simulate", "tc100", "--baud", "0"], "argument --baud: 0 is not a whole number from 1 on"),
         ([*LIVE, "--timeout", "0"], "argument --timeout: 0 is not more than 0"),
-        ([*LIVE, "--timeout", "inf"], "argument --timeout: inf is no number"),
-        ([*LIVE, "--retries", "-1"], "argument --retries: -1 is no whole number from 0 on"),
+        ([*LIVE, "--timeout", "inf"], "argument --timeout: inf is not a number"),
+        ([*LIVE, "--retries", "-1"], "argument --retries: -1 is not a whole number from 0 on"),
         ([*LIVE, "--pause", "-0.5"], "argument --pause: -0.5 is less than 0"),
-        ([*WATCH, "--count", "0"], "argument --count: 0 is no whole number from 1 on"),
-        ([*WATCH, "--every", "x"], "argument --every: x is no number"),
+        ([*WATCH, "--count", "0"], "argument --count: 0 is not a whole number from 1 on"),
+        ([*WATCH, "--every", "x"], "argument --every: x is not a number"),
         ([*LIVE, "--table", "points"], "--table has no effect on read, only on points download, points"),
         ([*LIVE, "--every", "0.5"], "--every has no effect on read, only on watch"),
         ([*LIVE, "--every", "0"], "--every has no effect on read, only on watch"),
@@ -99,11 +99,11 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["encode", "hiwin-e", "telegram_999"], "there is no message telegram_999; did you mean "),
         (
             ["encode", "tc100", "write", "motion_command=hom"],
-            "`hom` is no member of motion_command; did you mean homing?",
+            "`hom` is not a member of motion_command; did you mean homing?",
         ),
         (
             ["encode", "tc100", "write", "motion_command=zzz"],
-            "`zzz` is no member of motion_command; it has relative_move, ",
+            "`zzz` is not a member of motion_command; it has relative_move, ",
         ),
         (["show", "tc100", "99999999"], "there is no item of tc100 "),
         (["facts", "tc100", "--format", "xlsx"], "there is no value of --format xlsx; there are csv, json"),
@@ -127,7 +127,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["live", "tc100", "read", "alarm", "--port", "tcp://127.0.0.1"], "write it as tcp://HOST:PORT"),
         (
             ["live", "tc100", "read", "alarm", "--port", "http://127.0.0.1:9"],
-            "http://127.0.0.1:9 is no port; write one of ",
+            "http://127.0.0.1:9 is not a port; write one of ",
         ),
         ([*LIVE, "--unit", "999"], "the unit address 999 is not in "),
         ([*LIVE, "--link", "tpc"], "there is no link tpc"),
@@ -171,7 +171,7 @@ MISSING = ("--port", "/dev/none")
         (("write", "alarm=1"), "can only be read"),
         (("write", "motion_sped=5%"), "did you mean motion_speed?"),
         (("write", "motion_speed=500%"), "out_of_range"),
-        (("scan", "0x10..1"), "is no range of addresses"),
+        (("scan", "0x10..1"), "is not a range of addresses"),
         (("dump",), "name one file to write"),
         (("dump", "file/dump.csv"), "cannot write file"),
         (("backup", "file/backup.csv"), "cannot write file"),
@@ -200,7 +200,7 @@ def test_live_judges_its_arguments_before_it_opens_the_port(
 
 def test_a_scan_judges_its_ranges_before_it_opens_the_port(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["scan", "tc100", "0x10..1", *MISSING, "--specs", SPECS]) == 2
-    assert "is no range of addresses" in capsys.readouterr().err
+    assert "is not a range of addresses" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

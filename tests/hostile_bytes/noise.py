@@ -135,7 +135,7 @@ def noise(device: str, size: int, seed: int = 1) -> Iterator[Noise]:
         chance = random.Random(f"{seed} {device} {link} {direction}")
         frames = golden(device, link, direction)
         framer = make()
-        framer.feed(chance.randbytes(PIECE))  # what is set up once is no memory that grows
+        framer.feed(chance.randbytes(PIECE))  # what is set up once is not a memory that grows
         sent, taken = PIECE, 0
         tracemalloc.start()
         while sent < size:

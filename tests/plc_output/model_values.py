@@ -89,7 +89,7 @@ def invalid(device: str, kind: str, name: str, of: str, dice: random.Random) -> 
 
 
 def value_of(device: str, block: str, kind: str, inputs: Mapping[tuple[str, str], float]) -> float | None:
-    """The position or the distance that a block asks its device for, in counts; None where that is no number."""
+    """The position or the distance that a block asks its device for, in counts; None where that is not a number."""
     if kind == "point":
         return _point_of(block, inputs)
     pattern = {"absolute": POSITION, "relative": DISTANCE}.get(kind)

@@ -76,7 +76,7 @@ class Machine:
     def constant(self, expression: Any) -> int:
         """A bound of an array: a number."""
         if expression[0] != "number":
-            raise StError(f"{expression} is no number")
+            raise StError(f"{expression} is not a number")
         return int(expression[1])
 
     def fresh(self, kind: Any) -> Any:
@@ -212,7 +212,7 @@ class Compiled:
             raise self._fail(line, f"the literal {value} {typed} where {kind} is expected")
         if kind in REALS:
             if not isinstance(value, float):
-                raise self._fail(line, f"{value} is no literal of {kind}")
+                raise self._fail(line, f"{value} is not a literal of {kind}")
             return repr(single(value) if kind == "real" else value)
         low, high = bounds(kind)
         if isinstance(value, float) or not low <= value <= high:
@@ -320,7 +320,7 @@ class Compiled:
             return repr(size_of(self.unit, self._kind(line, arguments[0][2]))[0])
         source, _, target = name.partition("_to_")
         if source not in ELEMENTARY or target not in ELEMENTARY or source == target or len(arguments) != 1:
-            raise self._fail(line, f"{name} is no function")
+            raise self._fail(line, f"{name} is not a function")
         self.machine.scope[f"_{name}"] = conversion(source, target, self.machine.rounding)
         return f"_{name}({self._of(line, arguments[0][2], source)})"
 

@@ -260,7 +260,7 @@ def _noise(line: Line) -> list[bytes]:
     if line.ending == "delimiters":
         return [] if line.decodes(frame.end) else [frame.end]  # an empty frame is one where data may be empty
     if line.ending == "length" and frame.header[0].role == "code":
-        return []  # a length is no sign of a code that no message has
+        return []  # a length is not a sign of a code that no message has
     known = first_bytes(line.link, line.direction).get(0)
     return [] if known is None else [bytes([byte]) for byte in range(256) if byte not in known]
 

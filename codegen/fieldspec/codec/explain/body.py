@@ -172,7 +172,7 @@ class Body:
         """The row from the first list on whose bytes are not known."""
         assert self.fault is not None
         if self._has_wrong_count(inner):
-            text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
+            text = f"{inner.count} is not a number of {fields[0].name}, so nobody knows where they end"
             return self._wrong(fields[0], offset, "wrong_measure", text)
         if inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
@@ -227,7 +227,7 @@ class Body:
         count = self.values[self.record.spans[span.count].name]
         if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
             return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - offset} follow"
-        return "wrong_measure", f"{self.record.spans[span.count].name} is no number of bytes of {span.name}"
+        return "wrong_measure", f"{self.record.spans[span.count].name} is not a number of bytes of {span.name}"
 
     def _measured_text(self, field: FieldLayout, read: DecodedValue) -> DecodedValue | None:
         """The value of a field with the number of bytes of a text, judged by what these may be; None for others."""

@@ -97,7 +97,7 @@ def with_parameter(
         if part.sizes is not None:
             stated = known.get(part.sizes.by)
             if isinstance(stated, int) and stated not in field.sizes:
-                return replace(row, meanings=(element.meaning, *row.meanings))  # its bytes are no value
+                return replace(row, meanings=(element.meaning, *row.meanings))  # its bytes are not a value
             size = field.sizes.get(stated, 0) if isinstance(stated, int) else 0
         return _read_as(device, row, field, element, is_request, size)
     if part.part == "subindex" and element.index is None:

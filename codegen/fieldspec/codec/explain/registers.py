@@ -348,7 +348,7 @@ def _by_exponent(layout: DeviceLayout, span: Span, occupant: Occupant, value: Va
 
 
 def exponent_applied(value: Value, exponent: Value, number: Raw | None) -> Value:
-    """A value with the scale that the number of its exponent makes; unchanged for a number that is no exponent."""
+    """A value with the scale that the number of its exponent makes; unchanged for a number that is not an exponent."""
     if not isinstance(number, int) or exponent.ranges is None or number not in exponent.ranges:
         return value
     return value.scaled_by(number) if exponent.sentinel(number) is None else value

@@ -127,7 +127,7 @@ def _exponent(number: Decimal) -> int:
 def in_unit(value: Value, number: int) -> str:
     """The quantity of a raw value with its unit, as in `20.00 mm`, with the digits that `decimal_text` writes.
 
-    Empty for a value without unit and scale, and for a sentinel, which is no quantity.
+    Empty for a value without unit and scale, and for a sentinel, which is not a quantity.
     """
     if (not value.unit and not value.scaled) or value.sentinel(number) is not None:
         return ""

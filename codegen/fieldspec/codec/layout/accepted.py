@@ -237,7 +237,7 @@ def stated_numbers(device: Device, value: Value, trigger: bool = False) -> State
 
 
 def passes(test: Test, content: float | str | bytes | None) -> bool:
-    """Whether a content passes a test; None stands for bytes that are no digits, or no characters, of a value."""
+    """Whether a content passes a test; None stands for bytes that are not digits, or no characters, of a value."""
     match test:
         case HasDigits() | HasCharacters():
             return content is not None

@@ -44,7 +44,7 @@ _PROGRAMS: ByIdentity[Device, _Programs] = ByIdentity(_MOST_DEVICES)
 
 
 def value_program(device: Device, value: Value, order: str, swapped: bool, is_reserved: bool) -> Program:
-    """The program of a value that is no field."""
+    """The program of a value that is not a field."""
     programs = _PROGRAMS.get_or_compute(device, lambda _: _Programs()).by_value.get_or_compute(value, lambda _: {})
     program = programs.get((order, swapped, is_reserved))
     if program is None:

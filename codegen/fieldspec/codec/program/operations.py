@@ -19,7 +19,7 @@ Places = tuple[int, ...]
 class Variable:
     """What gets a content: a value, which nobody judges or names if it `is_reserved`.
 
-    `field` is None for what is no field. `exponent` is the field of the same record with the exponent of its scale;
+    `field` is None for what is not a field. `exponent` is the field of the same record with the exponent of its scale;
     empty where no field has it.
     """
 

@@ -93,7 +93,7 @@ _CHARACTERS = b"+-. 0123456789ABCDEFabcdef"
 
 
 def _is_apart(field: FieldLayout, end: int) -> bool:
-    """Whether a byte that is no character of a number is not in a field: a number as characters, or a separator."""
+    """Whether a byte that is not a character of a number is not in a field: a number as characters, or a separator."""
     value = field.value
     if value is None or field.cases:
         return False

@@ -107,7 +107,7 @@ def _width_text(record: RecordLayout, error: WidthError) -> str:
     texts = {
         "incomplete": "has no end",
         "wrong_length": "is followed by more bytes",
-        "wrong_measure": "is no number of bytes",
+        "wrong_measure": "is not a number of bytes",
     }
     return f"{error.name} {texts.get(error.reason, 'is not in its form')}"
 
@@ -123,7 +123,7 @@ def _check_length(record: RecordLayout, length: int, offset: int) -> None:
     last = record.fields[-1] if record.fields else None
     if last is not None and last.count is None and not last.cases and (length - last.offset) % last.size:
         raise CodecError(
-            "wrong_length", f"{length - last.offset} bytes are no whole number of {last.name}", offset + length
+            "wrong_length", f"{length - last.offset} bytes are not a whole number of {last.name}", offset + length
         )
 
 
@@ -181,7 +181,7 @@ def _decoded_text(name: str, value: Value, raw: str | bytes | None, offset: int 
     text = text_of_bytes(value, "big", raw) if isinstance(raw, bytes) else raw
     if text is None:
         raise CodecError(
-            "unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", offset
+            "unknown_value", f"{name} is not a text in {text_form_title(value) or encoding_title(value)}", offset
         )
     return text
 

@@ -86,7 +86,7 @@ def numbers_of(option: str, text: str | None, maximum: int) -> list[int]:
     for part in text.split(",") if text else ():
         low, _, high = part.partition("-")
         if not (low.isdecimal() and (high or low).isdecimal()) or not int(low) <= int(high or low) <= maximum:
-            raise UsageError(f"{option} {text} is no list of numbers up to {maximum}; write it as 1,3-5")
+            raise UsageError(f"{option} {text} is not a list of numbers up to {maximum}; write it as 1,3-5")
         if int(high or low) - int(low) > 0xFFFF:
             raise UsageError(f"{option} {text} has too many numbers")
         result += range(int(low), int(high or low) + 1)
@@ -220,7 +220,7 @@ class _Job:
             same = journal["task"] == json.loads(_json(self.task))
             known = journal.get("format") == JOURNAL_FORMAT
         except (ValueError, KeyError, TypeError, AttributeError):
-            raise UsageError(f"{path} is no journal of this command; name a new folder") from None
+            raise UsageError(f"{path} is not a journal of this command; name a new folder") from None
         if not known:
             raise UsageError(f"{path} is a journal of another version of fieldspec; name a new folder")
         if not same:

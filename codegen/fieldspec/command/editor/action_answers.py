@@ -88,7 +88,7 @@ def add_actions(server: Server) -> None:
                 raise UsageError("there is no sound device with a link here")
             text = explained(layout, bytes.fromhex(frame))
         except ValueError:
-            raise refusal(UsageError(f"{visible_text(frame)} is no frame")) from None
+            raise refusal(UsageError(f"{visible_text(frame)} is not a frame")) from None
         except UsageError as error:
             raise refusal(error) from None
         if not server.shows_answers:

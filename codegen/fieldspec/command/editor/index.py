@@ -89,7 +89,7 @@ def _indexed(project: EditedProject, spec: DeviceSpec) -> _Index:
     for reference in results:
         text = reference.scalar.text[reference.start : reference.end]
         index.mean(reference.scalar, reference.span, text, reference.target)
-        # A role is no name, and one that comes from an expansion is in no text.
+        # A role is not a name, and one that comes from an expansion is in no text.
         if _text(reference.span) in {_text(unquoted(name)) for name in index.fact(reference.target).names.values()}:
             index.fact(reference.target).uses.setdefault(reference.span, reference)
     return index

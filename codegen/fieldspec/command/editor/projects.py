@@ -107,7 +107,7 @@ class EditedProject:
     def specs_with(self, file: SourceFile) -> list[DeviceSpec]:
         """The devices that a file belongs to: one, or those that use a protocol.
 
-        A file in the folder of a device that is no part of it yet, since it cannot be read, belongs to it too.
+        A file in the folder of a device that is not a part of it yet, since it cannot be read, belongs to it too.
         """
         paths = {path for path, read in self.memory.files.items() if read.file.path == file.path}
         folders = {path.partition("/")[0] for path in paths} - {PROTOCOLS}

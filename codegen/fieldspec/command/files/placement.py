@@ -292,7 +292,7 @@ def _read_journal(folder: Path) -> Journal | None:
         except FileNotFoundError:
             continue
         except (ValueError, TypeError, KeyError, RecursionError):
-            raise JournalError(f"{folder / name} is no journal of a build; remove the folder {folder}") from None
+            raise JournalError(f"{folder / name} is not a journal of a build; remove the folder {folder}") from None
         return journal
     return None
 

@@ -87,9 +87,9 @@ def _checked_files(plugin: Plugin, files: Any) -> Files:
         raise plugin.error("its files are not a dict of contents by path")
     for path, value in files.items():
         if not isinstance(path, str):
-            raise plugin.error(f"{path!r} is no path of a file below the folder of the output")
+            raise plugin.error(f"{path!r} is not a path of a file below the folder of the output")
         for fault in filter(None, map(file_name_fault, path.split("/"))):
-            raise plugin.error(f"{path!r} is no path of a file below the folder of the output: a name in it {fault}")
+            raise plugin.error(f"{path!r} is not a path of a file below the folder of the output: a name in it {fault}")
         if not isinstance(value, (str, Workbook)):
             raise plugin.error(f"the content of {path} is neither a text nor a workbook")
         _refuse_content(plugin, path, value)
@@ -102,7 +102,7 @@ def _refuse_content(plugin: Plugin, path: str, content: str | Workbook) -> None:
         try:
             content.encode("utf-8")
         except UnicodeError:
-            raise plugin.error(f"the content of {path} is no text in UTF-8: it has half of a surrogate pair") from None
+            raise plugin.error(f"the content of {path} is not a text in UTF-8: it has half of a surrogate pair") from None
         return
     from fieldspec.tools.lists.workbook_writer import packed
 
@@ -151,9 +151,9 @@ def _checked_findings(plugin: Plugin, findings: Any) -> list[Diagnostic]:
             raise plugin.error("it yields something that is not a Diagnostic")
         for attribute, kind, noun in _FINDING:
             if not isinstance(getattr(finding, attribute), kind):
-                raise plugin.error(f"the {attribute} of its finding is no {noun}")
+                raise plugin.error(f"the {attribute} of its finding is not a valid {noun}")
         if not isinstance(finding.labels, tuple) or not all(isinstance(label, Label) for label in finding.labels):
-            raise plugin.error("the labels of its finding are no tuple of Label objects")
+            raise plugin.error("the labels of its finding are not a tuple of Label objects")
     return result
 
 
@@ -192,7 +192,7 @@ def load_checks(anew: bool = False) -> None:
     for name, plugin in plugins(CHECK_GROUP, built_in, anew).items():
         function = _loaded(plugin)
         if not callable(function):
-            raise plugin.error(f"{plugin.value} is no function")
+            raise plugin.error(f"{plugin.value} is not a function")
         try:
             rules.check_rule(name, function)
         except ValueError as error:

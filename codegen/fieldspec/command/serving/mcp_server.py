@@ -21,7 +21,7 @@ MOST_BYTES = 30_000
 
 class Server(MCPServer[None]):
     """The SDK's server ignores arguments that a tool does not have, takes texts for truth values, and is silent about
-    a line that is no message.
+    a line that is not a message.
     """
 
     async def call_tool(self, name: str, arguments: dict[str, Any], context: Context[None, Any] | None = None) -> Any:
@@ -92,7 +92,7 @@ class _Messages:
 
 
 def _refusal(error: ValidationError) -> JSONRPCError:
-    """The answer to a line that is no message, with the number of its request where that can be read."""
+    """The answer to a line that is not a message, with the number of its request where that can be read."""
     first = error.errors(include_url=False)[0]
     is_text = first["type"] == "json_invalid"
     code = PARSE_ERROR if is_text else INVALID_REQUEST

@@ -28,7 +28,7 @@ _CHECKOUT = os.path.join(os.path.dirname(os.path.dirname(_PACKAGE)), FOLDER)
 
 _USE = re.compile(
     rb"""protocol["']?(?:\s|\#.*\n){0,999}:(?:\s|\#.*\n){0,999}  # the key, and comments before its value
-    ["']?([A-Za-z0-9][A-Za-z0-9_-]*)(?![A-Za-z0-9_-]|["']?\s*:)  # the name, which is no key itself""",
+    ["']?([A-Za-z0-9][A-Za-z0-9_-]*)(?![A-Za-z0-9_-]|["']?\s*:)  # the name, which is not a key itself""",
     re.VERBOSE,
 )
 """What may be the use of a protocol. It is looked for without a YAML reader, which `decode` does not load."""

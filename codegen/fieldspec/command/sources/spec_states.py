@@ -66,7 +66,7 @@ def _verified(directory: Path, revision: str) -> None:
     try:
         _git(directory, "rev-parse", "--git-dir")
     except _Failed:
-        text = f"{revision} is no device and no folder, and {directory} is in no git repository"
+        text = f"{revision} is not a device and no folder, and {directory} is in no git repository"
         raise NoRevision(text) from None
     try:
         _git(directory, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{tree}}")

@@ -48,7 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
     for text in arguments.port or ():
         device, mark, place = text.partition("=")
         if not mark or not place:
-            raise UsageError(f"`{text}` is no place; write it as DEVICE=/dev/ttyUSB0, DEVICE=socket://HOST:PORT")
+            raise UsageError(f"`{text}` is not a place; write it as DEVICE=/dev/ttyUSB0, DEVICE=socket://HOST:PORT")
         specs.spec_at(arguments.specs, device)
         ports[device] = place
     if arguments.allow_writes and not ports:
@@ -164,7 +164,7 @@ def _verb(verb: str, words: Sequence[str], options: Sequence[str]) -> str:
 
     for word in words:
         if word.startswith("-"):
-            raise ToolError(f"`{word}` is no name and no value here")
+            raise ToolError(f"`{word}` is not a name and no value here")
     if any("\0" in text for text in (*words, *options)):
         raise ToolError("a text has a zero byte, which no name and no value has")
     command = [sys.executable, "-m", "fieldspec", verb, *options, *words]

@@ -154,7 +154,7 @@ def _note(secrets: Secrets, folder: Path) -> tuple[str, int | None]:
     if not findings:
         node, findings = parsed(file)
     if findings or not isinstance(node, Mapping):
-        raise UsageError(f"{path} is no note; it has the keys model, firmware and serial_number")
+        raise UsageError(f"{path} is not a note; it has the keys model, firmware and serial_number")
     texts = {key: value.text.strip() for key, value in node.values.items() if isinstance(value, Scalar)}
     if texts.get("serial_number", REDACTED) != REDACTED:
         secrets.add_text(texts["serial_number"])

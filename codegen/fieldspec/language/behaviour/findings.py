@@ -259,7 +259,7 @@ class _Resolution:
         if not operands:
             yield from self._signal(part, "mark", name)
         elif any(operand.bit is None or operand.bit.width > 1 for operand in operands):
-            text = f"{quoted(name)} is no single bit, so it cannot mark a refusal"
+            text = f"{quoted(name)} is not a single bit, so it cannot mark a refusal"
             help = "name a bit, or state `exception_response: {part: ..}` at the link"
             yield Diagnostic(_RESOLVES, text, part.place["mark"], help=help)
 

@@ -81,7 +81,7 @@ AXIS_PROPERTIES = (
 
 @dataclass(frozen=True, slots=True)
 class Product:
-    """The product of `factors`, divided by those of `over`; `alternative` where it is 0 or a factor is no number.
+    """The product of `factors`, divided by those of `over`; `alternative` where it is 0 or a factor is not a number.
 
     Where there are `bits`, the number that they make, the lowest first, is the first factor.
     """

@@ -33,7 +33,7 @@ def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
         if not link.is_can:
             for part in (*link.request, *link.response):
                 if part.bits is not None:
-                    text = f"{part.name} has `bits`, but {link.name} is no CAN bus"
+                    text = f"{part.name} has `bits`, but {link.name} is not a CAN bus"
                     yield finding(_CODE, part.place, "bits", text, "remove `bits`, or add `can` to the link")
             continue
         yield from _without_foreign_keys(link)

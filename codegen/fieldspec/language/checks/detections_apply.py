@@ -135,7 +135,7 @@ def _number_of(version: str, detection: Detection, size: int) -> int | str:
     if detection.form == "bytes":
         numbers = [int(part) if _DECIMAL.fullmatch(part) else 256 for part in digits.split(".")]
         if max(numbers) > 255 or any(numbers[size:]):
-            return f"as bytes it is no number of {plural(size, 'byte')}"
+            return f"as bytes it is not a number of {plural(size, 'byte')}"
         return int.from_bytes(bytes([*numbers, *bytes(size)][:size]), "big")
     places = detection.places
     head, _, fraction = digits.partition(".")

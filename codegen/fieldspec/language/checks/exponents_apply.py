@@ -132,7 +132,7 @@ def _is_number(value: Value) -> bool:
 
 
 def _wrong_ranges(value: Value) -> str:
-    """Why the numbers of a value are no exponents; empty where they are."""
+    """Why the numbers of a value are not exponents; empty where they are."""
     if value.write_ranges is not None:
         return "its `write_range` differs from what it may be"
     if value.ranges is None or value.ranges.low < -MOST_PLACES or value.ranges.high > MOST_PLACES:

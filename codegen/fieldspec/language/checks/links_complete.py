@@ -76,7 +76,7 @@ def _marked(link: Link) -> Iterator[Diagnostic]:
         return
     value = part.value
     if part.role != "plain" or value is None or value.const is not None or part.reserved:
-        text = f"{part.name} cannot mark an exception response, because it is no number that varies"
+        text = f"{part.name} cannot mark an exception response, because it is not a number that varies"
         help = "name a part without a `role`, and without `const` or `reserved`"
         yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
         return

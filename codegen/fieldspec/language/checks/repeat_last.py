@@ -86,7 +86,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
     elif is_open and list_count(layer, field) is None:
-        text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is no binary `u8` or `u16`"
+        text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is not a binary `u8` or `u16`"
         help = "state the number as `u8` or `u16`, or a message of its own"
         yield finding(_CODE, counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
     for other in later_fields:

@@ -101,7 +101,7 @@ def _size(first: Message, record: Record, name: str) -> Iterator[Diagnostic]:
             first, f"{first.name} has no field `{name}` there", near(name, [own.name for own in record.fields])
         )
     elif not (whole or short) or field.count is not None or field.repeat is not None or field.reserved:
-        yield _finding(first, f"{name} is no number of bytes", "name a field with an unsigned whole number")
+        yield _finding(first, f"{name} is not a number of bytes", "name a field with an unsigned whole number")
 
 
 def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) -> Iterator[Diagnostic]:
@@ -112,7 +112,7 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
         yield _finding(first, f"{piece.name} has no field `{stated.data}` there", near(stated.data, names))
     elif not is_octets(data.value.encoding) or data.count is not None or data.repeat is not None or data.reserved:
         yield _finding(
-            first, f"{stated.data} of {piece.name} is no field of bytes", "use `type: bytes` and its `length`"
+            first, f"{stated.data} of {piece.name} is not a field of bytes", "use `type: bytes` and its `length`"
         )
     places = {}
     for key, name, records in (

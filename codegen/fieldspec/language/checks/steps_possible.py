@@ -112,7 +112,7 @@ def _compared(operands: Operands, task: Task, index: int) -> Iterator[Diagnostic
         for operand in operands.target(step.target, message):
             value = operand.value
             if value is None or not is_count(value.encoding) or value.enum or value.flags:
-                text = f"{operand.path} is no number that can be compared with an argument"
+                text = f"{operand.path} is not a number that can be compared with an argument"
                 yield finding(_RULE, step.place, "wait", text, "name the fact that shows where the device is")
                 continue
             for commanded in _argument_targets(operands, before[0], step.argument, message):

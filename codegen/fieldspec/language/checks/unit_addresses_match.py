@@ -47,7 +47,7 @@ def _of_link(link: Link) -> Iterator[Diagnostic]:
         severity = Severity.ERROR if namesake is not None else Severity.WARNING
         text = f"only each {direction} on {link.name} has a unit address, {own.name}"
         likeness = "a part of the same name, without the role" if namesake is not None else "a number of the same size"
-        help = f"add `role: unit_address` to {part.name} of the {other}, or allow this if it is no address"
+        help = f"add `role: unit_address` to {part.name} of the {other}, or allow this if it is not an address"
         related_label = label(part.place, "name", f"the {other} has {likeness}")
         yield finding(_CODE, own.place, "role", text, help, related_label, severity=severity)
 

@@ -154,7 +154,7 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
     count, value, measure = text_count(body, text), field.value, field.measures
     assert measure is not None
     if text.value is None or not is_text(text.value.encoding):
-        message = f"{field.name} measures {text.name}, which varies in width and is no text"
+        message = f"{field.name} measures {text.name}, which varies in width and is not a text"
         yield finding(_CODE, field.place, "measures", message, "let a `length` in the frame count the message")
         return
     if count is not field or value is None:
@@ -180,7 +180,7 @@ def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
     end = following.value
     assert value is not None
     if end is None or end.const is None or end.type.name != "u8" or end.digits or following.count is not None:
-        text = f"{field.name} varies in width, and {following.name} is no constant of one byte"
+        text = f"{field.name} varies in width, and {following.name} is not a constant of one byte"
         help = "state what separates them: `{name: comma, type: u8, const: 0x2C}`"
         yield finding(_CODE, field.place, "varies", text, help)
     elif end.const in _own_bytes(value):

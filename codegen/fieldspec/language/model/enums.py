@@ -181,7 +181,7 @@ class Bit(Fact):
         if self.ranges is not None and 0 not in self.ranges:
             return f"0 is not in {self.ranges.text()}"
         if enum is not None and not enum.open and ((zero := enum.member(0)) is None or zero.unavailable):
-            return f"0 is no member of {enum.name}"
+            return f"0 is not a member of {enum.name}"
         return f"0 is {self.offset:f} {self.unit}".rstrip() if self.offset else ""
 
     @property

@@ -71,7 +71,7 @@ class Escape:
         return b"".join(numbers)
 
     def wrong_header(self, data: bytes) -> int | None:
-        """The offset at which bytes are no CAN frame with such an identifier; None where they are."""
+        """The offset at which bytes are not a CAN frame with such an identifier; None where they are."""
         if len(data) < CAN_HEADER or int.from_bytes(data[:4], "big") & ~((1 << self.bits) - 1) != self.flags:
             return 0
         if data[4] != len(data) - CAN_HEADER or data[4] > CAN_DATA:
@@ -86,7 +86,7 @@ class Escape:
             return f"a CAN frame has at most {CAN_DATA} bytes of data, not {data[4]}"
         if offset == 5:
             return "the three bytes behind the number of the data are not zero"
-        return f"it is no CAN frame with an identifier of {self.bits} bits"
+        return f"it is not a CAN frame with an identifier of {self.bits} bits"
 
     def byte_text(self, position: int) -> str:
         """`byte 4`, or `byte 2 of the data` of a CAN frame, for a position among the bytes of all parts."""

@@ -274,7 +274,7 @@ class Value:
         return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
     def in_unit(self, raw: float) -> Decimal:
-        """The quantity of a raw count: the exact one, or 120 digits of it where the scale is no decimal number."""
+        """The quantity of a raw count: the exact one, or 120 digits of it where the scale is not a decimal number."""
         if isinstance(self.scale, Decimal):
             number = Decimal(repr(raw)) if isinstance(raw, float) else raw
             return _EXACT.add(_EXACT.multiply(number, self.scale), self.offset)
@@ -295,11 +295,11 @@ class Value:
 
 
 _LARGEST_TERM = 10**18
-"""The greatest numerator and denominator of a scale that is no decimal number."""
+"""The greatest numerator and denominator of a scale that is not a decimal number."""
 
 
 def exact_scale(text: str) -> Decimal | Fraction | None:
-    """`100/2^14` as an exact number: a fraction where it is no decimal number of at most 60 places.
+    """`100/2^14` as an exact number: a fraction where it is not a decimal number of at most 60 places.
 
     None for a divisor of 0, and where numerator or denominator of such a fraction have more than 18 digits.
     """

@@ -196,7 +196,7 @@ class _Application:
             self._refuse("overlay_fact_missing", "this fact has no name", path, "name a fact that has one")
             return
         if to.text == identity(fact) or tuple(node_keys) in self.new_names:
-            self._refuse("overlay_changes_nothing", f"{quoted(to.text)} is no new name", to, "state one other name")
+            self._refuse("overlay_changes_nothing", f"{quoted(to.text)} is not a new name", to, "state one other name")
             return
         self.new_names[tuple(node_keys)] = _NewName(path.text, to)
 

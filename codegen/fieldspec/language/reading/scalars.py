@@ -1,6 +1,6 @@
 """Types the scalars of a node tree by the schema, and validates the result against it.
 
-Until here every scalar is text, so `on`, `010` and `12:30` are no surprises: a scalar becomes a number or a
+Until here every scalar is text, so `on`, `010` and `12:30` are not surprises: a scalar becomes a number or a
 truth value only where the schema wants one and the text is one.
 """
 

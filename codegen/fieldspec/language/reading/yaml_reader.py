@@ -86,7 +86,7 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
 
 def _kind(sign: str) -> str:
     """The kind of a code point that texts must not contain."""
-    return "control character" if ord(sign) < 0xA0 else "code point that is no character,"
+    return "control character" if ord(sign) < 0xA0 else "code point that is not a character,"
 
 
 def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
@@ -303,7 +303,7 @@ class _Builder:
         return Mapping(file, event.start_mark.index, key.end_mark.index, values, ALL_THERE)
 
     def _misplaced(self, name: str | None, key: Event | Node, first: dict[str, Any]) -> None:
-        """Adds a finding for a key that is no word, or that occurs twice in its mapping."""
+        """Adds a finding for a key that is not a word, or that occurs twice in its mapping."""
         span = self._place(key)
         if name is None:
             self.findings.append(Diagnostic("key_not_text", "a key must be a word", span, help="use a word"))
@@ -327,7 +327,7 @@ def closing(text: str) -> str:
                 closers.append(closer if event.flow_style else "")
             elif isinstance(event, CollectionEndEvent):
                 closers.pop()
-    except (yaml.YAMLError, ValueError, OverflowError):  # where the text ends, or is no YAML
+    except (yaml.YAMLError, ValueError, OverflowError):  # where the text ends, or is not YAML
         pass
     return "".join(reversed(closers))
 

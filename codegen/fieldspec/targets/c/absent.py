@@ -130,7 +130,7 @@ def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
     ]
     return [
         *constants,
-        comment(f"Whether {absent.title} is no quantity: {states}.", any_nan),
+        comment(f"Whether {absent.title} is not a quantity: {states}.", any_nan),
         Function(
             Type("bool"),
             absent.function(naming),

@@ -36,7 +36,7 @@ ElementBody = Callable[[Expression, Expression], Body]
 
 
 def is_set_by_user(field: FieldLayout) -> bool:
-    """Whether users set the field: it is no constant, measures no other field, and has a meaning.
+    """Whether users set the field: it is not a constant, measures no other field, and has a meaning.
 
     Of a record in which they set nothing, they set how often it is repeated.
     """

@@ -104,7 +104,7 @@ def of_bits(naming: Naming, encoding: Encoding, bits: Expression) -> Expression:
             function = machine(encoding).from_bits
             return Call(naming.own(function), (bits,)) if function else bits
         case Text() | Octets():
-            raise AssertionError("a text or bytes are no number")
+            raise AssertionError("a text or bytes are not a number")
         case _:
             assert_never(encoding)
 
@@ -120,7 +120,7 @@ def to_bits(naming: Naming, encoding: Encoding, number: Expression) -> Expressio
                 return Call(naming.own(kind.to_bits), (number,))
             return Cast(kind.word, number) if kind.is_cast else number
         case Text() | Octets():
-            raise AssertionError("a text or bytes are no number")
+            raise AssertionError("a text or bytes are not a number")
         case _:
             assert_never(encoding)
 
@@ -135,7 +135,7 @@ def fixed_bits(encoding: Encoding, number: int) -> Literal:
         case Truth():
             bits = number
         case Digits() | Text() | Octets():
-            raise AssertionError("digits, texts and bytes are no bits of a number")
+            raise AssertionError("digits, texts and bytes are not bits of a number")
         case _:
             assert_never(encoding)
     return integer(bits, Whole(encoding.bits, Sign.NONE))
@@ -153,7 +153,7 @@ def literal(encoding: Encoding, number: int) -> Literal:
         case Real():
             return real(number, encoding.precision)
         case Text() | Octets():
-            raise AssertionError("a text or bytes are no number")
+            raise AssertionError("a text or bytes are not a number")
         case _:
             assert_never(encoding)
 

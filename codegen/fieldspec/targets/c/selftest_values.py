@@ -220,7 +220,7 @@ def test_value(
     size: int,
     trigger: bool,
 ) -> Iterator[list[Statement]]:
-    """The value of a register or a parameter at its bounds; nothing for what is no number."""
+    """The value of a register or a parameter at its bounds; nothing for what is not a number."""
     if not is_count(value.encoding):
         return
     encode, decode = naming.function(noun, *names, "encode"), naming.function(noun, *names, "decode")

@@ -340,7 +340,7 @@ def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
 def store_whole(naming: Naming, wire: WireValue, number: Expression, target: Expression) -> Evaluation:
     """`store_u16_be(out, (uint16_t)value);`: writes a whole number that has another type of C, such as an enum.
 
-    Raises AssertionError for a value that is no whole number.
+    Raises AssertionError for a value that is not a whole number.
     """
     encoding, kind = wire.encoding, machine(wire.encoding)
     match encoding:

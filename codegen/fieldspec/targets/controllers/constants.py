@@ -251,7 +251,7 @@ LISTS: Mapping[str, tuple[str, str, _Make]] = {
     "masks": ("mask", "Masks of bits, and the lowest bits of fields of several bits", _masks),
     "codes": ("", "Numbers of what enums list", _codes),
     "ranges": ("range", "Least and greatest counts of values", _ranges),
-    "absent": ("absent", "Counts that stand for a state and are no quantity", _absent),
+    "absent": ("absent", "Counts that stand for a state and are not a quantity", _absent),
     "limits": ("limit", "Limits of the device", _limits),
 }
 """The lists of constants: the word in names that stand alone, if they need one, what the list is, and what makes it."""

@@ -134,7 +134,7 @@ class _Declaring:
         return form.format(self.device.pascal(), Name.of(name).pascal())
 
     def _enum_name(self, name: str, fact: Fact | None) -> str:
-        """The name of an enum; where it is no type, what the names of its constants begin with."""
+        """The name of an enum; where it is not a type, what the names of its constants begin with."""
         if self.dialect.enums:
             return self.scope.take(self._form(self.dialect.enum, name), fact)
         return (self.device + Name.of(name)).upper()

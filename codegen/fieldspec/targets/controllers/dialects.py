@@ -269,7 +269,7 @@ def _same(scope: Scope, text: str, fact: Fact, other: str, first: Fact | None) -
 def _long(scope: Scope, text: str, fact: Fact, limit: int) -> Diagnostic:
     return Diagnostic(
         "plc_names_fit",
-        f"{text} is no {scope.what} in {scope.dialect.title}: {limit} letters, digits and single underscores",
+        f"{text} is not a valid {scope.what} in {scope.dialect.title}: {limit} letters, digits and single underscores",
         fact.place["name"],
         help="give it a shorter name",
     )

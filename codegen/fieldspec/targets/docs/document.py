@@ -232,7 +232,7 @@ def _piece(text: str, style: str, link: str) -> Piece:
 
 
 def text_piece(text: str, link: str = "") -> Piece:
-    """A piece of running text that is no identifier, with a link if it has one."""
+    """A piece of running text that is not an identifier, with a link if it has one."""
     return _piece(text, "", link)
 
 

@@ -113,7 +113,7 @@ def _digits(value: Value) -> dict[str, Data]:
 
 
 def _text_form(value: Value) -> dict[str, Data]:
-    """The form of a text, and what people call it, also where it varies in width; empty for what is no text."""
+    """The form of a text, and what people call it, also where it varies in width; empty for what is not a text."""
     if not is_text(value.encoding):
         return {}
     form = value.text_form

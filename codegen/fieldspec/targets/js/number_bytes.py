@@ -11,7 +11,7 @@ BYTES_OF_OPERATOR = 4
 """The bytes of the widest number that operators on bits take."""
 
 BYTES_OF_DOUBLE = 6
-"""The bytes of the widest whole number that is no bigint."""
+"""The bytes of the widest whole number that is not a bigint."""
 
 
 def byte(base: str, offset: int) -> str:

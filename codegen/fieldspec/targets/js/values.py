@@ -87,7 +87,7 @@ class Slot:
             case Digits():
                 return self._digits(encoding, base, offset)
             case Text() | Octets():
-                raise AssertionError("a text or bytes are no number")
+                raise AssertionError("a text or bytes are not a number")
             case _:
                 assert_never(encoding)
 
@@ -132,7 +132,7 @@ class Slot:
                 function = "putBlankDigits" if encoding.has_blanks else "putDigits"
                 return [f"{function}({number}, b, {place(base, offset)}, {self._form(encoding)});"]
             case Text() | Octets():
-                raise AssertionError("a text or bytes are no number")
+                raise AssertionError("a text or bytes are not a number")
             case _:
                 assert_never(encoding)
 

@@ -96,7 +96,7 @@ _NOT_EXACT = {
     "bits": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
     "escaped_frames": refused("have other bytes than their parts: output_frames_words"),
     "hex_frames": refused("have two characters for each byte: output_frames_words"),
-    "can_frames": refused("are no words of a serial line: output_frames_words"),
+    "can_frames": refused("are not words of a serial line: output_frames_words"),
     "byte_registers": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
     "moving_tables": refused("addresses are constants: output_addresses_constant"),
     "pieces": adapted("are messages whose words are in the map; nothing puts them together"),
@@ -114,8 +114,8 @@ _NOT_EXACT = {
     "ranges": adapted(_TABLE),
     "told_ranges": adapted(_TABLE),
     "constants": adapted(_TABLE),
-    "code_texts": refused("are no words: see the output for operator panels"),
-    "remedies": refused("are no words: see the output for operator panels"),
+    "code_texts": refused("are not words: see the output for operator panels"),
+    "remedies": refused("are not words: see the output for operator panels"),
     "labels": adapted("are in the table; comments are ASCII"),
 }
 

@@ -54,7 +54,7 @@ def _refused_links(layout: DeviceLayout) -> Iterator[tuple[LinkLayout, list[str]
         if frames_in_words(link) or not messages:
             continue
         if link.link.is_can:
-            yield link, messages, "can", f"{link.name} is a CAN bus, whose frames are no words of a serial line"
+            yield link, messages, "can", f"{link.name} is a CAN bus, whose frames are not words of a serial line"
         elif link.link.escape is not None:
             reason = f"{link.name} escapes bytes, so the words of its parts are not what is sent"
             yield link, messages, "escape", reason

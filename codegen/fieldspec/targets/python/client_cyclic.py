@@ -205,7 +205,7 @@ class _CyclicTask:
     def _slot(self, operand: Operand, direction: str) -> Slots:
         slot = self.names.attribute(self.exchange, direction, operand.holder)
         if slot is None or slot.field.value is None or slot.is_list:
-            raise NoTask(f"`{operand.path}` is no single value of the {direction} of {self.exchange.message.name}")
+            raise NoTask(f"`{operand.path}` is not a single value of the {direction} of {self.exchange.message.name}")
         return slot
 
     def _condition(self, operand: Operand, stated: Sequence[ScalarValue], reason: str) -> str:

@@ -46,14 +46,14 @@ class ClientNames:
     records: Mapping[str, RecordView]
 
     def place(self, operand: Operand) -> str:
-        """The expression of a register or of a parameter. Raises NoTask for one that is no single value."""
+        """The expression of a register or of a parameter. Raises NoTask for one that is not a single value."""
         fact = operand.holder
         path = fact.place.path
         if isinstance(fact, Register) and fact.count == 1 and path in self.registers:
             return f"{CODEC}.{self.registers[path]}"
         if isinstance(fact, Parameter) and fact.count == 1 and path in self.parameters:
             return f"{CODEC}.{self.parameters[path]}"
-        raise NoTask(f"`{operand.path}` is no single register or parameter")
+        raise NoTask(f"`{operand.path}` is not a single register or parameter")
 
     def owner(self, element: Subindex) -> str:
         """The expression of the parameter that an element belongs to."""
@@ -110,7 +110,7 @@ def is_scaled(value: Value) -> bool:
 def wanted(layout: DeviceLayout, operand: Operand, value: Value | None, stated: ScalarValue) -> tuple[str, str]:
     """The number and the mask of a value that a step waits for, as expressions; the mask is empty for whole values.
 
-    Raises NoTask for what is no number.
+    Raises NoTask for what is not a number.
     """
     bit = operand.bit
     number = raw_number(layout, value, bit, stated)
@@ -131,4 +131,4 @@ def raw_number(layout: DeviceLayout, value: Value | None, bit: Bit | None, state
         for sentinel in value.sentinels if value is not None else ():
             if sentinel.name == stated and not sentinel.is_nan:
                 return int(sentinel.value)
-    raise NoTask(f"`{stated}` is no number")
+    raise NoTask(f"`{stated}` is not a number")

@@ -92,7 +92,7 @@ class TaskDraft:
     def target_of(self, step: Step, value: Value | None, place: str, count: str) -> str:
         """The local variable with the target of a wait, whose `count` is an expression. Raises NoTask."""
         if value is None:
-            raise NoTask(f"`{step.target}` is no number")
+            raise NoTask(f"`{step.target}` is not a number")
         name_argument = f", name={literal(step.target)}" if "/" not in step.target else ""
         name = self.scope.take("target")
         self.locals.append(f"{name} = _Target({place}, {count}{self.window(step, value)}{name_argument})")

@@ -206,7 +206,7 @@ def _from_bytes(field: Slots, raw: str) -> str:
         case Truth():
             return _whole_of_bytes(field, raw, Sign.NONE)
         case Digits() | Text() | Octets():
-            raise AssertionError("characters and bytes are no number in another order")
+            raise AssertionError("characters and bytes are not a number in another order")
         case _:
             assert_never(encoding)
 

@@ -172,7 +172,7 @@ class Slots:
 
     @property
     def deferrable(self) -> bool:
-        """Whether it is one word of bits, or one member of an open enum that is no truth value.
+        """Whether it is one word of bits, or one member of an open enum that is not a truth value.
 
         Every such word is valid when it is read, so it can be converted later.
         """

@@ -120,7 +120,7 @@ class Dialect(Protocol):
         """Whether a number is in one of some intervals."""
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is no number."""
+        """Whether a floating-point number is not a number."""
 
     def size(self, data: str) -> str:
         """The expression of the number of bytes of the data."""

@@ -134,7 +134,7 @@ class Polars:
         return f"{'_is_within' if reals else '_is_in'}({number}, {list(intervals)!r})"
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is no number."""
+        """Whether a floating-point number is not a number."""
         return f"{number}.is_nan()"
 
     def size(self, data: str) -> str:

@@ -258,7 +258,7 @@ class Sql:
         return f"({' OR '.join(tests)})" if tests else "false"
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is no number."""
+        """Whether a floating-point number is not a number."""
         return f"isnan({number})"
 
     def size(self, data: str) -> str:

@@ -92,7 +92,7 @@ class ValueQuery:
             case Whole() | Truth() | Digits():
                 return self.dialect.whole(data, slot)
             case Text() | Octets():
-                raise AssertionError("a text or bytes are no number")
+                raise AssertionError("a text or bytes are not a number")
             case _:
                 assert_never(encoding)
 
@@ -291,7 +291,7 @@ def quantity(dialect: Dialect, number: str, value: Value, bounds: tuple[int, int
 
 
 def decimal_scale(value: Value, bounds: tuple[int, int]) -> DecimalScale | None:
-    """The scale of a value whose counts are between `bounds`; None where its quantities are no decimal numbers."""
+    """The scale of a value whose counts are between `bounds`; None where its quantities are not decimal numbers."""
     if not isinstance(value.scale, Decimal):
         return None
     scale, offset = Fraction(value.scale), Fraction(value.offset)

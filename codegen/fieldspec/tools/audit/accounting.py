@@ -171,7 +171,7 @@ def _whole(pattern: Pattern, match: Match) -> Match:
 
 
 def _series(match: Match) -> tuple[PieceValue, ...]:
-    """All numbers from the first to the second one of a match; these two where they are no series."""
+    """All numbers from the first to the second one of a match; these two where they are not series."""
     low, high = (readings(value.text, value.form)[:1] for value in match.values)
     if not low or not high or not 0 <= high[0] - low[0] <= LONGEST_SERIES:
         return match.values

@@ -19,7 +19,7 @@ BATCH = 1 << 23
 """The bytes that are read at once."""
 
 LONGEST = 1 << 26
-"""The bytes of the longest record or block that a capture may have; a greater length is no length."""
+"""The bytes of the longest record or block that a capture may have; a greater length is not a length."""
 
 INTERFACE, PACKET, SIMPLE, ENHANCED = 1, 2, 3, 6
 """The kinds of blocks of pcapng that are read: interfaces, and packets as the first version of the format had them,
@@ -33,7 +33,7 @@ Read = Callable[[int], bytes]
 
 
 class CaptureError(ValueError):
-    """A file that is no capture, or one from which nothing more can be read. `offset` counts bytes of the file."""
+    """A file that is not a capture, or one from which nothing more can be read. `offset` counts bytes of the file."""
 
     def __init__(self, offset: int, detail: str) -> None:
         super().__init__(f"byte {offset}: {detail}")

@@ -33,7 +33,7 @@ class Reading:
 
 @dataclass(slots=True)
 class Frames:
-    """The frames of a batch on one link. `noise` marks runs of bytes that are no frame."""
+    """The frames of a batch on one link. `noise` marks runs of bytes that are not a frame."""
 
     payloads: Payloads
     noise: Mask
@@ -96,7 +96,7 @@ class LinkDecoder:
         return readings
 
     def _cut(self, payloads: Payloads, cut: Mask) -> Frames:
-        """Hands payloads to the cutter where they are no frame, and where bytes before them still wait."""
+        """Hands payloads to the cutter where they are not a frame, and where bytes before them still wait."""
         pieces: list[tuple[int, Piece]] = []
         keep = ~cut
         keys = payloads.stream * 4 + payloads.direction + 1

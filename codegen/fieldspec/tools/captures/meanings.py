@@ -161,9 +161,9 @@ def passing(test: Test, numbers: Counts) -> Mask:
         case PartWithin():
             return is_in(numbers, test.sentinels) | is_in(_part(numbers.view(np.uint64), test.bit), test.bit.images)
         case HasDigits():
-            return np.ones(len(numbers), np.bool_)  # what is no number has none to judge
+            return np.ones(len(numbers), np.bool_)  # what is not a number has none to judge
         case HasCharacters() | RealWithin() | Fits():
-            raise AssertionError(f"{test} is no test of whole numbers")
+            raise AssertionError(f"{test} is not a test of whole numbers")
         case _:
             assert_never(test)
 

@@ -54,7 +54,7 @@ def columns_of(line: str) -> tuple[str, dict[str, int]] | None:
 
 
 def _cells(line: str, separator: str) -> list[str]:
-    """The cells of a row; none where it is no CSV."""
+    """The cells of a row; none where it is not CSV."""
     try:
         return next(csv.reader([line.rstrip("\r\n")], delimiter=separator), [])
     except csv.Error:

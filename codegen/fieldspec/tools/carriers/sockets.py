@@ -15,9 +15,9 @@ def address(url: str) -> tuple[str, int]:
         parts = urlsplit(url)
         host, port = parts.hostname, parts.port
     except ValueError as error:
-        raise CarrierError(f"{url} is no address: {error}") from None
+        raise CarrierError(f"{url} is not an address: {error}") from None
     if not host or port is None:
-        raise CarrierError(f"{url} is no address; write it as {parts.scheme or 'tcp'}://HOST:PORT")
+        raise CarrierError(f"{url} is not an address; write it as {parts.scheme or 'tcp'}://HOST:PORT")
     return host, port
 
 

@@ -75,7 +75,7 @@ class Redaction:
     ) -> bytes:
         """A frame with right checksums in which nothing identifies the unit. `request_values` are those of its request.
 
-        Raises CodecError for a frame that is no frame of the link.
+        Raises CodecError for a frame that is not a frame of the link.
         """
         codec_of_link = self.codec.links[link]
         shape = codec_of_link.link.frame(direction)

@@ -47,7 +47,7 @@ class Baseline:
 
 
 class BaselineError(Exception):
-    """A file that is no baseline. The message completes a sentence that begins with its name."""
+    """A file that is not a baseline. The message completes a sentence that begins with its name."""
 
 
 def baseline(path: str, text: str) -> Baseline:
@@ -62,7 +62,7 @@ def baseline(path: str, text: str) -> Baseline:
     except (ValueError, KeyError, TypeError, RecursionError):
         is_right = False
     if not is_right:
-        raise BaselineError("is no table of evidence; write one with --table evidence --format json --out FILE")
+        raise BaselineError("is not a table of evidence; write one with --table evidence --format json --out FILE")
     return Baseline(SourceFile(path, text), states)
 
 

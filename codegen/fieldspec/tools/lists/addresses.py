@@ -45,7 +45,7 @@ _BITS = re.compile(
     re.IGNORECASE,
 )
 _NO_AREA = ("", "r", "x", "h", "add", "adr", "no", "nr", "reg")
-"""Letters before digits that are no name of an area, but marks and words for any address."""
+"""Letters before digits that are not a name of an area, but marks and words for any address."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,14 +175,14 @@ def _joined(pieces: Sequence[Place | None]) -> Place | None:
 
 
 def _span(ends: list[AddressText], is_list: bool) -> Place:
-    """The first and the last of several addresses. Raises CellError if those of an enumeration are no neighbours."""
+    """The first and the last of several addresses. Raises CellError if those of an enumeration are not neighbours."""
     mark = next((end.mark for end in ends if end.mark), "")
     ends = [replace(end, mark=end.mark or mark) for end in ends]
     first, last = ends[0], ends[-1]
     if not is_list and len(last.digits) < len(first.digits) and int(last.digits, 16) < int(first.digits, 16):
         last = replace(last, digits=first.digits[: -len(last.digits)] + last.digits)  # `40001-2`
     if is_list and not all(_follows(address, following) for address, following in pairwise(ends)):
-        raise CellError("has several addresses that are no neighbours; give each a row")
+        raise CellError("has several addresses that are not neighbours; give each a row")
     return Place(first, last)
 
 

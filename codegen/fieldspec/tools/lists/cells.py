@@ -46,7 +46,7 @@ class Functions:
 
 
 def access(text: str) -> str:
-    """`ro`, `rw`, `wo`, or empty if the text is no access."""
+    """`ro`, `rw`, `wo`, or empty if the text is not an access."""
     bare = re.sub(r"[\[(].*|\*+$", "", text)
     return meaning("accesses", text) or (meaning("accesses", bare) if folded(bare) else "")
 

@@ -118,7 +118,7 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
     unit, counts = either.count((False, True)), either.count((True, False))
     direction = UNIT if (unit or in_unit) and not counts else COUNTS
     if direction == UNIT and unit:
-        evidence = f"those of {unit} rows are no counts of their types"
+        evidence = f"those of {unit} rows are not counts of their types"
     elif direction == UNIT:
         evidence = "so they prove the direction of the factor"
     elif counts and not unit:

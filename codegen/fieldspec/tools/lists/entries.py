@@ -25,7 +25,7 @@ _MOST_WORDS = 1 << 20
 
 @dataclass(frozen=True, slots=True)
 class Bit:
-    """One bit of a register, or several; `pieces` says where those are that are no neighbours."""
+    """One bit of a register, or several; `pieces` says where those are that are not neighbours."""
 
     low: int
     high: int

@@ -22,7 +22,7 @@ from fieldspec.tools.lists.sheet import ListError, Sheet
 class Imported:
     """What is imported of a list. `rows` are those with an address, of which `refused` may have some.
 
-    `skipped` are the numbers of the rows that have no address and are no bits of a register above.
+    `skipped` are the numbers of the rows that have no address and are not bits of a register above.
     """
 
     listing: Listing
@@ -77,7 +77,7 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
     if not any(row.space for row in rows) and base != REFERENCE:
         assumptions.append(Assumption("address space", "registers", "the list does not say it", "--space"))
     if sheet.encoding:
-        assumptions.append(Assumption("encoding", sheet.encoding, "the bytes are no UTF-8", "--encoding"))
+        assumptions.append(Assumption("encoding", sheet.encoding, "the bytes are not UTF-8", "--encoding"))
     return _entered(
         Imported(
             register_list,

@@ -56,7 +56,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
             is_span = last is not None and row_place.last is None and row_place.bits is None
             rows.append((row, replace(row_place, last=last) if is_span else row_place))
         elif text and sum(map(bool, row.cells)) > 1 and row.cells != columns.headings:
-            refused.append(Refusal(row.number, heading, text, "is no address"))
+            refused.append(Refusal(row.number, heading, text, "is not an address"))
         else:
             skipped.append(row)
     if not rows:

@@ -84,7 +84,7 @@ def with_objects(
         rows.append(row)
     if other or not subindices:
         reason = (
-            "is no subindex of an object (CiA 301), whose index is 0x1000..0xFFFF; rename the column if it has none"
+            "is not a subindex of an object (CiA 301), whose index is 0x1000..0xFFFF; rename the column if it has none"
         )
         refused += [Refusal(row.number, columns.heading(_SUBINDEX), cell, reason) for row, cell in other.items()]
         return replace(columns, rows=tuple(row for row in columns.rows if row not in other)), False

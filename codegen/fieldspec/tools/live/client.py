@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class UnfitAnswerError(Exception):
-    """An answer whose bytes are no value of the parameter that was asked for."""
+    """An answer whose bytes are not a value of the parameter that was asked for."""
 
 
 class NoAnswerError(Exception):
@@ -183,7 +183,7 @@ class Client:
         raise NoAnswerError(f"{received} bytes came, and no answer" if received else "no answer")
 
     def _accepted(self, decoded: Decoded) -> Decoded:
-        """An answer that is no exception response. Raises RefusedError."""
+        """An answer that is not an exception response. Raises RefusedError."""
         self._owed -= self._owed > 0
         if decoded.error:
             raise self._refusal(decoded)

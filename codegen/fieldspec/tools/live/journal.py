@@ -66,7 +66,7 @@ def journal_state(content: bytes) -> JournalState | None:
                 path, before, after = str(line["write"]), tuple(line["before"]), tuple(line["after"])
         number, unit, digest = head["journal"], dict(head["unit"]), str(head["digest"])
     except (ValueError, KeyError, TypeError, AttributeError):
-        raise JournalError("is no journal") from None
+        raise JournalError("is not a journal") from None
     if number != 1:
         raise JournalError("is a journal of another version of this program")
     return JournalState(unit, digest, tuple(dict.fromkeys(verified)), path, before, after, length)

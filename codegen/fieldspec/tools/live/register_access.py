@@ -114,7 +114,7 @@ class RegisterAccess:
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
-        """Why a decimal number is no name, where manuals print numbers that are addresses of other registers."""
+        """Why a decimal number is not a name, where manuals print numbers that are addresses of other registers."""
         space = self._space_of_doubt(name)
         if space is None:
             return ""

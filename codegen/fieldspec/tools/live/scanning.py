@@ -236,7 +236,7 @@ def _count_in_pieces(
     number: int,
     values: Mapping[str, Any],
 ) -> tuple[int, ...]:
-    """The count of a value that follows in pieces; none for what is no number, and where the spec has none of it."""
+    """The count of a value that follows in pieces; none for what is not a number, and where the spec has none of it."""
     parameter = parameter_set.numbered(number - parameter_set.base)
     value = element_value(parameter, 0) if parameter is not None else None
     if value is None or not is_count(value.encoding):

@@ -90,6 +90,6 @@ def _check_piece(pieces: SegmentsLayout, answer: Decoded, count: int) -> None:
         if place is not None and value is not None and value.ranges is not None:
             number = int(answer.values[place.field.name])
             if number not in value.ranges:
-                raise _PieceError("counter", f"{place.field.name} is {number}, which is no answer with a piece")
+                raise _PieceError("counter", f"{place.field.name} is {number}, which is not an answer with a piece")
     if not pieces.has_number(answer.values, count, pieces.answered):
         raise _PieceError("counter", "the device counts the pieces in another way: one is missing, or came twice")

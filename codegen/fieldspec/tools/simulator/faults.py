@@ -77,7 +77,7 @@ def fault_of(data: Mapping[str, Any]) -> Fault:
     numbers = {key: data[key] for key in ("at", "request", "count", "seconds", "value", "probability") if key in data}
     for key, number in numbers.items():
         if isinstance(number, bool) or not isinstance(number, int | float):
-            raise FaultError(f"`{key}` of the fault {kind} is {spec_text(number)}, which is no number")
+            raise FaultError(f"`{key}` of the fault {kind} is {spec_text(number)}, which is not a number")
     if not 0 <= numbers.get("probability", 0) <= 1:
         raise FaultError(f"the probability of the fault {kind} is {numbers['probability']}, not 0 to 1")
     by_chance = "probability" in numbers

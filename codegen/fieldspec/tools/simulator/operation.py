@@ -106,7 +106,7 @@ class Operation(ABC):
         return number if isinstance(number, int | float) else float(number)
 
     def names_nothing(self, cell: Cell, text: str) -> bool:
-        """Whether a text is no value of a cell, and no signal either."""
+        """Whether a text is not a value of a cell, and no signal either."""
         return not self.cells.names.has_member(cell.path, text) and not self.cells.names.is_known(text)
 
     def number(self, value: object) -> Number:

@@ -242,7 +242,7 @@ def can_objection(link: LinkLayout, place: str) -> str:
     if link.link.is_can and not place.startswith("can://"):
         return f"{link.name} is a CAN bus; write where it is as can://INTERFACE/CHANNEL, as in can://socketcan/can0"
     if place.startswith("can://") and not link.link.is_can:
-        return f"{link.name} is no CAN bus; use a serial port, tcp://HOST:PORT or udp://HOST:PORT"
+        return f"{link.name} is not a CAN bus; use a serial port, tcp://HOST:PORT or udp://HOST:PORT"
     return ""
 
 

@@ -37,7 +37,7 @@ Place = Callable[[FieldLayout], Expression]
 
 
 def is_user_field(field: FieldLayout) -> bool:
-    """Whether users state the value of a field: it is no constant, measures nothing, and has a meaning."""
+    """Whether users state the value of a field: it is not a constant, measures nothing, and has a meaning."""
     constant = field.value is not None and field.value.const is not None
     return not (constant or field.field.measures or field.field.reserved)
 

@@ -164,7 +164,7 @@ def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
 
 
 def _plus(value: Expression, term_value: Ratio) -> Expression:
-    """A sum with an exact number, which is divided where it is no whole number."""
+    """A sum with an exact number, which is divided where it is not a whole number."""
     if not term_value:
         return value
     whole = _digits(abs(term_value.numerator))

@@ -64,7 +64,7 @@ class Names:
     """How the declarations call what belongs to the device.
 
     `structs` are known by the names of records, of groups of registers and of the data of telegrams, `members` by those
-    and the names of fields and registers. An enum that is missing in `enums` is no type; its values are numbers.
+    and the names of fields and registers. An enum that is missing in `enums` is not a type; its values are numbers.
     `has_status` says that blocks have a WORD that says how they are, in place of the number of an error.
     """
 

@@ -143,7 +143,7 @@ class Expansion(Lookup):
         if entry.kind is None:
             declared = self.value(entry.name)
             if not isinstance(declared, Sequence) or not all(isinstance(item, Declared) for item in declared):
-                raise self.fail(entry.token, "this slot is no list of declarations")
+                raise self.fail(entry.token, "this slot is not a list of declarations")
             self.variables.declared += declared
             return
         kind = self._type(entry.kind)
@@ -159,13 +159,13 @@ class Expansion(Lookup):
     def _type(self, term: Term) -> Type:
         name = term.token.text
         if isinstance(term, Named) and term.structure is None and name not in (*_TYPES, *self.scope):
-            raise self.fail(term.token, f"{name} is no type{near_text(name, _TYPES)}")
+            raise self.fail(term.token, f"{name} is not a type{near_text(name, _TYPES)}")
         if name in _WIDE:
             raise self.fail(term.token, f"not every controller has {name}: take the type from a slot")
         kind = _TYPES[name] if name in _TYPES else self.value(term)
         if isinstance(kind, Elementary | EnumType | StructType | ArrayType):
             return kind
-        raise self.fail(term.token, f"{name} is no type")
+        raise self.fail(term.token, f"{name} is not a type")
 
     # Statements
 
@@ -256,5 +256,5 @@ class Expansion(Lookup):
         statements = self._write(step)
         first = statements[0] if statements else Condition(())
         if len(statements) > 1 or not isinstance(first, Condition) or first.otherwise:
-            raise self.fail(step.token, f"{step.token.text} is no single IF without ELSE")
+            raise self.fail(step.token, f"{step.token.text} is not a single IF without ELSE")
         return first.branches

@@ -104,7 +104,7 @@ class Lookup:
                 if isinstance(value, bool):
                     return Truth(value)
                 if not isinstance(value, _EXPRESSION_CLASSES):
-                    raise self.fail(term.token, f"{term.token.text} is no value")
+                    raise self.fail(term.token, f"{term.token.text} is not a value")
                 return value  # type: ignore[no-any-return]
             case Literal():
                 return self._number(term.token, expected)
@@ -118,7 +118,7 @@ class Lookup:
             case Indexed():
                 array, index = self.expression(term.array), self.expression(term.index, INT)
                 if not isinstance(array.type, ArrayType):
-                    raise self.fail(term.token, f"{term.array.token.text} is no array")
+                    raise self.fail(term.token, f"{term.array.token.text} is not an array")
                 return Element(array, index, array.type.of)
             case _:
                 assert_never(term)
@@ -133,13 +133,13 @@ class Lookup:
     def _number(self, token: Token, expected: Type | None) -> Whole:
         prefix, _, digits = token.text.rpartition("#")
         if token.kind != "number":
-            raise self.fail(token, f"{token.text} is no number; a time is only what a variable has at first")
+            raise self.fail(token, f"{token.text} is not a number; a time is only what a variable has at first")
         kind = ELEMENTARY.get(prefix.partition("#")[0], expected)
         if not isinstance(kind, Elementary):
             raise self.fail(token, f"the type of {token.text} is not clear here: write UINT#{token.text}")
         value = int(digits, 16 if prefix.endswith("16") else 10)
         if not kind.low <= value <= kind.high:
-            raise self.fail(token, f"{value} is no {kind.name}, which has {kind.low}..{kind.high}")
+            raise self.fail(token, f"{value} is not a valid {kind.name}, which has {kind.low}..{kind.high}")
         return Whole(value, kind, prefix.endswith("16"))
 
     def _operation(self, term: Joined) -> Operation:
@@ -182,7 +182,7 @@ class Lookup:
             return Conversion(value, ELEMENTARY[conversion[2]])
         routine = self.value(term.routine)
         if not isinstance(routine, Routine):
-            raise self.fail(token, f"{token.text} is no function")
+            raise self.fail(token, f"{token.text} is not a function")
         roles = {item.variable.name: item.role for item in routine.declared if item.role != "local"}
         kinds = {item.variable.name: item.variable.type for item in routine.declared}
         values: dict[str, Expression] = {}

@@ -120,7 +120,7 @@ class _Parser:
         word = self.take()
         role = "constant" if self.taken("CONSTANT") else _ROLES.get(word.text, "")
         if not role:
-            raise wrong(word, f"{word.text} is no section: there is {', '.join(_ROLES)}")
+            raise wrong(word, f"{word.text} is not a section: there is {', '.join(_ROLES)}")
         condition: Term | None = None
         entries: list[Entry] = []
         while not self.taken("END_VAR"):

@@ -17,7 +17,7 @@ def whole_type(encoding: Encoding) -> Elementary:
         case Truth():
             return UNSIGNED[encoding.bits // 8]
         case Real() | Text() | Octets():
-            raise AssertionError(f"{encoding} is no whole number")
+            raise AssertionError(f"{encoding} is not a whole number")
         case _:
             assert_never(encoding)
 

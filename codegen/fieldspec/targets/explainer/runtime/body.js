@@ -103,7 +103,7 @@ export class ExplainedBody {
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
     if (this.hasWrongCount(list)) {
-      const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
+      const text = `${list.countName} is not a number of ${name}, so nobody knows where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
     if (list.parts) {
@@ -151,7 +151,7 @@ export class ExplainedBody {
     if (number >= 0 && number <= span.most) {
       return ["incomplete", `${span.name} has ${number} bytes, but only ${this.end - at} follow`];
     }
-    return ["wrong_measure", `${name} is no number of bytes of ${span.name}`];
+    return ["wrong_measure", `${name} is not a number of bytes of ${span.name}`];
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */

@@ -167,7 +167,7 @@ export function canIdentifier(bits, fields) {
   };
 }
 
-/** The offset at which bytes are no CAN frame with an identifier of some bits; -1 where they are. */
+/** The offset at which bytes are not a CAN frame with an identifier of some bits; -1 where they are. */
 function wrongCanHeader(bits, data) {
   const flags = bits > 11 ? EXTENDED : 0;
   const identifier = numberIn(data.subarray(0, 4), false);
@@ -182,7 +182,7 @@ function canHeaderFault(bits, data, at) {
   if (at === 4 && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
   if (at === 4) return `a CAN frame has at most 8 bytes of data, not ${data[4]}`;
   if (at === 5) return "the three bytes behind the number of the data are not zero";
-  return `it is no CAN frame with an identifier of ${bits} bits`;
+  return `it is not a CAN frame with an identifier of ${bits} bits`;
 }
 
 /** The bytes of the parts of the identifier of a CAN frame. */

@@ -93,7 +93,7 @@ export function withParameter(device, row, field, index, known, outer, isRequest
   const element = elementOf(words, number, parameterNumbered(words, number), at);
   if (part === "value") {
     const size = statedSize(field, known);
-    // Its bytes are no value.
+    // Its bytes are not a value.
     if (size === undefined) return { ...row, meanings: [element.meaning, ...row.meanings] };
     return readAs(device, row, field, element, isRequest, size);
   }

@@ -91,7 +91,7 @@ export function readImage(fields, read, bytes, offset, end) {
   if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
   const { count } = fields[extents.length] ?? {};
   if (count !== undefined && countedText(fields[extents.length], data, extents) === undefined) {
-    throw new CodecError("wrong_measure", `${fields[count].name} is no number of bytes`, offset + extents[count].start);
+    throw new CodecError("wrong_measure", `${fields[count].name} is not a number of bytes`, offset + extents[count].start);
   }
   if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
   const stop = extents.at(-1).stop;

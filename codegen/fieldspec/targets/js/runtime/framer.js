@@ -238,7 +238,7 @@ class EscapeFramer extends Framer {
         frames.push(frame);
         at = close + end.length;
       } else {
-        // What ends bytes that are no frame may begin one, or the frame may begin later.
+        // What ends bytes that are not a frame may begin one, or the frame may begin later.
         drop(start.length > 0 ? at + 1 : close + end.length);
       }
     }

@@ -262,7 +262,7 @@ class EscapeFramer(Framer):
                 frames.append(frame)
                 at = close + len(end)
             else:
-                # What ends bytes that are no frame may begin one, or the frame may begin later.
+                # What ends bytes that are not a frame may begin one, or the frame may begin later.
                 behind = at + 1 if start else close + len(end)
                 self.dropped += behind - at
                 at = behind

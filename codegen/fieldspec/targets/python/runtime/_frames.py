@@ -139,7 +139,7 @@ class Frames:
         except HexError:
             for at, byte in enumerate(inner):
                 if byte not in b"0123456789ABCDEFabcdef":
-                    text = f"byte {byte:#04x} is no hexadecimal character"
+                    text = f"byte {byte:#04x} is not a hexadecimal character"
                     raise CodecError("not_hex", text, first + at) from None
             raise CodecError("wrong_length", "an odd number of characters", last) from None
 

@@ -147,7 +147,7 @@ class Parameter(Generic[T]):
 
     @property
     def absent(self) -> dict[str, float]:
-        """The values that stand for a state and are no quantity, by the names of their states."""
+        """The values that stand for a state and are not a quantity, by the names of their states."""
         return {state: first_number(number) for state, number in self.value.absent}
 
     def state_of(self, value: T | float, subindex: int = 0) -> str | None:

@@ -86,7 +86,7 @@ class PartFrames(Frames):
         self.forms = {offset: self.digits[place] for place, offset in enumerate(offsets) if place in self.digits}
 
     def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
-        """The row, the offset and the number of each part of a frame that is long enough; -1 for what are no digits."""
+        """The row, the offset and the number of each part of a frame that is long enough; -1 for what are not digits."""
         numbers = []
         at = 0
         for place, row in enumerate((*self.rows, *self.tail)):
@@ -241,7 +241,7 @@ def _number(checksum: int, size: int, order: Literal["big", "little"], digits: s
 
 
 def _order(order: Order | Form) -> Order:
-    """The byte order of a checksum, whose digits are no concern of its row."""
+    """The byte order of a checksum, whose digits are not a concern of its row."""
     return "little" if order == "little" else "big"
 
 

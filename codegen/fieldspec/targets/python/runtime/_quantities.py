@@ -30,7 +30,7 @@ class Conversion:
         self.name, self.full_scale, self.ranges, self.complement = name, full_scale, ranges, complement
 
     def quantity(self, raw: int, reference: Quantity) -> float:
-        """The quantity of a count, rounded once. Raises CodecError for a reference that is no number."""
+        """The quantity of a count, rounded once. Raises CodecError for a reference that is not a number."""
         a, b, c = self._ratio(reference)
         return (raw * a + b) / c
 

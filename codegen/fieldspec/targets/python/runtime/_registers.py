@@ -90,7 +90,7 @@ class Register(Generic[T]):
 
     @property
     def absent(self) -> dict[str, float]:
-        """The values that stand for a state and are no quantity, by the names of their states."""
+        """The values that stand for a state and are not a quantity, by the names of their states."""
         return {state: first_number(number) for state, number in self.value.absent}
 
     def state_of(self, value: T | float) -> str | None:

@@ -46,7 +46,7 @@ class Place:
         """The number in a message. Raises PieceError where the field cannot be what it is."""
         value = index(getattr(message, self.field))
         if self.ranges and not any(low <= value <= high for low, high in self.ranges):
-            raise PieceError("counter", f"{self.field} is {value}, which is no answer with a piece")
+            raise PieceError("counter", f"{self.field} is {value}, which is not an answer with a piece")
         return (value & self.mask) >> self.shift
 
     def put(self, fields: dict[str, Any], number: int) -> None:

@@ -46,7 +46,7 @@ class TextForm:
         except UnicodeDecodeError:
             text = None
         if text is None or "\0" in text:
-            raise CodecError("unknown_value", f"{name} is {raw!r}, which is no text of its form", at)
+            raise CodecError("unknown_value", f"{name} is {raw!r}, which is not a text of its form", at)
         return text
 
     def texts(self, name: str, raws: Sequence[bytes], at: int) -> list[str]:

@@ -48,7 +48,7 @@ class Value(Generic[T]):
 
     `ranges` are in counts. The scale, if there is one, is (a, b, c) of unit = (count * a + b) / c. `absent` are the
     states that counts stand for, each with its name, and `others` these counts: they may be outside the ranges, and
-    are no quantity. `stated` are the ranges of what is read, and of fields of its bits, where they differ from those
+    are not a quantity. `stated` are the ranges of what is read, and of fields of its bits, where they differ from those
     of what may be written.
     """
 

@@ -120,7 +120,7 @@ class Widths:
                 count_at = starts[number]
                 length = int.from_bytes(data[count_at : count_at + count_size], order) - plus
                 if not 0 <= length <= form.most:
-                    text = f"{self.fields[number][0]} is no number of bytes"
+                    text = f"{self.fields[number][0]} is not a number of bytes"
                     raise unfit or CodecError("wrong_measure", text, count_at)
                 stop = at + length
                 pieces[number] = (form.size + plus).to_bytes(count_size, order)

@@ -292,7 +292,7 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
                 low, high = (count.start, count.stop - 1) if isinstance(count, range) else (count, count)
                 quantities[(column >= low) & (column <= high)] = float("nan")
             return quantities
-    raise KeyError(f"{name} is no field of {record.__name__} that counts in parts of a unit")
+    raise KeyError(f"{name} is not a field of {record.__name__} that counts in parts of a unit")
 
 
 def _number(record: type[Record], data: Data) -> int:

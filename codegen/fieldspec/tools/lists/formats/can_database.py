@@ -67,7 +67,7 @@ def can_database(text: str, node: str = "") -> tuple[Sheet, Listing]:
     try:
         database: Any = cantools.database.load_string(text, "dbc", strict=False)
     except Exception as error:  # the library raises what it stumbles over: ParseError, KeyError, ValueError
-        raise ListError(f"is no database of CAN messages: {' '.join(str(error).split())[:300]}") from None
+        raise ListError(f"is not a database of CAN messages: {' '.join(str(error).split())[:300]}") from None
     lines = _lines(text)
     rows = FormatRows("a database of CAN messages (DBC)", _ROLES, _NOTES)
     own_node = _node(database.messages, node, rows)

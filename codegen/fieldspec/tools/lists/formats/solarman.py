@@ -81,7 +81,7 @@ def definition(node: Node, lines: int) -> tuple[Sheet, Listing]:
             if isinstance(item, Mapping):
                 _add(rows, item, requests)
             else:
-                rows.refuse(line_of(item), {"name": text_of(item)}, "is no item")
+                rows.refuse(line_of(item), {"name": text_of(item)}, "is not an item")
     return rows.listing(lines)
 
 

@@ -149,13 +149,13 @@ def _points(model: _Model, group: dict[str, Any], names: tuple[str, ...], count:
     points = group.get("points", [])
     for point in points if isinstance(points, list) else []:
         if not isinstance(point, dict):
-            raise ListError("has a point that is no object")
+            raise ListError("has a point that is not an object")
         cells = {key: value if isinstance(value, str) else json.dumps(value) for key, value in point.items()}
         cells |= {"address": str(model.following)}
         line = len(model.rows.items) + 1
         size = point.get("size")
         if not isinstance(size, int) or not 0 < size < _MOST_ELEMENTS:
-            raise ListError(f"has a point {str(point.get('name'))[:60]} whose size is no number of registers")
+            raise ListError(f"has a point {str(point.get('name'))[:60]} whose size is not a number of registers")
         try:
             if model.open:
                 raise CellError(f"stands behind {model.open}, which repeats as often as the device has it")

@@ -256,7 +256,7 @@ def _real(value: Expression) -> Expression:
     kind = value.type
     assert isinstance(kind, Elementary)
     if kind.family not in ("signed", "unsigned"):
-        raise NoBlock("what it compares is no whole number")
+        raise NoBlock("what it compares is not a whole number")
     return Conversion(value, LREAL)
 
 
