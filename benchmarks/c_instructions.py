@@ -140,7 +140,7 @@ def rows() -> Iterator[Row]:
             # Ranges cost what they cost anyone: the goal is for encoders that only look at the size.
             limit = narrow[f"{subject.prefix}_write_plain"] + 11
             for name, ending, goal in (
-                ("pack behind a check of the size", "sized", 1.0),
+                ("pack after a check of the size", "sized", 1.0),
                 ("encode: every value against its range", "checked", None),
             ):
                 count = narrow[f"{subject.prefix}_write_{ending}"]

@@ -41,8 +41,20 @@ BROKEN = {
         "needs a text TITLE of one line and a function files",
     ),
     "failing output": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{}['x']"), "KeyError: 'x'"),
-    "path out": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'../x': ''}"), "'../x' is not a path of a file"),
-    "absolute path": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'/x': ''}"), "'/x' is not a path of a file"),
+    "path out": (
+        "outputs",
+        "extra",
+        "bad",
+        GOOD_OUTPUT.replace("{}", "{'../x': ''}"),
+        "'../x' is not a path of a file",
+    ),
+    "absolute path": (
+        "outputs",
+        "extra",
+        "bad",
+        GOOD_OUTPUT.replace("{}", "{'/x': ''}"),
+        "'/x' is not a path of a file",
+    ),
     "bytes": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'x': b''}"), "neither a text nor a workbook"),
     "exit of the module": ("outputs", "extra", "bad", "raise SystemExit(0)", "SystemExit: 0"),
     "unknown name of the door": (

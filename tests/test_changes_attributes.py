@@ -90,9 +90,9 @@ IGNORED = {
     "Device.version": "it is what is compared",
     "Device.accepts": "it judges changes, and is none",
     "Device.stated_changes": "it gives changes their reasons, and is none",
-    "Part.prefix": "the algorithm that begins behind it is compared",
-    "Part.suffix": "the algorithm that ends behind it is compared",
-    "Part.stated_algorithm": "the algorithm is compared, which begins behind the prefix",
+    "Part.prefix": "the algorithm that begins after it is compared",
+    "Part.suffix": "the algorithm that ends after it is compared",
+    "Part.stated_algorithm": "the algorithm is compared, which begins after the prefix",
     **{
         f"StatedChange.{name}": "it gives changes their reasons, and is none"
         for name in ("kind", "path", "to", "reason", "sources")

@@ -122,7 +122,7 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
     ("arguments", "message"),
     [
         (["read_registerz"], "there is no message read_registerz; did you mean read_registers?"),
-        ([*READ, "--link", "tcp"], "there is no link tcp; there are ascii, packet, rtu"),
+        ([*READ, "--link", "tcp"], "there is no link tcp; choose from ascii, packet, rtu"),
         (READ[:3], "missing_value: word_count is not given; the request has the fields station, address, word_count"),
         ([*READ, "adress=1"], "there is no field adress; did you mean address?"),
         ([*READ, "station=2"], "station has two values"),

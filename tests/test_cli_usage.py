@@ -20,12 +20,12 @@ from fieldspec.command.console.usage import unknown
     ("name", "known", "hint"),
     [
         ("sped", ["speed", "force"], "there is no register sped; did you mean speed?"),
-        ("x", ["b10", "b9", "a"], "there is no register x; there are a, b9, b10"),
-        ("x", ["b", "a", "c"], "there is no register x; there are a, b, c"),
+        ("x", ["b10", "b9", "a"], "there is no register x; choose from a, b9, b10"),
+        ("x", ["b", "a", "c"], "there is no register x; choose from a, b, c"),
         ("x", ["d", "a", "b", "c"], "there is no register x; the nearest of 4 are d, c, b"),
         ("x", [], "there is no register x; there are none"),
-        ("12", ["121", "112"], "there is no register 12; there are 112, 121"),
-        ("", ["a"], "there is no register without a name; there are a"),
+        ("12", ["121", "112"], "there is no register 12; choose from 112, 121"),
+        ("", ["a"], "there is no register without a name; choose from a"),
     ],
 )
 def test_an_unknown_name_is_answered_by_the_nearest_one_or_by_all_where_they_are_few(

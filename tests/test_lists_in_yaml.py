@@ -252,7 +252,7 @@ def test_what_a_definition_has_beside_registers_is_named(run: CommandLine) -> No
     lines = DEFINITION.splitlines()
     expected = {
         "Version": "is a version in nibbles, which a register does not have as a type",
-        "Split": "has registers that do not stand one behind the other",
+        "Split": "has registers that are not consecutive",
         "Sum": "has no registers: it is computed from other items",
     }
     by_line = {

@@ -123,7 +123,7 @@ def test_a_bad_file_is_refused_in_one_line(
         (("--encoding", "klingon"), "there is no encoding klingon"),
         (("--encoding", "base64"), "there is no encoding base64"),
         (("--encoding", "ascii"), "is not in the encoding ascii"),
-        (("--address", "Wo"), "has no column Wo; there are 地址, 名称, or give a letter or a number"),
+        (("--address", "Wo"), "has no column Wo; choose from 地址, 名称, or give a letter or a number"),
         (("--address", "Z"), "has no column Z"),
         (("--name", "Wo"), "has no column Wo"),
         (("--sheet", "1"), "is not a workbook, so --sheet has no effect"),

@@ -39,7 +39,7 @@ EACH = pytest.mark.parametrize("name", LAYOUTS)
 
 
 def of_record(value: Any, path: tuple[int, ...] = ()) -> dict[tuple[int, ...], list[Any]]:
-    """The numbers and bytes of one record by the places of their fields; those of lists one behind the other."""
+    """The numbers and bytes of one record by the places of their fields; those of lists one after the other."""
     values: dict[tuple[int, ...], list[Any]] = {}
     if isinstance(value, dict):
         for place, field in enumerate(value.values()):

@@ -39,9 +39,9 @@ SLIPS = {
     "a tag that would run code": ("tag_used", "a: «!!python/object/apply:os.system» [x]\n"),
     "a tag of a mapping": ("tag_used", "a: «!x» {b: 1}\n"),
     "a tab that indents": ("tab_indent", "a:\n«\t»b: 1\n"),
-    "a tab behind blanks": ("tab_indent", "a:\n  «\t»b: 1\n"),
+    "a tab after blanks": ("tab_indent", "a:\n  «\t»b: 1\n"),
     "a second document": ("several_documents", "a: 1\n«---»\nb: 2\n"),
-    "a second document behind an end": ("several_documents", "a: 1\n...\n«---»\nb: 2\n"),
+    "a second document after an end": ("several_documents", "a: 1\n...\n«---»\nb: 2\n"),
     "an unclosed list": ("yaml_syntax", "a: [1, 2\nb: 3\n"),
     "an unclosed quote": ("yaml_syntax", 'a: "b\n'),
     "a colon in a text": ("yaml_syntax", "a: b: c\n"),
@@ -180,8 +180,8 @@ KEYS = {
     "in quotes": "a: 1\n«'b'»: 2\n",
     "in a block of a list": "- - c: {b: 1}\n    a: [b, b: 1]\n    «b»: 3\n",
     "in braces over several lines": '- {a: b,\n «"b"»: 3, c: 1}\n',
-    "behind an anchor": "- &x\n  a: 伺服\n  «b»: 1\n",
-    "behind a question mark": "? a\n: b\n? «b»\n: 1\n",
+    "after an anchor": "- &x\n  a: 伺服\n  «b»: 1\n",
+    "after a question mark": "? a\n: b\n? «b»\n: 1\n",
 }
 
 

@@ -43,7 +43,7 @@ def import_text(run: CommandLine, text: str, *options: str) -> str:
 
 
 def model_of(number: int, data: bytes) -> Any:
-    """The model as the library reads it, with data behind its number and its length."""
+    """The model as the library reads it, with data after its number and its length."""
     head = number.to_bytes(2, "big") + (len(data) // 2).to_bytes(2, "big")
     return Model(model_id=number, model_len=len(data) // 2, data=head + data)
 
@@ -104,7 +104,7 @@ def test_points_behind_a_group_whose_number_is_open_are_named(run: CommandLine) 
     }
     report = import_text(run, json.dumps(model))
     assert re.findall(r"^not used: row (\d+): (.*)$", report, re.MULTILINE) == [
-        ("4", "stands behind a, which repeats as often as the device has it")
+        ("4", "follows a, which repeats as often as the device has it")
     ]
 
 

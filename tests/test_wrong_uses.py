@@ -27,7 +27,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["encode", "tc100", "read_registers", "address="], "address: `` is not a number"),
         (["encode"], "the following arguments are required: DEVICE[@VERSION]; see: fieldspec encode --help"),
         (["show", "tc100", "alarm", "other"], "unrecognized arguments: other; see: fieldspec show --help"),
-        (["show", ""], "there is no device without a name; there are ck10, esc11, hiwin-e, tc100"),
+        (["show", ""], "there is no device without a name; choose from ck10, esc11, hiwin-e, tc100"),
         (["blame", "tc100", "motion_command"], "did you mean registers/motion_command? `fieldspec facts` lists"),
         (["blame", "tc100", "registers/motion_comand"], "did you mean registers/motion_command? `fieldspec facts`"),
         (["blame", "tc100", "nothing"], "tc100 has no fact nothing at 2.0; `fieldspec facts` lists all paths"),
@@ -44,7 +44,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["live", "tc100", "find", "--link", "usb", "--port", "/dev/none"], "no link of tc100 reads over /dev/none"),
         (
             ["live", "tc100", "read", "--parity", "mark"],
-            "there is no value of --parity mark; there are even, none, odd",
+            "there is no value of --parity mark; choose from even, none, odd",
         ),
         (["live", "tc100", "write", "motion_speed", "--dry-run"], "has no value; write motion_speed=VALUE"),
         (["live", "tc100", "write", "points[1].speed", "--dry-run"], "has no value; write points[1].speed=VALUE"),
@@ -82,7 +82,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["new", "version", "tc100", "9.9", "--protocol", "modbus"], "--protocol has no effect on a new version"),
         (["new", "device", "pump", "--protocol", "modbus", "--line", "x"], "--line has no effect on a new device"),
         (["check", "tc10"], "there is no device tc10; did you mean tc100?"),
-        (["check", "tc100", "--format", "yaml"], "there is no value of --format yaml; there are "),
+        (["check", "tc100", "--format", "yaml"], "there is no value of --format yaml; choose from "),
         (["build", "--to", "pyhton"], "did you mean python?"),
         (["build", "--to", ""], "--to names no output; the outputs are python, c, js,"),
         (["diff", "tc100@2.0", "tc100@9.9"], "there is no version of tc100 9.9"),
@@ -106,7 +106,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
             "`zzz` is not a member of motion_command; it has relative_move, ",
         ),
         (["show", "tc100", "99999999"], "there is no item of tc100 "),
-        (["facts", "tc100", "--format", "xlsx"], "there is no value of --format xlsx; there are csv, json"),
+        (["facts", "tc100", "--format", "xlsx"], "there is no value of --format xlsx; choose from csv, json"),
         (["matrix", "tc10"], "did you mean tc100?"),
         (["versions", "tc10"], "did you mean tc100?"),
         (["export", "tc100", "--to", "out.pdf"], "pdf"),
@@ -119,7 +119,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["audit", "tc100", "--baseline", "none.json"], "--baseline goes with --evidence FOLDER"),
         (["simulate", "tc100", "--port", "usb=pty"], "there is no link usb"),
         (["simulate", "tc100", "--unit", "500"], "unit address"),
-        (["simulate", "tc100", "--fault", "no_answr=0.1"], "there is no fault `no_answr`; there are no_answer, "),
+        (["simulate", "tc100", "--fault", "no_answr=0.1"], "there is no fault `no_answr`; choose from no_answer, "),
         (["simulate", "tc100", "--fault", "no_answer=2"], "0 to 1"),
         (["simulate", "tc100", "--dump", "missing.csv"], "missing.csv"),
         (["live", "tc100"], "the following arguments are required: VERB; see: fieldspec live --help"),
@@ -171,7 +171,7 @@ MISSING = ("--port", "/dev/none")
         (("write", "alarm=1"), "can only be read"),
         (("write", "motion_sped=5%"), "did you mean motion_speed?"),
         (("write", "motion_speed=500%"), "out_of_range"),
-        (("scan", "0x10..1"), "is not a range of addresses"),
+        (("scan", "0x10..1"), "is not an address range"),
         (("dump",), "name one file to write"),
         (("dump", "file/dump.csv"), "cannot write file"),
         (("backup", "file/backup.csv"), "cannot write file"),
@@ -200,7 +200,7 @@ def test_live_judges_its_arguments_before_it_opens_the_port(
 
 def test_a_scan_judges_its_ranges_before_it_opens_the_port(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["scan", "tc100", "0x10..1", *MISSING, "--specs", SPECS]) == 2
-    assert "is not a range of addresses" in capsys.readouterr().err
+    assert "is not an address range" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

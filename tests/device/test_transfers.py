@@ -141,9 +141,9 @@ def test_all_findings_of_a_file_are_reported_at_once(
         f"{path}:E3: out_of_range: points[2].speed is 101",
         f"{path}:F3: points[2].wait_time: `fast` is not a number",
         f"{path}:G2: there is no points[1].sped; did you mean points[1].speed?",
-        f"{path}:D4: there is no points[128]; there are 1..127",
+        f"{path}:D4: there is no points[128]; choose from 1..127",
         f"{path}:E6: points[3].speed stands in row 5 too",
-        f"{path}:C7: there is no table programs; there are points",
+        f"{path}:C7: there is no table programs; choose from points",
         "nothing was written",
     ):
         assert expected in error

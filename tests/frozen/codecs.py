@@ -115,7 +115,7 @@ def _explained(layout: DeviceLayout, inputs: list[Input]) -> Iterator[Aspects]:
         query, result = item.query, {}
         if item.aspect == "decode" and query.kind == "frame" and item.number % EXPLAINED == 0:
             result = aspects(item, explainer.answer(query))
-            # It goes on behind the first fault, and is not asked about all frames, as the codecs are.
+            # It goes on after the first fault, and is not asked about all frames, as the codecs are.
             result = {f"explained_{aspect}": text for aspect, text in result.items()}
         elif item.aspect == "decode" and query.kind not in ("frame", "record") and len(query.data) == query.shape[4]:
             value, order, swapped, *_ = query.shape

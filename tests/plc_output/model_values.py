@@ -39,7 +39,7 @@ PERCENT = re.compile(r"override|acceleration|deceleration", re.IGNORECASE)
 
 
 def kinds(names: Iterable[str], telegram: int = 0) -> dict[str, str]:
-    """The blocks of one device, or of one of its telegrams, with their kinds; another instance has a number behind."""
+    """The blocks of one device, or of one of its telegrams, with their kinds; another instance has a number after."""
     result = {}
     for name in names:
         bare = re.sub(r"Telegram(\d+)", "", name).split()[0]

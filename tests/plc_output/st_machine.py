@@ -91,7 +91,7 @@ class Machine:
         return 0.0 if kind in REALS else False if kind == "bool" else 0
 
     def call(self, name: str, **arguments: Any) -> tuple[Any, ...]:
-        """What a function returns, and behind it its outputs in the order of their declaration."""
+        """What a function returns, and after it its outputs in the order of their declaration."""
         function = self.unit.functions[name.lower()]
         arguments = {key.lower(): value for key, value in arguments.items()}
         wanted = [variable for role, variable, _, _ in function.variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
@@ -327,7 +327,7 @@ class Compiled:
     def _function_call(self, line: int, name: str, value: list[Any]) -> str:
         """A call; what it returns is its first value, the others go to the places that are given for the outputs."""
         if self.unit.order.index(name) >= self.unit.order.index(self.function.name):
-            raise self._fail(line, f"{name} is declared behind its use")
+            raise self._fail(line, f"{name} is declared after its use")
         called = self.unit.functions[name]
         ways = {"VAR_INPUT": ":=", "VAR_IN_OUT": ":=", "VAR_OUTPUT": "=>"}
         wanted = {variable: (ways[role], role, kind) for role, variable, kind, _ in called.variables if role in ways}

@@ -94,7 +94,12 @@ FAULTS = {
         "nothing uses iUnused",
     ),
     "an equals sign": ("client", "iTry := 0;", "iTry «=» 0;", "expected :=, not ="),
-    "an index of what is not an array": ("client", "aWordsAnswered[iAt]", "udiTaken«[»iAt]", "udiTaken is not an array"),
+    "an index of what is not an array": (
+        "client",
+        "aWordsAnswered[iAt]",
+        "udiTaken«[»iAt]",
+        "udiTaken is not an array",
+    ),
     "another character": ("client", "iTry := 0;", "iTry := 0 «?»;", "'?' is nothing of Structured Text"),
     "another section": ("client", "VAR_OUTPUT", "«VAR_TEMP»", "VAR_TEMP is not a section: there is VAR_INPUT"),
     "a member of a number": ("exchange", "iTry := 0;", "iTry.«Q» := 0;", "iTry has no members"),

@@ -52,7 +52,7 @@ def described(head: str, fact: Fact, *paragraphs: str) -> list[str]:
     first = f"{head} {printed(fact)}".strip()
     notes = [f"Note: {sentence(note)}" for note in fact.notes]
     inferred = [f"Inferred ({key}): {sentence(reason)}" for key, reason in fact.inferred.items()]
-    doubt = "Nobody has compared it with the manual yet." if fact.unverified else ""
+    doubt = "Not compared with the manual yet." if fact.unverified else ""
     caveats = (availability(fact), doubt, *notes, *inferred)
     return [sentence(first), sentence(fact.doc), *paragraphs, *caveats, cited(fact.sources)]
 

@@ -33,7 +33,7 @@ Cure: Do without what is left out. Python, JavaScript and C take the address tha
     "output_texts_ascii": """Every text is ASCII of one length, padded with zeros, in dissectors, queries
 and word maps.
 
-Why: these outputs do not convert encodings, so they would show other characters, or spaces that are not a part of a text.
+Why: these outputs do not convert encodings, so they would show other characters, or spaces outside of a text.
 
 Example: a field with `type: text, length: 8, padding: space`.
 

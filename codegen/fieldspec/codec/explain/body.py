@@ -105,7 +105,7 @@ class Body:
         self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
         self._rows_by_name: dict[str, Row] = {}
         traced = self._traced() if inner is None else self._traced_around(inner)
-        # A scale may be behind the value that it applies to, so all bytes are read before any row is written.
+        # A scale may be after the value that it applies to, so all bytes are read before any row is written.
         self.rows = list(self._explained(list(self._traced_varying() if self.record.spans else traced)))
 
     def _explained(self, traced: list[_TracedField | ExplanationRow]) -> Iterator[ExplanationRow]:
@@ -139,7 +139,7 @@ class Body:
             yield surplus_row(self.spot, offset, self.data[offset : self.end])
 
     def _traced_around(self, inner: InnerLists) -> Iterator[_TracedField | ExplanationRow]:
-        """The parts of a record with fields behind a list, in the order of the wire."""
+        """The parts of a record with fields after a list, in the order of the wire."""
         fields = self.record.sent_fields
         offset, number_of_list = self.start, 0
         for number, field in enumerate(fields):
@@ -172,7 +172,7 @@ class Body:
         """The row from the first list on whose bytes are not known."""
         assert self.fault is not None
         if self._has_wrong_count(inner):
-            text = f"{inner.count} is not a number of {fields[0].name}, so nobody knows where they end"
+            text = f"{inner.count} is not a number of {fields[0].name}, so it is unknown where they end"
             return self._wrong(fields[0], offset, "wrong_measure", text)
         if inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
@@ -193,7 +193,7 @@ class Body:
         )
 
     def _items(self, field: FieldLayout) -> int:
-        """How many elements of a list of a record with fields behind a list there are."""
+        """How many elements of a list of a record with fields after a list there are."""
         inner = self.record.inner_lists
         assert inner is not None
         number = next(number for number, own in enumerate(inner.lists) if own.name == field.name)
@@ -328,7 +328,7 @@ class Body:
     def _measured_list(
         self, inner: InnerLists, field: FieldLayout, other: FieldLayout, read: DecodedValue
     ) -> DecodedValue:
-        """The value of a field that measures a list of a record with fields behind a list."""
+        """The value of a field that measures a list of a record with fields after a list."""
         measure = field.field.measures
         assert measure is not None
         number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)

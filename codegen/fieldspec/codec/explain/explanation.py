@@ -83,7 +83,7 @@ def is_damaged(layout: DeviceLayout, link: str, direction: str, frame: bytes) ->
 
 
 class _Frame:
-    """A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them.
+    """A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those after them.
 
     `empty_escape` are the bytes that an escape sends for no bytes at all.
     """
@@ -204,7 +204,7 @@ class _Frame:
         return self.sent_data if self.shape.escape is not None and not part.before_escape else self.data
 
     def _without_surplus(self, data: bytes) -> tuple[bytes, bytes]:
-        """The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier."""
+        """The bytes of the parts and those after them: length and checksum may show that the frame ends earlier."""
         lengths, checks = (
             tuple(part for part in parts if self.shape.escape is None or not part.before_escape)
             for parts in (self.shape.lengths, self.shape.checksums)
@@ -299,7 +299,7 @@ class _Frame:
             ambiguous = link.ambiguous_codes(self.direction).get(code)
             if ambiguous is not None:
                 names = ", ".join(message.name for message in ambiguous)
-                return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")
+                return read.judged(False, f"that of {names}; only the request distinguishes them", "unknown_code")
             expected = self.sent.get(self.named)
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
             several_text = f"one of {known}" if known else f"that of a message, and none has a {self.direction} here"

@@ -87,8 +87,8 @@ class Spot:
     """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each.
 
     `escape` is that of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were
-    escaped, and `places` the offsets behind `start` of what is sent for them, and of the end. `gap` is the place of the
-    first byte behind an escape of nothing, which is sent between that byte and the one before; None without one.
+    escaped, and `places` the offsets after `start` of what is sent for them, and of the end. `gap` is the place of the
+    first byte after an escape of nothing, which is sent between that byte and the one before; None without one.
     """
 
     frame: bytes
@@ -256,7 +256,7 @@ def wrong_row(
 
 
 def surplus_row(spot: Spot, position: int, raw: bytes) -> ExplanationRow:
-    """The row of bytes behind the end of a frame or of its body."""
+    """The row of bytes after the end of a frame or of its body."""
     return wrong_row(
         spot, position, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
     )

@@ -93,7 +93,7 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
 
 
 def decimal_text(number: Decimal, count: Decimal | Fraction) -> str:
-    """A number without an exponent: in full if it is short, else rounded behind the point.
+    """A number without an exponent: in full if it is short, else rounded after the point.
 
     The last digit is worth less than a `count`, so that no two multiples of it, from any offset, have the same text.
     If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.

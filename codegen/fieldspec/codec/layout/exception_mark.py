@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ExceptionMark:
-    """The unsigned `number` of `size` bytes that exception responses have `offset` bytes behind the header."""
+    """The unsigned `number` of `size` bytes that exception responses have `offset` bytes after the header."""
 
     offset: int
     size: int

@@ -280,7 +280,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - parts_size
 
     def stop_of(last: int) -> int | None:
-        """The bound behind a part, None for the end of the frame."""
+        """The bound after a part, None for the end of the frame."""
         return sum(sizes[: last + 1]) if last < body else sum(sizes[: last + 1]) - parts_size or None
 
     escaped = link.escaped_span(direction)

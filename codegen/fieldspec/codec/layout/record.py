@@ -88,7 +88,7 @@ class FieldLayout:
 
     @property
     def end(self) -> int | None:
-        """The offset after the field, None if it goes on to the end of the data."""
+        """The offset after the field, None if it continues to the end of the data."""
         return None if self.count is None else self.offset + self.size * self.count
 
 
@@ -99,8 +99,8 @@ class RecordLayout:
     `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
     type, and `chosen` has the same record by the values of the selector, with the type that this value decides.
     `spans` are those of all fields where some vary in width; offsets and sizes of fields are then those in the image.
-    `inner_lists` are the lists where one has fields behind it. In `fields` they come last, and offsets are those in the
-    image too. `rooms` are those lists of an image that have another one behind them.
+    `inner_lists` are the lists where one has fields after it. In `fields` they come last, and offsets are those in the
+    image too. `rooms` are those lists of an image that have another one after them.
     """
 
     record: Record
@@ -181,7 +181,7 @@ class RecordLayout:
         return not self.has_differing and sum(field.count is None for field in self.fields) == 1
 
     def room_of(self, field: FieldLayout) -> InnerList | None:
-        """The room of a list in an image that has another list behind it, None for other fields."""
+        """The room of a list in an image that has another list after it, None for other fields."""
         return next((room for room in self.rooms if room.name == field.name), None)
 
     def rooms_before(self, field: FieldLayout) -> int:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Subcode:
-    """The field that tells messages of one code apart, `offset` bytes behind the header, and the messages by its value.
+    """The field that tells messages of one code apart, `offset` bytes after the header, and the messages by its value.
 
     It has `size` bytes. Its number is unsigned; a negative constant counts as the number with the same bits. A message
     has one number where the field is a constant, else all of its range.

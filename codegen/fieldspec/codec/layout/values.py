@@ -91,7 +91,7 @@ def raw_of(
             raw[name] = _field(device, name, known_fields[name], value)
         else:
             known_names = ", ".join([*known_parts, *known_fields])
-            raise MeaningError(name, f"there is no such field; there are {known_names}")
+            raise MeaningError(name, f"there is no such field; the fields are {known_names}")
     return raw
 
 

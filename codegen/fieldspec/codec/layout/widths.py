@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Span:
     """The bytes of a field: `size` in the image. `value` is None where as many are sent.
 
-    `end` is the byte that follows a value that varies in width; None where the record ends behind it, and where the
+    `end` is the byte that follows a value that varies in width; None where the record ends after it, and where the
     span number `count` has its bytes, plus `plus`, in the byte order `count_order`.
     """
 

@@ -17,7 +17,7 @@ WAITS, OPEN, NONE = -2, -1, 0
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """The number in a frame that counts what repeats, `offset` bytes behind its beginning."""
+    """The number in a frame that counts what repeats, `offset` bytes after its beginning."""
 
     offset: int
     size: int

@@ -65,7 +65,9 @@ class FrameCodec:
             return inner
         for index, char in enumerate(inner):
             if char not in b"0123456789ABCDEFabcdef":
-                raise CodecError("not_hex", f"byte {char:#04x} is not a hexadecimal character", len(shape.start) + index)
+                raise CodecError(
+                    "not_hex", f"byte {char:#04x} is not a hexadecimal character", len(shape.start) + index
+                )
         if len(inner) % 2:
             raise CodecError("wrong_length", "an odd number of characters", len(frame) - len(shape.end))
         return bytes.fromhex(inner.decode("ascii"))
@@ -193,7 +195,7 @@ class FrameCodec:
             return self.link.refused_message(code & ~error.flag), self.layout.records[error.record], True
         announced = self.link.message_with_code(code, shape.direction, inner, message)
         if announced is None and code in self.link.ambiguous_codes(shape.direction):
-            text = f"several messages have the code {code:#04x}, and only the request tells which one this is"
+            text = f"several messages have the code {code:#04x}, and only the request identifies the message"
             raise CodecError("unknown_code", text, part.offset)
         if announced is None:
             shared = self.link.subcodes(shape.direction).get(code)

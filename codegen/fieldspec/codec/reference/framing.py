@@ -66,7 +66,7 @@ class Framing:
         return "code" if has_code else ""
 
     def cut(self, blocks: Iterable[bytes]) -> Iterator[tuple[list[bytes], list[bytes]]]:
-        """The frames of each block of bytes, and those that the silence behind it shows."""
+        """The frames of each block of bytes, and those that the silence after it shows."""
         cuts: dict[str, Callable[[bytes, bool], Cut]] = {
             "delimiters": self._between_marks,
             "escape": self._escaped,

@@ -54,12 +54,12 @@ def stated_bytes(field: FieldLayout, values: Mapping[str, Any]) -> bytes:
 
 
 def bytes_of_value(device: Device, field: FieldLayout, value: Value, raw: Any) -> dict[str, Any]:
-    """The fields that carry a raw value: its bytes with zeros behind them, and what says how many count."""
+    """The fields that carry a raw value: its bytes with zeros after them, and what says how many count."""
     return field_of_bytes(field, data_of_value(value, raw, *orders_of(device, field, value)))
 
 
 def field_of_bytes(field: FieldLayout, data: bytes) -> dict[str, Any]:
-    """The fields that carry the bytes of a value: the bytes with zeros behind them, and what says how many count."""
+    """The fields that carry the bytes of a value: the bytes with zeros after them, and what says how many count."""
     fields: dict[str, Any] = {field.name: data.ljust(field.size, b"\0")}
     part = field.value.parameter if field.value is not None else None
     if field.sizes and part is not None and part.sizes is not None:

@@ -86,11 +86,11 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
 
 
 def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, device: Device, offset: int) -> Values:
-    """The values of a record with fields behind a list. Raises CodecError with the place in the data."""
+    """The values of a record with fields after a list. Raises CodecError with the place in the data."""
     extents, fault = inner.extents_in(data)
     if fault is not None:
         raise CodecError(
-            fault.reason, f"{inner.lists[len(extents)].name} has another number of bytes", offset + fault.at
+            fault.reason, f"{inner.lists[len(extents)].name} has a different number of bytes", offset + fault.at
         )
     try:
         values = decoded(record.image, inner.image_of(data, extents), device)
@@ -325,7 +325,7 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
 
 
 def _encoded_text(name: str, value: Value, text: Any) -> Any:
-    """A text as its construct takes it: as characters, or filled up, where ASCII has zeros behind it."""
+    """A text as its construct takes it: as characters, or filled up, where ASCII has zeros after it."""
     if isinstance(text, str):
         fault = text_refusal(value, "big", text)
         if fault is not None:

@@ -35,7 +35,7 @@ def _struct(record: RecordLayout) -> construct.Struct:
 
 
 def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
-    """A list with something behind it: as many elements as another field says, in its room in an image."""
+    """A list with something after it: as many elements as another field says, in its room in an image."""
     measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
     name = next(other.name for other in record.fields if other.field.measures is measure)
     unit = field.size if measure.of == "bytes" else 1

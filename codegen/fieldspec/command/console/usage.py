@@ -26,7 +26,7 @@ def unknown(kind: str, name: str, known: Iterable[str], limit: int = 20) -> Usag
     if matches:
         hint = f"did you mean {matches[0]}?"
     elif names and len(names) <= limit:
-        hint = f"there are {', '.join(names)}"
+        hint = f"choose from {', '.join(names)}"
     elif names:
         nearest_names = difflib.get_close_matches(name, names, _NEAREST, 0.0) or names[:_NEAREST]
         hint = f"the nearest of {len(names)} are {', '.join(nearest_names)}"

@@ -203,7 +203,7 @@ def _scalars(node: Node) -> Iterator[tuple[str | int, Scalar]]:
 
 
 def _numbers(word: TypedWord, key: str) -> Iterator[Suggestion]:
-    """The next number behind that of the item before; for an address, those that are free."""
+    """The next number after that of the item before; for an address, those that are free."""
     nodes, keys = word.place.nodes, word.place.keys
     if len(nodes) < 3:
         return

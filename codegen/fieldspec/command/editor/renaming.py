@@ -32,7 +32,7 @@ def renaming(place: Cursor, new_name: str) -> list[Span]:
     spans = list(dict.fromkeys(span for fact in meant(place) for span in _spans(fact) if _text(span) == old_name))
     for span in spans:
         if span.file.path in project.origins.values():
-            raise UsageError(f"{old_name} is in a protocol that is installed, which nobody changes here")
+            raise UsageError(f"{old_name} belongs to an installed protocol, which cannot be changed here")
         if project.file(span.file.path) is not span.file:
             raise UsageError(f"{span.file.path} cannot be read as it is now: correct what is marked there first")
     _judge(place, spans, new_name)

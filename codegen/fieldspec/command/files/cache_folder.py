@@ -35,7 +35,7 @@ MOST = 100
 def folder() -> str:
     """The folder: FIELDSPEC_CACHE, or where the system keeps caches. Raises OSError for a user without a home."""
     if stated_folder := os.environ.get(VARIABLE):
-        return stated_folder.rstrip(os.sep) or stated_folder  # behind a link, a separator would lead to its target
+        return stated_folder.rstrip(os.sep) or stated_folder  # after a link, a separator would lead to its target
     home = os.path.expanduser("~")
     if home == "~":
         raise FileNotFoundError("this user has no home")

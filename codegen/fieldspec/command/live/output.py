@@ -95,7 +95,7 @@ def confirmed(arguments: argparse.Namespace) -> bool:
     if arguments.yes:
         return True
     if not can_ask(arguments):
-        raise UsageError("nothing is written: confirm what stands above with --yes")
+        raise UsageError("nothing is written: confirm the list above with --yes")
     print_document("Write? [y/N] ", sys.stderr)
     if sys.stdin.readline().strip().lower() in ("y", "yes"):
         return True

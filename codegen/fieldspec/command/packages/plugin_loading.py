@@ -102,7 +102,9 @@ def _refuse_content(plugin: Plugin, path: str, content: str | Workbook) -> None:
         try:
             content.encode("utf-8")
         except UnicodeError:
-            raise plugin.error(f"the content of {path} is not a text in UTF-8: it has half of a surrogate pair") from None
+            raise plugin.error(
+                f"the content of {path} is not a text in UTF-8: it has half of a surrogate pair"
+            ) from None
         return
     from fieldspec.tools.lists.workbook_writer import packed
 

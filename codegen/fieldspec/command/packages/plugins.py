@@ -116,7 +116,7 @@ def _searched() -> tuple[Plugin, ...]:
         if not _entries(distribution):
             continue  # reading the name as well would take longer than all else
         package = distribution.metadata["Name"]
-        imported = next(iter(distributions(name=package, path=folders)), distribution)  # an older copy may be behind
+        imported = next(iter(distributions(name=package, path=folders)), distribution)  # an older copy may be after
         for entry in _entries(imported):
             rows.add((entry.group, entry.name, entry.value, package, imported.version))
     return tuple(Plugin(*row) for row in sorted(rows))

@@ -206,7 +206,7 @@ def fact_details(device: Device, fact: Fact) -> Details:
     for key, reason in fact.inferred.items():
         yield "inferred", f"{key}: {reason}"
     if fact.unverified:
-        yield "unverified", "nobody has compared it with the manual yet"
+        yield "unverified", "not compared with the manual yet"
     for key, reason in fact.allowed.items():
         yield "allowed", f"{key}: {reason}"
     for general in device.notes:

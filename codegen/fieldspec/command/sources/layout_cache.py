@@ -123,7 +123,7 @@ HOMES = ("fieldspec.language.model.", "fieldspec.codec.layout.", "fieldspec.foun
 
 
 def to_json(root: object) -> bytes:
-    """An object, and all objects in it, as lines of JSON behind their seal. Of source files, only paths are stored."""
+    """An object, and all objects in it, as lines of JSON after their seal. Of source files, only paths are stored."""
     lines = _Freezing().lines(root)
     return _seal(lines) + b"\n" + lines
 
@@ -140,7 +140,7 @@ def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
     """
     seal, _, sealed_lines = content.partition(b"\n")
     if seal != _seal(sealed_lines):
-        raise ValueError("the lines are not those of a layout")
+        raise ValueError("the lines are not a layout")
     head, *lines = sealed_lines.decode().split("\n")
     classes, files = _parse_line(head)
     if not all(name.startswith(HOMES) for name in classes):

@@ -148,7 +148,7 @@ class SpecState:
     def spec(self, device: str) -> DeviceSpec:
         """The spec of a device. Raises UsageError where there is none."""
         if device not in self.project.devices:
-            raise UsageError(f"{self.name} holds no device {device}; there are {', '.join(self.project.devices)}")
+            raise UsageError(f"{self.name} holds no device {device}; choose from {', '.join(self.project.devices)}")
         return self.project.devices[device]
 
     def at(self, device: str, version: str) -> Device:

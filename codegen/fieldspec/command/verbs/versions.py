@@ -23,7 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
     device, _ = spec.at(version)
     counts = {bound: Counter(_named(spec.tree, bound)) for bound in _BOUNDS}
     if not device.lines:
-        print_blocks([Line(f"{device.name} has one version, {version}: its manual speaks of no other")])
+        print_blocks([Line(f"{device.name} has one version, {version}: its manual mentions no other")])
         return 0
     for number, line in enumerate(device.lines):
         rows = [

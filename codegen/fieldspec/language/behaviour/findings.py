@@ -90,7 +90,7 @@ def _unstated(behaviour: Behaviour) -> Iterator[Diagnostic]:
             text = f"{part.name} does not say where the manual states it"
             yield Diagnostic(_STATED, text, part.place["name"], help="add `source`")
         elif not part.sources and not part.assumed and not part.standard:
-            text = f"{part.name} rests on nothing"
+            text = f"{part.name} cites no source and states no assumption"
             help = "add `source`, `standard`, or `assumed` with what the manual does not print"
             yield Diagnostic(_STATED, text, part.place["name"], help=help)
 

@@ -153,7 +153,7 @@ class Behaviour:
         return next((part for part in self.parts if part.kind == kind and part.name == name), None)
 
     def statements(self) -> list[Part]:
-        """The parts in the order in which the manual states them; behind them those that it does not state."""
+        """The parts in the order in which the manual states them; after them those that it does not state."""
         first = {
             id(part): min((low for source in part.sources for low, _ in source.lines), default=inf)
             for part in self.parts

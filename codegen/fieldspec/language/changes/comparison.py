@@ -252,7 +252,7 @@ class _Offsets:
     """The offsets of fields, or of parts of a frame, by their identity in memory, and their size.
 
     An offset is a run and a number of bytes: a frame has one run before its body, and one from there on; fields have
-    one up to each list that goes on to the end or that another field measures, and one behind the last of these.
+    one up to each list that goes on to the end or that another field measures, and one after the last of these.
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
@@ -270,13 +270,13 @@ class _Offsets:
         self.size = size, is_open
 
     def text(self, item: Any) -> str:
-        """The offset of a field or a part: `4`, or `0 behind samples`."""
+        """The offset of a field or a part: `4`, or `0 after samples`."""
         run, offset = self.by_identity[id(item)]
-        return f"{offset} behind {self.lists[run]}" if 0 < run < len(self.lists) else str(offset)
+        return f"{offset} after {self.lists[run]}" if 0 < run < len(self.lists) else str(offset)
 
 
 def _end_of_run(index: int, item: Any) -> int | None:
-    """Where the first run ends, if it does so at an item: before the body of a frame, and behind a list."""
+    """Where the first run ends, if it does so at an item: before the body of a frame, and after a list."""
     if isinstance(item, Part):
         return index if item.role == "body" else None
     return index + 1 if isinstance(item, Field) and item.repeat is not None else None
@@ -299,7 +299,7 @@ def _apart(old: _Offsets, new: _Offsets, pair: Pair[Any]) -> tuple[str, str]:
     if before != after:
         return before, after
     runs = old.by_identity[id(pair.old)][0], new.by_identity[id(pair.new)][0]
-    before, after = (f"{before} {'behind' if run else 'before'} the body" for run in runs)
+    before, after = (f"{before} {'after' if run else 'before'} the body" for run in runs)
     return before, after
 
 

@@ -53,7 +53,7 @@ def named(item: Any) -> str:
 
 
 def within(container: Any) -> str:
-    """The container behind a name: ` of status`, or nothing for the device itself."""
+    """The container after a name: ` of status`, or nothing for the device itself."""
     return "" if isinstance(container, Device) else f" of {named(container)}"
 
 

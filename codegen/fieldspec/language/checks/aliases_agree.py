@@ -69,7 +69,7 @@ def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic
     if _elements(field) != _elements(same):
         key, related_label = _elements_key(field), label(same.place, _elements_key(same), f"in {same.name}")
         yield finding(
-            "aliases_agree", field.place, key, f"{text}, but has another number of elements", _HELP, related_label
+            "aliases_agree", field.place, key, f"{text}, but has a different number of elements", _HELP, related_label
         )
     mine = field.value.const if field.value is not None else None
     if mine is not None and same.value is not None and mine != same.value.const:

@@ -53,7 +53,7 @@ def _no_address(device: Device, table: Table, register: Register, extent: int) -
     ):
         return f"its `range` lets elements be outside of {space.name}"
     if table.base not in value.ranges:
-        return f"its `range` does not have the base 0x{table.base:04X}"
+        return f"its `range` does not include the base 0x{table.base:04X}"
     if value.default not in (None, table.base):
         return f"its `default` is {value.default}, and the base 0x{table.base:04X}"
     is_apart = device.space_name(register.space) != device.space_name(table.space)

@@ -55,7 +55,7 @@ def _check_place(layer: Record, field: Field) -> Iterator[Diagnostic]:
         help = (
             "list the fields in the order of the wire"
             if selector in [other.name for other in layer.fields[layer.fields.index(field) :]]
-            else f"where the device has fields behind it, write a message for each case, with a `const` for {selector}"
+            else f"where the device has fields after it, write a message for each case, with a `const` for {selector}"
         )
         yield finding(_CODE, field.place, "choice", text, help, related_label)
     if field.count is not None:

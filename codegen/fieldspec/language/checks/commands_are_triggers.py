@@ -34,11 +34,11 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
         if fact.trigger or fact.reserved:
             continue
         if fact.access == "wo":
-            text, key = f"{fact.name} can only be written, and is not a trigger", "access"
+            text, key = f"{fact.name} can only be written, but is not a trigger", "access"
         elif fact.access == "rw" and fact.value.const is not None:
-            text, key = f"{fact.name} can only be written with {fact.value.const}, and is not a trigger", "const"
+            text, key = f"{fact.name} can only be written with {fact.value.const}, but is not a trigger", "const"
         elif fact.access != "ro" and not fact.value.flags and (roles := _ACTIONS.intersection(fact.roles)):
-            text, key = f"{fact.name} has the role {min(roles)}, and is not a trigger", "name"
+            text, key = f"{fact.name} has the role {min(roles)}, but is not a trigger", "name"
         else:
             continue
         help = "set `trigger: true`, or correct the access"

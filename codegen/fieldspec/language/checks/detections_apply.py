@@ -29,7 +29,7 @@ _CODE = "detections_apply"
 _EARLIER = "before-"
 _DECIMAL = re.compile("[0-9]{1,9}")
 _HEXADECIMAL = re.compile("[0-9A-F]{1,9}")
-_HELP = "correct `form` and `places`, write the version with as many digits, or list its values under `detected_as`"
+_HELP = "correct `form` and `places`, write the version with the same number of digits, or add `detected_as`"
 
 
 def detections_apply(device: Device) -> Iterator[Diagnostic]:
@@ -38,7 +38,7 @@ def detections_apply(device: Device) -> Iterator[Diagnostic]:
         if detection is not None:
             yield from _of_detection(device, line, detection)
         elif any(version.detected_as for version in line.versions):
-            text = f"no value tells the version of {line.name}, so `detected_as` does not apply"
+            text = f"no value identifies the version of {line.name}, so `detected_as` does not apply"
             yield finding(_CODE, device.place, "id", text, "state `detected_by` in the line, or remove `detected_as`")
     chosen = device.detection
     for line in device.lines:
@@ -63,13 +63,13 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
     is_request = getattr(fact, "access", "") == "wo" or "/request/" in detection.fact
     if not isinstance(value, Value) or not (is_count(value.encoding) or is_text(value.encoding)):
         text = f"{detection.fact} is neither a whole number nor a text"
-        yield finding(_CODE, detection.place, "fact", text, "name the value that tells the version")
+        yield finding(_CODE, detection.place, "fact", text, "name the value that identifies the version")
         return
     if is_request:
         text = f"{detection.fact} cannot be read"
         yield finding(_CODE, detection.place, "fact", text, "name a value that the device sends")
     elif getattr(fact, "access", "") == "rw":
-        text = f"{detection.fact} can be written, so it seldom tells the version"
+        text = f"{detection.fact} can be written, so it seldom identifies the version"
         help = (
             "name the value of the firmware, or correct the access; if it does, allow this with a reason at the value"
         )
@@ -86,7 +86,7 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
     for version in line.versions:
         for item in version.detected_as:
             if isinstance(item, int) is not number or (isinstance(item, int) and not _holds(value, item)):
-                text = f"{detection.fact} cannot be {item}, which is to tell {version.id}"
+                text = f"{detection.fact} cannot be {item}, which must identify {version.id}"
                 yield finding(_CODE, detection.place, "fact", text, f"correct `detected_as` of {version.id}")
             elif other := _read_as(detection, item, [v.id for v in line.versions if v is not version]):
                 text = f"{item} tells {version.id}, and is {other} in the form {detection.form}"
@@ -125,7 +125,7 @@ def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> I
         if isinstance(number, str):
             yield finding(_CODE, detection.place, "form", f"no number tells {version.id}: {number}", _HELP)
         elif bound == version.id and not _holds(value, number):
-            text = f"{detection.fact} cannot be {number}, which is to tell {version.id}"
+            text = f"{detection.fact} cannot be {number}, which must identify {version.id}"
             yield finding(_CODE, detection.place, "fact", text, _HELP)
 
 

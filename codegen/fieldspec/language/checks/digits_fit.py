@@ -84,7 +84,7 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if isinstance(fact, Part) and (not is_count(kind.encoding) or is_signed(kind.encoding)):
         return  # the type is refused anyway, by `_of_part` or by other rules, and a wider one of its kind would be too
     if not _has_digits(kind):
-        text = f"{fact.name} is {kind.name}, and digits are those of a whole number of 8, 16, 32 or 64 bits"
+        text = f"{fact.name} is {kind.name}, but digits need a whole number of 8, 16, 32 or 64 bits"
         yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
     elif value.places and value.digits != "decimal":
         text = f"{fact.name} has {value.places} places, which only decimal digits have"
@@ -100,7 +100,7 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(_CODE, fact.place, "length", text, "count the sign, the point and all digits")
     elif is_signed(kind.encoding) and value.digits.endswith("hex") and digit_count(value) != 2 * kind.size:
         text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
-        yield finding(_CODE, fact.place, "length", text, "use the type with as many digits")
+        yield finding(_CODE, fact.place, "length", text, "use the type with the same number of digits")
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
         yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
@@ -144,7 +144,7 @@ def _wider(fact: Fact, value: Value) -> str:
     wide = (bits for bits in (16, 32, 64) if digit_bounds(value)[1] < 1 << bits - signed)
     bits = next(wide, 0)
     if not 0 < bits <= greatest:
-        return "correct `length`: no type has all numbers of so many digits"
+        return "correct `length`: no type holds all numbers with this number of digits"
     return f"use `{'i' if signed else 'u'}{bits}`, with a range"
 
 

@@ -99,7 +99,7 @@ def near(word: str, known: Collection[str]) -> str:
     close = get_close_matches(word, names, 1)
     if close:
         return f"did you mean `{close[0]}`?"
-    return f"there are {enumeration([f'`{name}`' for name in names])}" if names else "define it first"
+    return f"choose from {enumeration([f'`{name}`' for name in names])}" if names else "define it first"
 
 
 def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:

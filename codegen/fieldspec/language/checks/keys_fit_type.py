@@ -107,7 +107,7 @@ def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     cure = (
         "state it at the bits that it concerns"
         if value.flags
-        else "remove it; a number that is not a quantity can be a special value, under `sentinels`"
+        else "remove it; list a number with a special meaning under `sentinels`"
     )
     for key in keys:
         if _has(value, key):

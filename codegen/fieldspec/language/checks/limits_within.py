@@ -49,7 +49,7 @@ def limits_within(device: Device) -> Iterator[Diagnostic]:
 
 
 def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
-    """How long the longest frame behind a limit takes on the line, in its unit to two places, and what to say of it."""
+    """How long the longest frame after a limit takes on the line, in its unit to two places, and what to say of it."""
     scale = _SECOND.get(limit.unit)
     if not limit.transmits or scale is None:
         return Decimal(0), ""

@@ -134,7 +134,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
         if part.role in _NUMBERS:
             role = part.role.replace("_", " ")
             text = f"the {role} {part.name} comes after the body"
-            help = f"list it before the body: no output can read a frame whose {role} comes behind the data"
+            help = f"list it before the body: no output can read a frame whose {role} follows the data"
             yield finding(_CODE, part.place, "name", text, help)
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
             text = f"{part.name} comes after the body, but nothing states its value"

@@ -20,7 +20,7 @@ from fieldspec.language.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class Addressed:
-    """A value that begins `skip` bytes behind an address, and the fact that it belongs to.
+    """A value that begins `skip` bytes after an address, and the fact that it belongs to.
 
     `access` is empty where not printed; `holder` is the fact that states it: the register, the field or its table.
     """

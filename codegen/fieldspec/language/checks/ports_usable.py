@@ -30,7 +30,7 @@ def ports_usable(device: Device) -> Iterator[Diagnostic]:
             continue
         for protocol, port in link.ports:
             if protocol == "tcp" and any(not _is_ended(link, direction) for direction in ("request", "response")):
-                text = f"nothing tells where a frame of {link.name} ends in a TCP connection"
+                text = f"the end of a {link.name} frame in a TCP connection is unknown"
                 help = "state `udp` in place of `tcp` if each datagram is a frame"
                 yield finding(_CODE, link.place, "network", text, help)
             owner = owners.setdefault((protocol, port), link.name)

@@ -58,7 +58,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
         return
     untold = sizes.untold(inner)
     if untold is not None:
-        text = f"{inner.name} has no fixed size, and nothing in it tells where {untold.name} ends"
+        text = f"{inner.name} has no fixed size, and nothing in it marks the end of {untold.name}"
         help = (
             "let a field of it, a `u8` or `u16` before it, count it with `measures`, or let a message have its fields"
         )
@@ -71,7 +71,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
 
 
 def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Iterator[Diagnostic]:
-    """The findings of what is behind a list, or behind a record that differs in size."""
+    """The findings of what is after a list, or after a record that differs in size."""
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
     counts = [
@@ -81,7 +81,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
     is_open = field.repeat is not None and (varying is not None or not is_body)
     last = varying or later_fields[-1]
     if is_open and not counts:
-        problem = "behind it has no fixed size" if varying is not None else "comes after it in a record"
+        problem = "after it has no fixed size" if varying is not None else "comes after it in a record"
         text = f"nothing says where {field.name} ends, as {last.name} {problem}"
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
@@ -91,7 +91,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         yield finding(_CODE, counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
     for other in later_fields:
         if other.choice is not None:
-            text = f"{other.name} has several types behind {field.name}, which has no fixed size"
+            text = f"{other.name} has several types after {field.name}, which has no fixed size"
             related_label = label(field.place, "name", "has no fixed size")
             yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", related_label)
         for key in ("span", "word_span"):
@@ -101,7 +101,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
 
 
 def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Iterator[Diagnostic]:
-    """The finding of a list with fields behind it, or of a record that differs in size, where a last list may be."""
+    """The finding of a list with fields after it, or of a record that differs in size, where a last list may be."""
     last = layer.fields[-1]
     problem = f"{last.name} comes after {field.name}" if last is not field else f"{field.name} differs in size"
     if message is not None and (message.accesses is not None or message.access_steps):

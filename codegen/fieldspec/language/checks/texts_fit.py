@@ -60,7 +60,9 @@ def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
         text = f"{fact.name} is packed ASCII, which does not have the character that ends it"
         yield finding(_CODE, fact.place, "terminator", text, "use a character from the space to `_`, or remove it")
     elif form.is_turned and value.size % 2:
-        text = f"{fact.name} has {plural(value.size, 'byte')}, and `byte_order: little` exchanges those of whole words"
+        text = (
+            f"{fact.name} has {plural(value.size, 'byte')}, but `byte_order: little` exchanges bytes within whole words"
+        )
         yield finding(_CODE, fact.place, "byte_order", text, "correct the length, or remove `byte_order`")
     elif form.is_right and form.terminator is not None:
         text = f"{fact.name} ends before what fills it up, and cannot be on the right"

@@ -97,7 +97,7 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
             text = f"{symbol} has a factor, but no quantity, so that nothing is converted to it"
             yield finding(_CODE, own.place, "factor", text, "state the `quantity` that the unit measures")
         if own.ucum and not is_code(own.ucum):
-            text = f"`{own.ucum}` is not a code of UCUM: symbols with exponents, joined by `.` and `/`"
+            text = f"`{own.ucum}` is not a UCUM code, which has symbols with exponents, joined by `.` and `/`"
             yield finding(_CODE, own.place, "ucum", text, "write it as `mm/{rev}`, `m/s2` or `kg.m2`, or remove it")
     known = {*declared, *standard_units()}
     stated: list[tuple[Fact, str]] = [(fact, value.quantity_unit) for fact, value in values(device)]

@@ -11,7 +11,7 @@ read as a part of it.
 Example: `{name: weight, type: u32, digits: decimal, length: 8, varies: true}` before a `u16`.
 
 Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or once as the `separator` of all
-fields; `{name: end, type: u8, const: 0}` for a zero behind a text; or its number of bytes before it,
+fields; `{name: end, type: u8, const: 0}` for a zero after a text; or its number of bytes before it,
 `{name: length, type: u8, measures: {bytes: label}}`. Remove `varies` where the manual prints a fixed number of
 characters.
 """

@@ -241,7 +241,7 @@ def is_odd(encoding: Encoding) -> bool:
 
 
 def has_single_bytes(encoding: Encoding) -> bool:
-    """Whether each value has bytes of its own: no other bytes behind the end of a text, and no second zero."""
+    """Whether each value has bytes of its own: no other bytes after the end of a text, and no second zero."""
     match encoding:
         case Whole():
             return not encoding.sign.has_two_zeros

@@ -27,7 +27,7 @@ class Escape:
     zeros; the data.
 
     `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
-    each occurrence of `pattern`; the search begins anew behind it. `add` sends each byte plus `inserted`, without the
+    each occurrence of `pattern`; the search begins anew after it. `add` sends each byte plus `inserted`, without the
     carry. Lengths and checksums among these parts are those of the original bytes, all others those of the bytes that
     are sent. Empty names are the first and the last part.
     """
@@ -85,7 +85,7 @@ class Escape:
         if offset == 4:
             return f"a CAN frame has at most {CAN_DATA} bytes of data, not {data[4]}"
         if offset == 5:
-            return "the three bytes behind the number of the data are not zero"
+            return "the three bytes after the data length are not zero"
         return f"it is not a CAN frame with an identifier of {self.bits} bits"
 
     def byte_text(self, position: int) -> str:

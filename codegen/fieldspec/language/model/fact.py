@@ -116,7 +116,7 @@ class Fact:
     """The name, the print, the sources and the caveats of a fact. `roles` are words of the schema.
 
     `inferred` has the reason, and `standard` the clause, for each key that the manual does not print; `reported` is
-    what others say. `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one
+    what others say. `unverified` says that not compared with the manual yet. `since` and `until` have one
     version for each line that they are about.
     """
 

@@ -33,7 +33,7 @@ class Part(Fact):
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
     response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier. The
-    computation of `algorithm` begins behind the `prefix` and ends behind the `suffix`; `stated_algorithm` is the one
+    computation of `algorithm` begins after the `prefix` and ends after the `suffix`; `stated_algorithm` is the one
     that the spec states.
     """
 

@@ -50,7 +50,7 @@ class Field(Fact):
 
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
     places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
-    that `is_separator` stands for a byte of the record's `separator`, behind one of its fields.
+    that `is_separator` stands for a byte of the record's `separator`, after one of its fields.
     """
 
     value: Value | None

@@ -82,7 +82,7 @@ MOST_PLACES = 22
 
 
 def power_of_ten(scale_by: str) -> str:
-    """The scale whose exponent is in a register, as texts write it behind a count: the sign `times`, `10^power_sf`."""
+    """The scale whose exponent is in a register, as texts write it after a count: the sign `times`, `10^power_sf`."""
     return f"\N{MULTIPLICATION SIGN}10^{scale_by}"
 
 

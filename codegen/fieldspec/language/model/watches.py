@@ -41,7 +41,7 @@ class Watch:
 def watches(device: Device, operands: Operands, task: Task, message: str = "") -> list[Watch]:
     """What a task is watched by: no alarm, and where it moves, the servo.
 
-    What shows them is what the tasks that reset the alarm and switch the servo on wait for behind their commands. What
+    What shows them is what the tasks that reset the alarm and switch the servo on wait for after their commands. What
     switches on looks at the first of it alone: an emergency stop, which a reset ends too, does not refuse it.
     """
     kinds = {"reset_alarm": "alarm"} if task.kind in (*MOVING, "servo_on") else {}
@@ -85,7 +85,7 @@ def is_command(task: Task, index: int) -> bool:
 
 
 def last_command(task: Task) -> int:
-    """The step behind which a task only looks at the device; -1 where it only looks."""
+    """The step after which a task only looks at the device; -1 where it only looks."""
     return max((index for index in range(len(task.steps)) if is_command(task, index)), default=-1)
 
 
@@ -96,7 +96,7 @@ def shows_acceptance(operands: Operands, step: Step, message: str = "") -> bool:
 
 
 def acceptance(operands: Operands, task: Task, message: str = "") -> int:
-    """The step behind which the device has accepted the command of a task that moves.
+    """The step after which the device has accepted the command of a task that moves.
 
     That is the wait for what shows it or, where nothing does, the last command before the device is looked at.
     """

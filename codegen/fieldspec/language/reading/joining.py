@@ -112,7 +112,7 @@ def _misspelt(base: Node, override: Node, is_inside: bool = False) -> Iterator[D
             if name in entries:
                 yield from _misspelt(entries[name], item, True)
             elif is_inside and (like := _similar_name(name, free)) and isinstance(item, Mapping):
-                text = f"`{name}` is none of the protocol's here, and would be added behind them"
+                text = f"`{name}` is not a name of the protocol here, and would be added after its names"
                 help = f"did you mean `{like}`? Another one needs a name that is less like it"
                 yield Diagnostic("references_resolve", text, item.values.get("name", item).span, help=help)
 

@@ -1,4 +1,4 @@
-"""What names in a tree mean behind the facts that a path finds: bits, fields of records, roles, and named values."""
+"""What names in a tree mean after the facts that a path finds: bits, fields of records, roles, and named values."""
 
 from __future__ import annotations
 

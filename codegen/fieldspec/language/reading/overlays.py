@@ -63,7 +63,7 @@ def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
 
 
 def _stating(tree: Mapping, overlay: Mapping) -> Mapping:
-    """The tree with the entries of an overlay, in one list behind those of the versions that it is based on."""
+    """The tree with the entries of an overlay, in one list after those of the versions that it is based on."""
     before = tree.values.get("changes")
     entries = [*before.items] if isinstance(before, Sequence) else []
     for part in OVERLAY_PARTS:

@@ -191,7 +191,7 @@ def _replaced(tree: Mapping, file: SourceFile, change: _Change, items: tuple[Nod
 
 
 def _move(node: Node, file: SourceFile, end: int, shift: int) -> None:
-    """Moves a node and all below it to their places in a file: what was behind the `end` of the old lines."""
+    """Moves a node and all below it to their places in a file: what was after the `end` of the old lines."""
     node.file = file
     if node.end >= end:
         node.end += shift

@@ -311,7 +311,7 @@ class Lines:
                 text = f"no version is within {' and '.join(f'`{key}`' for key in bounds)}"
                 if any(self._holds(node, version) for version in versions):
                     text += " and the bounds of what holds this"
-                help = "correct the bounds, or remove what no version has"
+                help = "correct the bounds, or remove the entry"
                 yield Diagnostic("version_never", text, node.values[bounds[0]].span, help=help)
                 return
 

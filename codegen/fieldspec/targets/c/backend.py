@@ -233,7 +233,7 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], li
 
 
 def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> tuple[str, str]:
-    """The constants of declarations, and the rest of them, each behind an empty line; empty where there is none."""
+    """The constants of declarations, and the rest of them, each after an empty line; empty where there is none."""
     if isinstance(block, FactBlock):
         declare = block.declare
         return piece(

@@ -27,7 +27,7 @@ _ESCAPED = re.compile(r'[^ -~]|[\\"?]')
 
 @lru_cache(maxsize=_CACHE_SIZE)
 def string(text: str) -> Literal:
-    """A string in UTF-8. Octal escapes have three digits, so that no digit behind them joins in."""
+    """A string in UTF-8. Octal escapes have three digits, so that no digit after them joins in."""
     return Literal(f'"{_ESCAPED.sub(_escape, text)}"')
 
 

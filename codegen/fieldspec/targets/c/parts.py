@@ -46,7 +46,7 @@ def part_value(part: PartLayout) -> WireValue:
 
 
 def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
-    """`in + 2`, or behind the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
+    """`in + 2`, or after the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
     return add(pointer, decimal(part.offset) if part.offset >= 0 else add_size(total, part.offset))
 
 

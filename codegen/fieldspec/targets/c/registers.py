@@ -242,7 +242,7 @@ def _address_function(
         Variable(Type("uint32_t"), "number"),
         Variable(Type("uint16_t", pointer=True), "address"),
     )
-    start = " The first one is at `base`, behind which all must fit." if moving is not None else ""
+    start = " The first one is at `base`, after which all must fit." if moving is not None else ""
     return [
         comment(f"The address of {subject}; other numbers are refused.{start}"),
         Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),

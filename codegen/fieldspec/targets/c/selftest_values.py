@@ -187,7 +187,7 @@ def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statemen
 def _test_last(
     naming: Naming, function: str, kind: str, result: str, last: int, expected: int, before: tuple[Expression, ...] = ()
 ) -> Block:
-    """What a function from numbers to addresses gives for the last number, and that it refuses the one behind it."""
+    """What a function from numbers to addresses gives for the last number, and that it refuses the one after it."""
     variable = Identifier(result)
 
     def result_of(number: int) -> Call:

@@ -45,7 +45,7 @@ class Declarations:
     """What is declared for a device, in the order in which it can be.
 
     `structs` hold values, for programs; `images` are what lies on the wire, the process data of telegrams and whatever
-    else is in the dialect's memory as it is there. Each stands behind those that lie in it. `world` has the same names
+    else is in the dialect's memory as it is there. Each follows those that lie in it. `world` has the same names
     for the routines. `status` is also the first one of `enums`. `findings` are the errors that forbid an output, and
     the warnings of what it leaves out, the `omissions`.
     """

@@ -224,7 +224,7 @@ _IDENTIFIER = re.compile("[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
 class Scope:
     """Names that must differ, whatever the case of their letters. `what` says what they are names of.
 
-    Names are taken in the order of the spec, so that a new fact behind the others changes none of theirs.
+    Names are taken in the order of the spec, so that a new fact after the others changes none of theirs.
     """
 
     dialect: Dialect

@@ -14,7 +14,7 @@ _GREATEST_DECIMAL = (1 << 63) - 1
 def whole(literal: Whole) -> str:
     """A number; with its type where a compiler may take it for another one.
 
-    Not every compiler knows a sign behind the mark of the type, so it stands before it.
+    Not every compiler knows a sign after the mark of the type, so it stands before it.
     """
     value, kind, hexadecimal = literal.value, literal.type, literal.hexadecimal
     # Translators to C write decimal numbers without a suffix, and none beyond 63 bits has a type there.

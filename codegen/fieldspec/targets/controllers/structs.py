@@ -47,7 +47,7 @@ def places(size: int, order: str, swapped: bool) -> list[int]:
 class StructMember:
     """A member of a struct. `remark` is what a comment says of it.
 
-    In an image, `at` is its place in bytes behind the begin of the record, and `order` and `swapped` are as in a
+    In an image, `at` is its place in bytes after the begin of the record, and `order` and `swapped` are as in a
     layout; `bit` is its place within the byte where it is a BOOL. Elsewhere `at` is None.
     """
 
@@ -135,7 +135,7 @@ def bit_places(size: int, order: str, swapped: bool) -> Iterator[tuple[int, int,
 
 
 def bit_names(flags: Flags) -> dict[int, tuple[str, Fact]]:
-    """The name of each bit of a word that has one, and what states it; bits of a field have their numbers behind it."""
+    """The name of each bit of a word that has one, and what states it; bits of a field have their numbers after it."""
     names: dict[int, tuple[str, Fact]] = {}
     for bit in flags.bits:
         if bit.reserved:

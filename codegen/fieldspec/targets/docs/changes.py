@@ -44,7 +44,7 @@ COLUMNS = (
 MEANINGS = {
     Effect.WIRE: (
         "On the wire",
-        "Bytes have another meaning. Programs for the older version do not work correctly with the newer one.",
+        "Bytes have a different meaning. Programs for the older version do not work correctly with the newer one.",
     ),
     Effect.SOURCE: (
         "In the source code",
@@ -92,7 +92,7 @@ def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
 
 
 def page_name(version: str) -> str:
-    """The name of a version's page; those that other pages of the device have get an underscore behind them."""
+    """The name of a version's page; those that other pages of the device have get an underscore after them."""
     return f"{version}_" if version.lower() in (NAME, "index", "readme", "lab") else version
 
 

@@ -123,7 +123,7 @@ class Context:
         if fact.doc:
             yield (text_piece(fact.doc),)
         if fact.unverified:
-            yield (styled("unverified", "badge"), text_piece(" Nobody has compared it with the manual yet."))
+            yield (styled("unverified", "badge"), text_piece(" Not compared with the manual yet."))
         if fact.since:
             yield (styled(f"since {', '.join(fact.since)}", "badge"),)
         if fact.until:

@@ -41,10 +41,10 @@ COLUMNS = (
     TableColumn("Source", "source"),
 )
 EFFECTS = {
-    "bytes": ("Wrong bytes", "A reader who trusts the print gets wrong bytes."),
-    "range": ("Wrong range", "A reader who trusts the print gets a wrong range."),
-    "name": ("Wrong name", "A reader who trusts the print gets a wrong name."),
-    "ambiguous": ("Ambiguous", "A reader who trusts the print cannot decide."),
+    "bytes": ("Wrong bytes", "A reader who trusts the manual gets wrong bytes."),
+    "range": ("Wrong range", "A reader who trusts the manual gets a wrong range."),
+    "name": ("Wrong name", "A reader who trusts the manual gets a wrong name."),
+    "ambiguous": ("Ambiguous", "A reader who trusts the manual cannot decide."),
 }
 VERDICTS = ("proven", "judgement", "open")
 COUNTS = (

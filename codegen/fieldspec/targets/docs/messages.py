@@ -35,7 +35,7 @@ DIRECTIONS = ("request", "response")
 
 
 def messages(context: Context) -> Section:
-    """All messages by code, those without a code by their numbers behind them."""
+    """All messages by code, those without a code by their numbers after them."""
     inner = tuple(
         _message(context, message_layout) for message_layout in sorted(context.layout.messages.values(), key=_by_code)
     )

@@ -50,7 +50,7 @@ def value_cells(value: Value, inferred: Mapping[str, str], marks: Inferences) ->
 
 
 def _with(lines: list[Line], marks: Line) -> Cell:
-    """Lines with marks behind the first one."""
+    """Lines with marks after the first one."""
     if not marks:
         return cell(*lines)
     first = lines[0] if lines else ()

@@ -164,7 +164,7 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
 
 
 def _count_number(record: RecordLayout, room: InnerList, names: Names) -> str:
-    """The expression of the number in an image that counts a list which has another one behind it."""
+    """The expression of the number in an image that counts a list which has another one after it."""
     count = record.named(room.count)
     assert count is not None
     return slot_of(count, names).number("o", count.offset)

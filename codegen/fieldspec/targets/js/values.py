@@ -108,7 +108,7 @@ class Slot:
     def _form(self, digits: Digits) -> str:
         """The arguments for digits: bytes, characters that they may be, places, whether there is a sign, and bits.
 
-        Behind blanks, digits are decimal: bytes, places, and whether there may be a sign.
+        After blanks, digits are decimal: bytes, places, and whether there may be a sign.
         """
         if digits.has_blanks:
             return f"{digits.size}, {digits.places}, {flag(digits.number.sign.is_signed)}"

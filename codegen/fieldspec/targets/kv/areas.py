@@ -18,7 +18,7 @@ from fieldspec.language.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class PlacedValue:
-    """A value of `size` bytes that begins `start` bytes behind the begin of its area, as on the wire.
+    """A value of `size` bytes that begins `start` bytes after the begin of its area, as on the wire.
 
     There are `elements` of it, `stride` bytes apart, the first numbered `first`. `order` and `swapped` are as in a
     layout. `value` is None for a check. `case` says when the value lies there, `fixed` is what it always is. `reserved`

@@ -80,7 +80,7 @@ def shared() -> dict[str, str]:
 
 
 def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:
-    """The areas with the numbers of their first words, one behind the other."""
+    """The areas with the numbers of their first words, one after the other."""
     address = dialect.base
     for area in areas(layout):
         yield address, area

@@ -12,7 +12,7 @@ class WordDialect:
     """`letters` are those of its data memory, `base` the number of the first word that is used, `last` the last one.
 
     Areas begin at multiples of `step`. A comment has at most `width` characters of ASCII. A value of 32 bits has its
-    less significant word first where `low_word_first` is set. `suffixes` are what its instructions write behind a
+    less significant word first where `low_word_first` is set. `suffixes` are what its instructions write after a
     device for a type.
     """
 

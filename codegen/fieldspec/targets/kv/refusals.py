@@ -20,7 +20,9 @@ def register_refusals(layout: DeviceLayout) -> Iterator[Refusal]:
         space = layout.device.space(group.space)
         if space.unit == WORD:
             continue
-        text = f"an address of the registers in {group.name} is a {space.unit}, and a word map has one register a word"
+        text = (
+            f"an address of the registers in {group.name} is a {space.unit}, and a word map has one register per word"
+        )
         finding = Diagnostic("output_registers_words", text, group.place["group"], help=LEAVE_OUT)
         for register in group.registers:
             yield Refusal(register, finding)

@@ -76,12 +76,12 @@ def cyclic_view(names: ClientNames, operands: Operands, link: LinkLayout, exchan
 def initial_bytes(device: Device, record: RecordLayout) -> bytes:
     """The bytes of a request in which everything is 0 but constants and initial values.
 
-    Raises NoTask for a number whose words are exchanged or that is sent as digits, for fields behind a list, and where
+    Raises NoTask for a number whose words are exchanged or that is sent as digits, for fields after a list, and where
     nothing says what to send in place of a 0 that is another quantity or is not permitted.
     """
     if record.inner_lists is not None:
         raise NoTask(
-            f"{record.inner_lists.lists[0].name} is a list with fields behind it, or of elements that differ in size"
+            f"{record.inner_lists.lists[0].name} is a list with fields after it, or of elements that differ in size"
         )
     data = bytearray(record.size or 0)
     for field in record.fields:

@@ -87,7 +87,7 @@ class ClientNames:
         """The classes of a message. Raises NoTask for one that nobody answers."""
         exchange = self.exchanges.get(message)
         if exchange is None or not exchange.response_name:
-            raise NoTask(f"nobody answers {message}")
+            raise NoTask(f"{message} has no response")
         return exchange
 
     def attribute(self, exchange: Exchange, direction: str, fact: Fact) -> Slots | None:

@@ -99,7 +99,7 @@ class TaskDraft:
         return name
 
     def accepted(self) -> int:
-        """The step behind which the device has accepted the command."""
+        """The step after which the device has accepted the command."""
         return acceptance(self.operands, self.task, self.message)
 
     def waited(self, index: int) -> tuple[Step, ...]:

@@ -108,7 +108,7 @@ def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
 def _extent_row(extent: FrameExtent, frame: FrameLayout) -> tuple[int | str | bool, ...]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit.
 
-    Behind these is the order of a count that has another one than the unit address, and whether the bytes of its words
+    After these is the order of a count that has another one than the unit address, and whether the bytes of its words
     have the opposite one.
     """
     if extent.kind == BY_COUNT:

@@ -1,4 +1,4 @@
-"""The definition of the lists of a record that have other fields behind them."""
+"""The definition of the lists of a record that have other fields after them."""
 
 from __future__ import annotations
 

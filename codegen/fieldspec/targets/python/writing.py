@@ -261,7 +261,7 @@ def real_word(precision: Precision) -> str:
 
 
 def digits_letters(value: Value, order: str, swapped: bool) -> str:
-    """What the runtime knows of digits: order and type, their form, the bytes, and the places behind a point."""
+    """What the runtime knows of digits: order and type, their form, the bytes, and the places after a point."""
     sign = ">" if (order == "big") != swapped and not value.is_low_first else "<"
     form = "blank_decimal" if value.has_blanks else value.digits
     return f"{sign}{value.type.name} {form} {value.size} {value.places}"

@@ -159,7 +159,7 @@ class Dialect(Protocol):
         """The first of what `body` says of each element that is not null."""
 
     def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
-        """The reason behind the first condition that is true; null where none is."""
+        """The reason after the first condition that is true; null where none is."""
 
     def words(self, address: str, size: int, unit: int = 2) -> str:
         """The bytes at an address of the registers whose words, from the address `start` on, are the payload.

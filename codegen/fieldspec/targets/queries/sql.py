@@ -319,7 +319,7 @@ class Sql:
         return f"list_filter({self.each(data, offset, size, count, body)}, lambda own: own IS NOT NULL)[1]"
 
     def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
-        """The reason behind the first condition that is true; null where none is."""
+        """The reason after the first condition that is true; null where none is."""
         rows = [f"WHEN {condition} THEN {literal(reason)}" for condition, reason in refusals]
         return f"CASE {' '.join(rows)} END"
 

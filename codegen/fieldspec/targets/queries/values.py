@@ -50,7 +50,7 @@ MOST_DIGITS = 38
 
 @dataclass(frozen=True, slots=True)
 class ValueColumn:
-    """A column of a value: the words behind the name of the value, and its expression."""
+    """A column of a value: the words after the name of the value, and its expression."""
 
     suffix: str
     read: Reader

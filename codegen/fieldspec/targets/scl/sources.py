@@ -49,7 +49,7 @@ def head(project: Project) -> list[str]:
 
 
 def types(project: Project) -> Iterator[list[str]]:
-    """All types, each behind those that it uses."""
+    """All types, each after those that it uses."""
     declared = project.declared
     for image in declared.images:
         yield _image(project, declared.placed(image))
@@ -109,7 +109,7 @@ def _type_lines(project: Project, name: str, paragraphs: list[str], members: lis
 
 
 def functions(project: Project) -> Iterator[list[str]]:
-    """All functions, each behind those that it calls."""
+    """All functions, each after those that it calls."""
     for routine in project.routines:
         yield routine_text(routine, project.declared.dialect.spelling)
 

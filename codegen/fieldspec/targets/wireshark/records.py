@@ -226,7 +226,7 @@ def _step(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
 
 
 def _varying_extent(record: RecordLayout) -> Data:
-    """How a record with one list, or one text, that has fields behind it tells its size."""
+    """How a record with one list, or one text, that has fields after it tells its size."""
     counter, fixed_size = record.count_of_text or (None, 0)
     unit = 1
     if record.inner_lists is not None:

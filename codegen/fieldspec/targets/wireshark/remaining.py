@@ -111,7 +111,7 @@ def _separate_fields(record: RecordLayout, names: Collection[str]) -> Iterator[s
 
 
 def _is_varying_list(record: RecordLayout, field: FieldLayout) -> bool:
-    """Whether a field is a list, and its place or that of the field behind it differs from frame to frame."""
+    """Whether a field is a list, and its place or that of the field after it differs from frame to frame."""
     return field.count is None and record.inner_lists is not None
 
 

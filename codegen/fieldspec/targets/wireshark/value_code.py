@@ -1,7 +1,7 @@
 """The code that shows a value: one function of Lua for each meaning that values have, without a look at a table.
 
 A function gets the entry of a fact, the tree, the bytes in the packet, those of the value, and options. `options.index`
-is what stands behind the title, and `options.title` both with what stands before. `options.lenient` is set for answers
+is what follows the title, and `options.title` both with what stands before. `options.lenient` is set for answers
 that need not be what was written, `options.is_write` for what is sent to the device, and `options.reason` takes the
 place of the reason of a finding. It returns the item, the number, and the reason of a finding.
 """

@@ -202,7 +202,7 @@ def _table(table_layout: TableLayout, extents: Sequence[Extent]) -> Block:
     end = runs[-1].last + 1 if runs else table.base
     last_word = table.base + table.stride - 1
     if end <= last_word and table.count > 1:
-        reason = f"an element has {end - table.base} words, the next one begins {table.stride} words behind it"
+        reason = f"an element has {end - table.base} words, the next one begins {table.stride} words after it"
         other_extents = [extent for extent in extents if extent.block != table.place.path]
         runs += _runs(end, last_word, other_extents, [GapExtent(end, last_word, reason)], "")
     return Block(

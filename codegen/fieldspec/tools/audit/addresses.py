@@ -251,7 +251,7 @@ def _left_out(plan: ReadPlan) -> SectionTable:
         (f"0x{units_of_name[0].first:04X}", units_of_name[0].words, len(units_of_name), name, refused)
         for (name, refused), units_of_name in units.items()
     )
-    return SectionTable("not_read", "What no block reads", ("start", "words", "times", "name", "reason"), rows)
+    return SectionTable("not_read", "Not read by any block", ("start", "words", "times", "name", "reason"), rows)
 
 
 def _parameter_reads(layout: DeviceLayout) -> Iterator[str]:

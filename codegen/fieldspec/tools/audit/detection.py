@@ -245,7 +245,7 @@ def _missed(detections: Sequence[Detection]) -> SectionTable:
 def _why(erratum: Erratum) -> str:
     if not erratum.printed:
         return "no key contains the misprint"
-    return "the print contradicts nothing else in the manual"
+    return "the printed value contradicts nothing else in the manual"
 
 
 def _details(detections: Sequence[Detection]) -> SectionTable:

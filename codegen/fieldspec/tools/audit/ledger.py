@@ -51,7 +51,7 @@ Trees: TypeAlias = dict[str, Mapping]
 """The trees of all versions of a device."""
 
 _INTRODUCTION = (
-    "Where the spec differs from the print, or where the print leaves a fact open. Each printed "
+    "Where the spec differs from the manual, or where the manual leaves a fact open. Each printed "
     "value is put back into the spec; the evidence is what the named check then finds."
 )
 

@@ -329,7 +329,7 @@ def _sections(sections: Sequence[ReviewedSection]) -> SectionTable:
     kinds = []
     for section in sections:
         if not section.reviews:
-            rows.append((section.section, section.facts, "", "", "nobody has compared it"))
+            rows.append((section.section, section.facts, "", "", "it is not compared with the manual"))
             kinds.append("warning")
         for review, since in section.reviews:
             rows.append((section.section, section.facts, review.by, review.date, _changes_text(since)))

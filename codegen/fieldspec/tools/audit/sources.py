@@ -99,7 +99,7 @@ def inferred_keys(device: Device) -> Iterator[InferredKey]:
 
 
 def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
-    """A key that sorts sections as a manual has them: `9.2` before `10`, words behind numbers."""
+    """A key that sorts sections as a manual has them: `9.2` before `10`, words after numbers."""
     return tuple((0, int(part), "") if part.isdigit() else (1, 0, part) for part in section.split("."))
 
 
@@ -127,13 +127,13 @@ def sources(subject: Subject) -> Section:
         *_elsewhere_figures(subject.device),
     ]
     if unverified:
-        figures.append(Figure("facts that nobody has verified", len(unverified), len(facts), False))
+        figures.append(Figure("facts that are not verified", len(unverified), len(facts), False))
     tables = (
         _by_section(facts, keys),
         _source_table(
             "unsourced", "Facts without a source", [fact for fact in facts if fact.standing == NOWHERE], "bad"
         ),
-        _source_table("unverified", "Facts that nobody has verified", unverified, "bad"),
+        _source_table("unverified", "Facts that are not verified", unverified, "bad"),
         _differing([fact for fact in facts if fact.standing == DIFFERING]),
         _reasons(keys),
         _standards(subject.device),

@@ -35,7 +35,7 @@ _UNFIT = {
 
 @dataclass(frozen=True, slots=True)
 class Rooms:
-    """Of bodies with fields behind lists, by the names of these: the elements, and the verdict of a list without bytes.
+    """Of bodies with fields after lists, by the names of these: the elements, and the verdict of a list without bytes.
 
     Instead of a number of elements there may be one of the numbers below zero.
     """
@@ -134,7 +134,7 @@ class BodyReader:
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
         self.record, self.decoders, self.emits = record, decoders, emits
         self.has_lists: bool = False
-        """Whether it reads the images of bodies with fields behind lists."""
+        """Whether it reads the images of bodies with fields after lists."""
         self.counts_of_texts: frozenset[str] = frozenset()
         """The fields with the bytes of a text that varies in width, which no image has."""
         self.slots = list(slots(record)) if record.selector is None else []
@@ -200,7 +200,7 @@ class BodyReader:
     def _list_images(
         self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
-        """The same of bodies with fields behind lists; and what is known of these."""
+        """The same of bodies with fields after lists; and what is known of these."""
         images: list[bytes] = []
         sizes = np.zeros(len(offsets), np.int64)
         inner = self.record.inner_lists
@@ -374,7 +374,7 @@ def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
 
 
 def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:
-    """Images one behind the other, and where each begins."""
+    """Images one after the other, and where each begins."""
     starts = np.cumsum([0, *map(len, images)])[:-1]
     # One more byte, since nothing is taken from a buffer without any.
     return np.frombuffer(b"".join([*images, b"\0"]), np.uint8), starts

@@ -45,7 +45,7 @@ class Packets:
     """Captured packets: `size` bytes each from `at` on in the buffer. `interface` is the place of the interface.
 
     `original` is the size that each had before the capture cut it short. `time` is in nanoseconds since 1970. `end` is
-    the offset in the file behind the last one.
+    the offset in the file after the last one.
     """
 
     buffer: Bytes
@@ -87,7 +87,7 @@ class CaptureReader:
             self.interfaces = [Interface(*values) for values in state["interfaces"]]
 
     def state(self, end: int) -> dict[str, Any]:
-        """What another reader needs to go on behind the packets that end at a byte of the file."""
+        """What another reader needs to go on after the packets that end at a byte of the file."""
         interfaces = [[own.link_type, own.ticks, own.offset] for own in self.interfaces]
         return {"position": end, "order": self.order, "blocks": self.is_blocks, "interfaces": interfaces}
 

@@ -304,6 +304,6 @@ class FrameReader:
 
 
 def _spans(pieces: list[bytes]) -> Spans:
-    """The spans of some pieces in a buffer that has them one behind another."""
+    """The spans of some pieces in a buffer that has them one after another."""
     sizes = numbers([len(piece) for piece in pieces])
     return Spans(np.frombuffer(b"".join(pieces) + b"\0", np.uint8), np.cumsum(sizes) - sizes, sizes)

@@ -72,7 +72,7 @@ class _Access:
 
     @property
     def end(self) -> int:
-        """The first address behind the last word."""
+        """The first address after the last word."""
         return self.address + len(self.words)
 
     def goes_on(self, other: _Access) -> bool:
@@ -103,7 +103,7 @@ class RegisterRows:
         return self.lines.position
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on behind the last batch."""
+        """What another object needs to go on after the last batch."""
         separator, places = self.layout or (",", {})
         return {
             "number": self.number,
@@ -130,7 +130,7 @@ class RegisterRows:
             yield self._batches(accesses)
 
     def _accesses(self) -> list[_Access]:
-        """The accesses in the next rows. A batch ends where an access does; the row behind it waits."""
+        """The accesses in the next rows. A batch ends where an access does; the row after it waits."""
         accesses = [self.waiting] if self.waiting is not None else []
         self.waiting = None
         rows = 0

@@ -142,7 +142,7 @@ def _texts(places: Texts, words: Any) -> Any:
         own = pa.array((places - lowest).astype(np.int32, copy=False), mask=is_absent)
         return pa.DictionaryArray.from_arrays(own, words.slice(lowest, highest - lowest + 1))
     is_used = np.zeros(highest + 2, np.bool_)
-    is_used[places] = True  # -1 is the place behind the last text
+    is_used[places] = True  # -1 is the place after the last text
     used = np.flatnonzero(is_used[:-1])
     new_places = np.cumsum(is_used, dtype=np.int32)
     own = pa.array(new_places[places] - 1, mask=is_absent)

@@ -76,7 +76,7 @@ class WebSocket:
 
 
 def _link(request: Request) -> str:
-    """The link that a request names, without the key behind it."""
+    """The link that a request names, without the key after it."""
     return unquote(request.path.partition("?")[0].removeprefix("/"))
 
 

@@ -195,7 +195,7 @@ class _UnitJudge:
             return Observation(NOTHING, series.count, series.text, series.where, remark)
         if names:
             rest_text = f" and {len(names) - _IN_STEP} more" if len(names) > _IN_STEP else ""
-            remark = f"it changes in step with {', '.join(names[:_IN_STEP])}{rest_text}; nothing tells which is which"
+            remark = f"it changes in step with {', '.join(names[:_IN_STEP])}{rest_text}; they cannot be distinguished"
             return Observation(NOTHING, series.count, series.text, series.where, remark)
         return Observation(OBSERVED, series.count, series.text, series.where)
 

@@ -104,6 +104,6 @@ def _described(values: Mapping[str, str]) -> str:
 
 
 def _cell_text(key: str, cell: Cell) -> str:
-    """A cell as text. Addresses are hexadecimal, with the decimal number behind them."""
+    """A cell as text. Addresses are hexadecimal, with the decimal number after them."""
     text = f"0x{cell:04X} ({cell})" if key == "address" and isinstance(cell, int) else str(cell)
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."

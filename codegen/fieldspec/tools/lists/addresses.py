@@ -68,11 +68,11 @@ class AddressText:
 
     @property
     def prefixed(self) -> bool:
-        """Whether it may be a decimal number behind a letter, as controllers write it: `D100`."""
+        """Whether it may be a decimal number after a letter, as controllers write it: `D100`."""
         return self.lettered and not self.area and _LETTERED.fullmatch(self.digits) is not None
 
     def behind_area(self) -> AddressText:
-        """The decimal number behind the letter of an area: `C3` is the coil 3."""
+        """The decimal number after the letter of an area: `C3` is the coil 3."""
         return AddressText(self.digits[1:], "", meaning("spaces", self.digits[0]), self.digits[0])
 
     def reference(self) -> tuple[str, int] | None:
@@ -187,7 +187,7 @@ def _span(ends: list[AddressText], is_list: bool) -> Place:
 
 
 def _follows(first: AddressText, other: AddressText) -> bool:
-    """Whether an address is the one behind another, in whatever base."""
+    """Whether an address is the one after another, in whatever base."""
     bases = (DECIMAL, HEXADECIMAL)
     pairs = [(first.number(base), other.number(base)) for base in bases]
     return first.mark == other.mark and any(a is not None and b is not None and b - a == 1 for a, b in pairs)

@@ -130,7 +130,7 @@ def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
 
 
 def number_in_unit(text: str, decimal: str = POINT) -> Decimal | None:
-    """An exact number, perhaps with a unit behind it: `5 s`."""
+    """An exact number, perhaps with a unit after it: `5 s`."""
     value = number(text, decimal)
     return value if value is not None else number(_TRAILING.sub("", text.strip()), decimal)
 

@@ -103,7 +103,7 @@ def _as_readable(row: ListRow) -> ListRow:
 def _outside(row: ListRow, space: str) -> str:
     """Why a row cannot be a register of a device; empty if it can."""
     if space not in SPACES:
-        return f"has the space {space}, which is none of {', '.join(SPACES)}"
+        return f"has the space {space}, which is not one of {', '.join(SPACES)}"
     if row.address < 0:
         return "has an address below 0"
     stride = row.stride or row.words or 1

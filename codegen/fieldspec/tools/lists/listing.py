@@ -364,7 +364,7 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
 
 
 def _with_gaps(rows: list[ListRow]) -> list[ListRow]:
-    """The rows with the distances to the next address of their space, 0 behind the last one."""
+    """The rows with the distances to the next address of their space, 0 after the last one."""
     addresses: dict[str, list[int]] = defaultdict(list)
     for row in rows:
         addresses[row.space].append(row.address)

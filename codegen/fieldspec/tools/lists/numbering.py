@@ -114,7 +114,7 @@ def _with_areas(rows: list[tuple[SheetRow, Place]], base: str, heading: str) -> 
 
 def _undecided(digits: str, heading: str) -> ListError:
     return ListError(
-        f"has the address `{digits}` under {heading}, which is hexadecimal, or decimal behind the name of a memory "
+        f"has the address `{digits}` under {heading}, which is hexadecimal, or decimal after the name of a memory "
         "area: choose with --base hex or --base decimal"
     )
 
@@ -140,7 +140,7 @@ def unknown_areas(placed_rows: Placed, spaces: Mapping[int, str], heading: str) 
 
 
 def _shortened(rows: Sequence[tuple[SheetRow, Place]]) -> Iterator[SheetRow]:
-    """The rows of a bit `100.1` behind a higher one of the same register: it may be `100.10`."""
+    """The rows of a bit `100.1` after a higher one of the same register: it may be `100.10`."""
     last: dict[AddressText, int] = {}
     for row, row_place in rows:
         if row_place.bits is not None:
@@ -195,7 +195,7 @@ def _ends(placed_rows: Placed) -> Iterator[AddressText]:
 
 
 def _is_prefixed(ends: Sequence[AddressText]) -> bool:
-    """Whether all addresses are decimal digits behind a letter, which may be an area of a controller's memory."""
+    """Whether all addresses are decimal digits after a letter, which may be an area of a controller's memory."""
     return all(end.prefixed for end in ends)
 
 

@@ -35,7 +35,7 @@ _SPAN = re.compile(r"\s*(?:\.\.+|-|\u2013|~|\bto\b)\s*")
 
 
 def with_subindices_apart(sheet: Sheet) -> Sheet:
-    """A sheet with a column for subindices where it has them behind their indices: `6040h:00`."""
+    """A sheet with a column for subindices where it has them after their indices: `6040h:00`."""
     for number, row in enumerate(sheet.rows[:_HEADED_BY]):
         for column, text in enumerate(row.cells):
             below = [other.cell(column) for other in sheet.rows[number + 1 :] if other.cell(column)]

@@ -372,7 +372,7 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
 
 
 def _bound(number: Decimal | None) -> str:
-    """A bound without zeros behind a point."""
+    """A bound without zeros after a point."""
     return exact(Fraction(number or 0))
 
 

@@ -57,7 +57,7 @@ class Typed:
 
     `bits` is its size where only that is said, `length` a number in brackets: of characters, or of elements. `order`
     is that of the bytes, such as `CDAB`, and empty if the type does not say it. `aside` are the words in brackets
-    behind it that say something else.
+    after it that say something else.
     """
 
     name: str = ""

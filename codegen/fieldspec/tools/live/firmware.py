@@ -24,7 +24,7 @@ class Firmware:
     """What a device says of its firmware: the value as text, and the version of the spec that it is.
 
     `version` is empty where it is none of them, and `doubt` then says why; both are empty where the spec does not say
-    what tells the version, or how. `is_asked` says whether a message of the link reads the value.
+    the value that identifies the version, or how. `is_asked` says whether a message of the link reads the value.
     """
 
     text: str = ""

@@ -54,7 +54,7 @@ class ParameterAccess:
     def dump_rows(self, items: Sequence[Signal], values: Sequence[SignalReading]) -> list[DumpRow]:
         """A row for each parameter that was read, with the counts of its elements.
 
-        Texts and fractions have no counts, and elements behind one that was refused have no place.
+        Texts and fractions have no counts, and elements after one that was refused have no place.
         """
         counts: dict[tuple[str, int], list[int]] = {}
         for value in values:

@@ -46,7 +46,7 @@ class ScannedItem:
 
 @dataclass(frozen=True, slots=True)
 class ScanSpace:
-    """Addresses that a scan can read: those of a space of registers, or the numbers of `parameters`. `end` is behind
+    """Addresses that a scan can read: those of a space of registers, or the numbers of `parameters`. `end` is after
     the last one, and one request reads `most` of them."""
 
     name: str

@@ -28,7 +28,7 @@ def _texts(access: Access, item: Item, value: Reading) -> Iterator[str]:
     for role, mask in access.signals(item, _ROLES):
         danger = "the servo is on" if role == "servo_state" else "the device may be busy"
         if decoded is None:
-            yield f"{path} is refused ({value.refusal}): nobody knows its {role}"
+            yield f"{path} is refused ({value.refusal}): its {role} is unknown"
         elif isinstance(decoded.number, int) and decoded.number & mask:
             names = " ".join(meaning.name for meaning in decoded.meanings if meaning.name)
             yield f"{danger}: {path} is {names or int(decoded.number)}"

@@ -97,4 +97,4 @@ def _settle(access: Access, client: Client, change: Change, is_sent: bool) -> No
     if lost and now.words == change.before.words:
         raise TransferError(change.path, f"is not written: {lost}")
     number = now.decoded.number if now.decoded is not None else None
-    raise TransferError(change.path, f"is not taken over: the device has {spec_text(number)} instead")
+    raise TransferError(change.path, f"was not accepted: the device has {spec_text(number)} instead")

@@ -37,7 +37,7 @@ def detections_alike(layouts: Mapping[str, DeviceLayout]) -> Iterator[Diagnostic
         differing = [key for key in known if key in own and own[key] != known[key]]
         if differing:
             key = differing[0]
-            text = f"{detection.fact} tells the version, but its {key} is {own[key]} in {version}"
+            text = f"{detection.fact} identifies the version, but its {key} is {own[key]} in {version}"
             text += f", and {known[key]} in {versions[-1]}: a program reads it before it knows the version"
             fact = detecting_fact(layout.device, detection)
             labels = [label(fact.place, "name", f"in {version}")] if fact is not None else []

@@ -71,7 +71,7 @@ def fault_of(data: Mapping[str, Any]) -> Fault:
         raise FaultError(f"a fault has no `{unknown[0]}`; it has {', '.join(sorted(_KEYS))}")
     kind = data.get("fault")
     if kind not in KINDS:
-        raise FaultError(f"there is no fault `{kind}`; there are {', '.join(KINDS)}")
+        raise FaultError(f"there is no fault `{kind}`; choose from {', '.join(KINDS)}")
     if kind in _LASTING and not isinstance(data.get("signal"), str):
         raise FaultError(f"the fault {kind} needs a `signal`")
     numbers = {key: data[key] for key in ("at", "request", "count", "seconds", "value", "probability") if key in data}
@@ -166,7 +166,7 @@ class Faults:
 
 
 def _another_number(part: PartLayout, parts: bytes) -> int:
-    """The next number of a part, or 0 behind its last one."""
+    """The next number of a part, or 0 after its last one."""
     number = part.read(parts[part.offset : part.offset + part.size])
     assert number is not None
     assert part.value is not None

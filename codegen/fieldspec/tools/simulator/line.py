@@ -101,7 +101,7 @@ class Line:
         yield from self.idle(now)
 
     def _is_whole(self, data: bytes) -> bool:
-        """Whether bytes behind a pause are a frame by themselves, so that none goes on that has begun before."""
+        """Whether bytes after a pause are a frame by themselves, so that none goes on that has begun before."""
         alone = self.framing() if self._recent else None
         return alone is not None and alone.feed(data) == [data]
 

@@ -37,7 +37,7 @@ class ReportedVersion:
     @property
     def text(self) -> str:
         """The sentence that tells a person which version the device reports."""
-        return f"{self.fact} is {self.reported}, which tells the version {self.version}"
+        return f"{self.fact} is {self.reported}, which identifies the version {self.version}"
 
 
 def reported_version(layout: DeviceLayout, behaviour: Behaviour) -> ReportedVersion | None:

@@ -98,7 +98,7 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
-    """What differs between two algorithms: the one that is stated, or else the bytes before or behind the covered."""
+    """What differs between two algorithms: the one that is stated, or else the bytes before or after the covered."""
     if old.stated_algorithm != new.stated_algorithm:
         yield "algorithm", old.stated_algorithm, new.stated_algorithm
         return
@@ -369,7 +369,7 @@ def detection_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(VersionLine):
         old, new = (_detection_text(side.detected_by) for side in (pair.old, pair.new))
         if old != new:
-            text = f"{named(pair.new)}: {difference_text('what tells the version', old or None, new or None)}"
+            text = f"{named(pair.new)}: {difference_text('detected_by', old or None, new or None)}"
             yield change("detection_changed", Effect.BEHAVIOUR, pair, "detected_by", text, old, new, (PYTHON,))
     for version in comparison.of(Version):
         old, new = (", ".join(map(str, side.detected_as)) for side in (version.old, version.new))

@@ -152,7 +152,7 @@ def _grown(pair: Pair[Register] | Pair[Table] | Pair[Parameter], key: str, old: 
 def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
     if (pair.old.repeat is None) != (pair.new.repeat is None):
         goes_on = pair.new.repeat is not None
-        text = "goes on to the end of the data" if goes_on else "no longer goes on to the end of the data"
+        text = "continues to the end of the data" if goes_on else "no longer continues to the end of the data"
         yield change(
             "count_changed",
             Effect.WIRE,

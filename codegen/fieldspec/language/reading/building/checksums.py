@@ -86,7 +86,7 @@ def avoiding(entry: Entry, algorithm: str) -> str:
 
 
 def surrounded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
-    """The algorithm of a part whose computation begins behind its prefix and ends behind its suffix."""
+    """The algorithm of a part whose computation begins after its prefix and ends after its suffix."""
     prefix, suffix = bytes.fromhex(entry.text("prefix")), bytes.fromhex(entry.text("suffix"))
     kind = checksum_named(algorithm)
     if not prefix:

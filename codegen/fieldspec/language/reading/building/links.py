@@ -252,7 +252,7 @@ def _serial(entry: Entry) -> Serial | None:
         return None
     speeds, usual = serial.integers("baud"), serial.integer("default_baud")
     if usual is not None and speeds and usual not in speeds:
-        text = f"the speed on delivery, {usual}, is none of the speeds"
+        text = f"the factory speed, {usual}, is not in the list of speeds"
         serial.refuse("wrong_form", "default_baud", text, "correct it, or add it to `baud`")
     for key, values, default in (
         ("data_bits", serial.integers("data_bits"), serial.integer("default_data_bits")),

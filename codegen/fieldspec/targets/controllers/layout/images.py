@@ -56,7 +56,7 @@ class SpecNaming:
 
 
 class Images:
-    """The images of a device's records, each made once. `structs` has them behind those that lie in them, by name.
+    """The images of a device's records, each made once. `structs` has them after those that lie in them, by name.
 
     `packed` says that words of flags are structs of BOOLs, in the order of their bits in memory.
     """

@@ -29,7 +29,7 @@ def member_remark(member: Member) -> str:
 
 
 def cited(text: str, fact: Fact) -> str:
-    """A text, and behind it where the manual states the fact."""
+    """A text, and after it where the manual states the fact."""
     return " ".join(part for part in (*text.split(), source(fact)) if part)
 
 

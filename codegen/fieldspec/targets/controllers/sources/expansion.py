@@ -63,7 +63,7 @@ _WIDE = [kind.name for kind in ELEMENTARY.values() if kind.size > 4]
 
 @cache
 def source(*names: str) -> Source:
-    """Sources of this folder as one, each behind the one that it extends. Raises SourceError where one is none.
+    """Sources of this folder as one, each after the one that it extends. Raises SourceError where one is none.
 
     Of actions and properties with one name, that of the last source counts. The late variables of the last source stand
     in front.
@@ -81,7 +81,7 @@ def source(*names: str) -> Source:
 
 
 def _chain(name: str) -> dict[str, Source]:
-    """A source behind those that it extends, by their names."""
+    """A source after those that it extends, by their names."""
     own = parsed(f"{name}.st", text(f"targets/controllers/sources/{name}.st"))
     return {**(_chain(own.extends) if own.extends else {}), name: own}
 
@@ -105,7 +105,7 @@ class Expansion(Lookup):
         return tuple(filter(None, remarks))
 
     def body(self) -> Body:
-        """The statements, behind the declarations of late variables. Raises SourceError where one cannot be."""
+        """The statements, after the declarations of late variables. Raises SourceError where one cannot be."""
         self._declare(self.source.late)
         statements = self._block(self.source.body)
         for section in (*self.source.sections, *self.source.late):

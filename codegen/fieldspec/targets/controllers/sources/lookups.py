@@ -159,7 +159,7 @@ class Lookup:
         return Operation(operator, operands, BOOL if operator in _COMPARISONS else kind)
 
     def _joined(self, term: Joined) -> Expression:
-        """AND or OR; what is known is left out, or decides: then the terms behind need not exist."""
+        """AND or OR; what is known is left out, or decides: then the terms after need not exist."""
         decides = term.token.text == "OR"
         left: list[Expression] = []
         for part in term.parts:

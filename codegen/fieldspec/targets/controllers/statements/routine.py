@@ -294,7 +294,7 @@ class Variables:
         self._shared: dict[tuple[str, Type, str], Variable] = {}
 
     def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A new variable; where its name is taken, a number stands behind it."""
+        """A new variable; where its name is taken, a number follows it."""
         number, tried = 1, name
         while tried.lower() in self._names or (role != "local" and bare(tried).lower() in self._parameters):
             number += 1

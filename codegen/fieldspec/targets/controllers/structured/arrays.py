@@ -18,7 +18,7 @@ def lent_arrays(routines: Iterable[Routine]) -> frozenset[ArrayType]:
 
 
 def named_arrays(kinds: Iterable[Type], spelling: Spelling, known: set[str]) -> Iterator[ArrayType]:
-    """The arrays that have a name, as far as it is not known yet; each behind those that lie in it."""
+    """The arrays that have a name, as far as it is not known yet; each after those that lie in it."""
     for kind in kinds:
         if not isinstance(kind, ArrayType):
             continue

@@ -1,4 +1,4 @@
-"""A device as a program: all its objects in an order in which each stands behind those that it uses."""
+"""A device as a program: all its objects in an order in which each follows those that it uses."""
 
 from __future__ import annotations
 

@@ -31,8 +31,8 @@ export function widenedBytes(field, bytes) {
   if (whole === "" || (point >= 0 && fraction === "") || fraction.length > places) return null;
   if (!DIGITS_OF[form].test(whole + fraction)) return null;
   const room = most - (places ? places + 1 : 0);
-  const behind = places ? `.${fraction.padEnd(places, "0")}` : "";
-  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + behind);
+  const after = places ? `.${fraction.padEnd(places, "0")}` : "";
+  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + after);
   return narrowedBytes(field, image).length <= most ? image : null;
 }
 

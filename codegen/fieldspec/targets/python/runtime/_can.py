@@ -79,7 +79,7 @@ class CanIdentifier:
             elif wrong == 4:
                 text = f"a CAN frame has at most {_DATA} bytes of data, not {size}"
             elif wrong == 5:
-                text = "the three bytes behind the number of the data are not zero"
+                text = "the three bytes after the data length are not zero"
             raise CodecError("wrong_mark", text, offset + wrong)
         parts = [
             (identifier >> first & (1 << width) - 1).to_bytes(size, order) for size, order, first, width in self.fields

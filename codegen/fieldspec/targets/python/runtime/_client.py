@@ -153,7 +153,7 @@ class Session:
         Raises InvalidValueError, NoAnswerError, RefusedError and TransportError.
         """
         if request.__class__ in self.link.unanswered:
-            raise InvalidValueError(f"nobody answers {request.__class__.__name__} on this link: use `send` for it")
+            raise InvalidValueError(f"{request.__class__.__name__} has no response on this link: use `send`")
         again = self.retries if retries is None else retries
         while True:
             try:

@@ -103,7 +103,7 @@ class AsyncParameterClient(AsyncBaseClient):
 
 
 class AsyncMotion:
-    """A motion that goes on within `async with`, and is ended behind it, whatever happens."""
+    """A motion that goes on within `async with`, and is ended after it, whatever happens."""
 
     def __init__(self, run: Callable[[Work[None]], Awaitable[None]], jog: Jog) -> None:
         self._run, self._jog = run, jog

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ._typing import Quantity
 
 Span = tuple[str, int, int]
-"""A space, the first address, and the address behind the last one."""
+"""A space, the first address, and the address after the last one."""
 
 
 class Group:

@@ -103,7 +103,7 @@ class ParameterClient(BlockingClient):
 
 
 class Motion:
-    """A motion that goes on within `with`, and is ended behind it, whatever happens."""
+    """A motion that goes on within `with`, and is ended after it, whatever happens."""
 
     def __init__(self, run: Callable[[Work[None]], None], jog: Jog) -> None:
         self._run, self._jog = run, jog

@@ -79,7 +79,7 @@ class Digits:
     ) -> list[int]:
         """The numbers of a list that begins at byte `at` of the whole, at most up to the first that is not `accepted`.
 
-        The caller refuses that one, which comes before bytes behind it that are not digits. Raises CodecError.
+        The caller refuses that one, which comes before bytes after it that are not digits. Raises CodecError.
         """
         numbers = []
         for index, raw in enumerate(raws):

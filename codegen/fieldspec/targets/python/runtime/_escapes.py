@@ -71,11 +71,11 @@ class Insert:
     def original(self, data: Data, offset: int) -> bytes:
         """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
         data, result, at = bytes(data), bytearray(), 0
-        # The inserted byte may itself begin the pattern, which is searched for behind it.
+        # The inserted byte may itself begin the pattern, which is searched for after it.
         while (begin := data.find(self.pattern, at)) >= 0:
             behind = begin + len(self.pattern)
             if data[behind : behind + 1] != self.stuffed[-1:]:
-                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing behind the pattern", offset + behind)
+                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing after the pattern", offset + behind)
             result += data[at:behind]
             at = behind + 1
         return bytes(result + data[at:])

@@ -1,4 +1,4 @@
-"""Records with lists that have other fields behind them, and with records that differ in size.
+"""Records with lists that have other fields after them, and with records that differ in size.
 
 They are read and written as an image: first all other fields, then the lists.
 """
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class InnerList:
-    """A list behind `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
+    """A list after `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
 
     It has `least` to `most` elements of `size` bytes, which the Struct has as `letters`. The field that counts them is
     at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.

@@ -368,7 +368,7 @@ class ParameterSpace:
 
 
 def _filled(value: Value[Any], data: bytes) -> bytes:
-    """The bytes of a value with the zeros behind a text, which need not be sent."""
+    """The bytes of a value with the zeros after a text, which need not be sent."""
     return data.ljust(value.struct.size, b"\0") if isinstance(value, Text) else data
 
 

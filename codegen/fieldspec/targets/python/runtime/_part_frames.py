@@ -86,7 +86,7 @@ class PartFrames(Frames):
         self.forms = {offset: self.digits[place] for place, offset in enumerate(offsets) if place in self.digits}
 
     def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
-        """The row, the offset and the number of each part of a frame that is long enough; -1 for what are not digits."""
+        """The row, the offset and the number of each part of a frame that is long enough; -1 if not digits."""
         numbers = []
         at = 0
         for place, row in enumerate((*self.rows, *self.tail)):

@@ -280,7 +280,7 @@ class Table(Generic[T]):
         if not isinstance(base, int) or isinstance(base, bool):
             raise CodecError("wrong_type", f"the address of {self.name} is a whole number, not {base!r}")
         if not 0 <= base <= 0x10000 - (self.count - 1) * self.stride - self.words:
-            raise CodecError("out_of_range", f"{self.name} does not fit behind the address {base}")
+            raise CodecError("out_of_range", f"{self.name} does not fit after the address {base}")
         return type(self)(
             self.name,
             self.record,

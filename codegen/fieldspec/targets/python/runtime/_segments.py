@@ -55,7 +55,7 @@ class Place:
         fields[self.field] = value & ~self.mask | number << self.shift
 
     def number_behind(self, count: int) -> int:
-        """The number of the piece behind `count` others."""
+        """The number of the piece after `count` others."""
         return self.low + count % (self.high - self.low + 1)
 
 
@@ -139,7 +139,7 @@ class Segments:
         return content
 
     def write(self, session: Session, first: Any, content: bytes) -> Work[None]:
-        """Writes a value in pieces behind the request that begins it."""
+        """Writes a value in pieces after the request that begins it."""
         yield from session.ask(first, 0)
         for count, (piece, is_last) in enumerate(self._pieces(content)):
             message = (yield from session.ask(self._request(count, piece, is_last), 0)).message

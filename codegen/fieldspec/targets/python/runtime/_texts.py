@@ -1,4 +1,4 @@
-"""Texts that are not ASCII filled up with zeros behind them."""
+"""Texts that are not ASCII filled up with zeros after them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class TextForm:
     """What reads and writes a text of a fixed size.
 
     `letters` are the encoding, the number of bytes, the codes of the character that fills the text up and of the one
-    that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is behind spaces. With `turned`, the
+    that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is after spaces. With `turned`, the
     bytes of each word are exchanged. `packed_ascii` has four characters in three bytes. Characters that the encoding
     does not have are refused.
     """

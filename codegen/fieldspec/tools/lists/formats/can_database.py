@@ -95,13 +95,13 @@ def _node(messages: list[Any], node: str, rows: FormatRows) -> str:
     receivers = {receiver for message in messages for receiver in message.receivers}
     nodes = sorted({*senders, *receivers} - {_NOBODY})
     if node and node not in nodes:
-        raise ListError(f"has no node {node}; there are {', '.join(nodes) or 'none'}")
+        raise ListError(f"has no node {node}; choose from {', '.join(nodes) or 'none'}")
     if node or not senders:
         return node
     own_node: str
     (own_node, count), *further = sorted(senders.items(), key=lambda pair: (-pair[1], pair[0]))
     if further and further[0][1] == count:
-        raise ListError(f"has nodes that send as many messages ({', '.join(nodes)}); choose one with --node")
+        raise ListError(f"has nodes that send the same number of messages ({', '.join(nodes)}); choose one with --node")
     if len(nodes) > 1:
         evidence = f"it sends {count} messages, more than any other node"
         rows.assumptions.append(Assumption("node", own_node, evidence, "--node"))

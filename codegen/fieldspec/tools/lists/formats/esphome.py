@@ -192,7 +192,7 @@ def _mask(values: dict[str, Node], space: str) -> tuple[int, int] | None:
         return None
     bits = mask_bits(mask)
     if bits is None:
-        raise CellError("bitmask\nhas bits that do not stand beside each other")
+        raise CellError("bitmask\nhas bits that are not adjacent")
     return bits
 
 

@@ -30,7 +30,7 @@ SIGNS = re.compile(
     r"^[ \t]*\[(?:FileInfo|DeviceInfo|DeviceComissioning|DeviceCommissioning|DummyUsage|MandatoryObjects)\]",
     re.IGNORECASE | re.MULTILINE,
 )
-"""What such a file begins with, behind comments."""
+"""What such a file begins with, after comments."""
 
 _TYPES = {
     0x01: "bool8",

@@ -30,7 +30,7 @@ from fieldspec.targets.controllers.statements.routine import Routine
 
 @dataclass(frozen=True, slots=True)
 class Blocks:
-    """The functions and blocks, each behind what it calls. `missing` has the reasons of tasks without a block."""
+    """The functions and blocks, each after what it calls. `missing` has the reasons of tasks without a block."""
 
     routines: tuple[Routine, ...]
     missing: tuple[tuple[str, str], ...]
@@ -103,7 +103,7 @@ def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
 
 
 def _distinct(blocks: list[Routine], routines: dict[str, Routine]) -> Iterator[Routine]:
-    """The blocks, with a number behind a name that is taken: tasks come first and have theirs."""
+    """The blocks, with a number after a name that is taken: tasks come first and have theirs."""
     used_names = {name.lower() for name in routines}
     for block in blocks:
         number, name = 1, block.name
@@ -145,7 +145,7 @@ class _Maker:
         raise NoBlock("its steps act on parameters, or on several kinds of facts: send the messages one by one")
 
     def _line(self, job: Job, port: str) -> Routine:
-        """A block that asks over a line. It is made twice, so that steps know the numbers of those behind them."""
+        """A block that asks over a line. It is made twice, so that steps know the numbers of those after them."""
 
         def build(known: LineTask | None) -> tuple[LineDraft, LineTask]:
             draft = LineDraft(self.world, self.world.block(job.name), f"task {job.name}", port)

@@ -210,7 +210,7 @@ class CyclicTask:
             draft.add([chain(branches, success)] if branches else success, remark="whether it may begin")
 
     def _walk(self, task: Task, first: int, stop: int, accepted_at: int = -1) -> None:
-        """Adds steps of a task; a motion has the axis behind the step at `accepted_at`."""
+        """Adds steps of a task; a motion has the axis after the step at `accepted_at`."""
         draft = self.draft
         starts_at = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
         index, self.prepared = first, -1

@@ -143,7 +143,7 @@ class Stopping(Kind):
 class Moving(Kind):
     """A block that moves the axis, or halts it.
 
-    `commands` are the steps whose requests begin the motion, `look` is the one behind its acceptance. `ending` is the
+    `commands` are the steps whose requests begin the motion, `look` is the one after its acceptance. `ending` is the
     first step of what ends the motion, and `stop` the last one that asks for its end, both 0 where nothing does.
     `at_once` is done where it begins, `restart` where its end begins, `tries` is how often that is tried. One that
     `lasts` goes on while Execute is TRUE. One that `halts` is sent before all starts, and has failed only where none of

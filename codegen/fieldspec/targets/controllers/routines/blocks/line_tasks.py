@@ -37,7 +37,7 @@ Decide = Callable[[int], list[Statement]]
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """Steps of a task that belong together, from `index` to before `behind`: what is sent, and what is looked at.
+    """Steps of a task that belong together, from `index` to before `after`: what is sent, and what is looked at.
 
     It is looked at `again` and again, with some time between.
     """
@@ -244,11 +244,11 @@ class LineTask(ABC):
         last: bool | None = None,
         behind_all: int = 0,
     ) -> None:
-        """Adds steps of a task. What is `accepted` is done behind the step at `accepted_at`.
+        """Adds steps of a task. What is `accepted` is done after the step at `accepted_at`.
 
         Where it `begins_motion`, what is waited for later is judged as one; `ending` a motion is not watched. `last`
-        says that nothing comes behind, by default where these are the last steps of the task; `behind_all` is the step
-        that comes behind instead.
+        says that nothing comes after, by default where these are the last steps of the task; `behind_all` is the step
+        that comes after instead.
         """
         draft, kind = self.draft, self.draft.kind
         command = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)

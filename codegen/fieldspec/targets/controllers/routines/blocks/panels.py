@@ -159,5 +159,5 @@ class _Panel:
         return (
             "Ready program: set the inputs and look at the outputs from a panel or from your own program. Nothing "
             "moves without a rising edge, a reset of an alarm and a stop move nothing.",
-            "Call it in each scan, and behind it what serves its port.",
+            "Call it in each scan, and after it what serves its port.",
         )

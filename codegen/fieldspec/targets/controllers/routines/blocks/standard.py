@@ -68,7 +68,7 @@ Branches: TypeAlias = tuple[tuple[tuple[tuple[int, int], ...], tuple[Statement, 
 
 
 class BlockDraft(BlockVariables):
-    """A block while it is being made. Its steps are numbered from 1 on; the step 0 is behind the last one.
+    """A block while it is being made. Its steps are numbered from 1 on; the step 0 is after the last one.
 
     `carrier` is the source of what carries its requests, `slots` is what the sources may name.
     `refusal` is the variable that says whether a value of an input is refused, by the number of an error.
