@@ -18,7 +18,7 @@ Why: because.
 
 Example: this.
 
-Cure: that.
+Fix: that.
 """
 from fieldspec.extension import Diagnostic
 def good(device):

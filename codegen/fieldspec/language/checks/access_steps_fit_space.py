@@ -8,7 +8,7 @@ it under `accesses`, so that clients use it.
 Example: a step that writes without `values` and without masks; a step for a space of coils; `access_steps` with a
 single step that reads.
 
-Cure: Correct the keys of the step. State a single access under `accesses`, and leave out steps that access single bits.
+Fix: Correct the keys of the step. State a single access under `accesses`, and leave out steps that access single bits.
 """
 
 from __future__ import annotations

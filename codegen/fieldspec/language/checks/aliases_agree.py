@@ -1,12 +1,12 @@
-"""A register or field with `same_as` has the type, scale, unit and range of the one that it names. If a record has
-`same_as`, this applies to the fields that have the same name in both records, of which there is one at least.
+"""A register or field with `same_as` has the type, scale, unit and range of the register or field that it names. If a
+record has `same_as`, this applies to the fields with the same name in both records; there is at least one.
 
 Why: two descriptions of one value must agree. If they differ, one is misprinted, or the two are not the same
 value.
 
 Example: a register with `same_as: target_position` and type `u32`, where the target position is `i32`.
 
-Cure: Correct one of them and write an erratum, or remove `same_as`.
+Fix: Correct one of them and write an erratum, or remove `same_as`.
 """
 
 from __future__ import annotations

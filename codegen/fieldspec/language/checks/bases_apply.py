@@ -1,14 +1,14 @@
-"""The `base_by` of a record table names a register that has the address of the first element: a single whole number
-that can be read, without a scale, names or special values. Its `range` has the `base` of the table, which is its
-`default` if it has one, and all elements are within the address space wherever in that range they begin.
+"""The `base_by` of a record table names a register with the address of the first element: a single readable whole
+number without a scale, names or special values. Its `range` includes the `base` of the table, its `default` equals the
+`base`, and for every address in that range all elements are within the address space.
 
 Why: programs read the register, and use the addresses that follow from it. A value that is not an address leads them to
-something else.
+other data.
 
 Example: `base: 0x1000, base_by: log_address`, where `log_address` is a `u16` without a `range`.
 
-Cure: Give the register the `range` of the addresses at which the table can begin. Where it always begins at the same
-address, state `base` alone.
+Fix: Give the register the `range` of the addresses at which the table can begin. If the table always begins at the
+same address, state only `base`.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 """The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
-data have at most eight bytes. Numbers fit into their bits. Nothing else than a CAN bus has parts with bits.
+data have at most eight bytes. Numbers fit into their bits. Only links on a CAN bus have parts with `bits`.
 
 Why: the value of a bit without a part would be undefined, and a frame with more data cannot be sent.
 
 Example: an identifier of 11 bits with `bits: 7..10` and `bits: 0..5`, which leaves out bit 6.
 
-Cure: Give every bit of the identifier to one part, a `const` or a `reserved` one where the manual says so. State longer
-data as several messages. A CAN bus has no delimiters, escapes, serial settings and ports of its own. A length counts,
-and a checksum covers, parts of the data.
+Fix: Give every bit of the identifier to one part, as `const` or `reserved` if the manual says so. State longer data as
+several messages. A CAN bus has no delimiters, escapes, serial settings or ports. Only parts of the data can be counted
+by a length or covered by a checksum.
 """
 
 from __future__ import annotations

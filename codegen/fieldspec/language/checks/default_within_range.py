@@ -1,12 +1,11 @@
-"""A default is a value that the fact can have: a text of a text, and a number within the range, the type and the closed
-enum of any other value. Bytes have none.
+"""A default is a value that the fact can have: a text for a text, and a number within the range, the type and the
+closed enum for any other value. Bytes have no default.
 
-Why: a device is not delivered with a setting that it does not accept. If the two disagree, one of them is
-misprinted.
+Why: the factory setting of a device is a setting that it accepts. If the two disagree, one of them is misprinted.
 
 Example: a range of 1..127 with a default of -1.
 
-Cure: Correct the range or the default, and write an erratum. If the default is a special value outside the
+Fix: Correct the range or the default, and write an erratum. If the default is a special value outside the
 range, list it under `sentinels`.
 """
 

@@ -1,15 +1,15 @@
 """The value that identifies the version of a device is readable and has one interpretation.
 
-Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses. The value
-has the same place, type, order and scale in all versions, because a program reads it before it knows the version.
+Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses. The value has
+the same address, type, order and scale in all versions, because a program reads it before it knows the version.
 
 Example: `form: decimal` for a text, a setting that users write, or `detected_as: [104]` in two versions of a line. Or
-`form: decimal` without `places` for the versions 1.00 and 1.20, of which no number tells the second.
+`form: decimal` without `places` for the versions 1.00 and 1.20: no number means 1.20.
 
-Cure: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
+Fix: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
 different `detected_as` for each version. All lines with outputs state `detected_by` alike, or one of them does. Write
-the versions with `places` digits after the point. Name a value that all versions have at one
-place; where there is none, state no `detected_by`.
+the versions with `places` digits after the point. Name a value that all versions have at the same address; without such
+a value, omit `detected_by`.
 """
 
 from __future__ import annotations

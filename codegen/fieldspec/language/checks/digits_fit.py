@@ -1,16 +1,15 @@
-"""A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
-hexadecimal number has the digits of its whole type. Only fields and registers whose raw value is free have digits:
-not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers. A part
-of a frame may be any of these; its digits have no sign. `padding: space` is that of decimal digits with room for a
-blank, which do not vary in width. On links with `encoding: hex_ascii`, where every byte is sent
-as two characters anyway, digits are a warning.
+"""The `length` of a number that is sent as digits has room for the digits, and its type holds all numbers that they can
+express. A signed hexadecimal number has the digits of its whole type. Constants, reserved fields, sizes of other
+fields, selectors, and fields that read or write registers are not sent as digits; a part of a frame may be any of
+these, and its digits have no sign. `padding: space` needs decimal digits of a fixed width with room for a blank. On
+links with `encoding: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
-take the characters for one.
+misread the characters as a number.
 
 Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
 
-Cure: Use the next wider type with a `range`, or correct `length`. State a constant of a text line as the bytes of its
+Fix: Use the next wider type with a `range`, or correct `length`. Write a constant of a text line as the bytes of its
 characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `encoding: hex_ascii`, state the number as
 a binary one: its bytes become the hexadecimal digits.
 """

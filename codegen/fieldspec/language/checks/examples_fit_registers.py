@@ -1,13 +1,13 @@
 """Examples that read or write registers use existing addresses, in agreement with their access, and values
 within their range.
 
-Why: a sample frame is an independent print of an address and a value. If it does not fit the register table,
-one of the two is misprinted.
+Why: a sample frame prints an address and a value independently of the register table. If it does not fit the register
+table, one of the two is misprinted.
 
 Example: a sample that writes 13 to a register with the range 0..12, or writes to an address that is in no
 table.
 
-Cure: Correct the frame or the register, and write an erratum.
+Fix: Correct the frame or the register, and write an erratum.
 """
 
 from __future__ import annotations

@@ -1,13 +1,14 @@
-"""Where frames carry no code, a constant in the data marks exception responses: a `field` of their record, at a
-fixed place. No other response on the link has the bytes of this number there.
+"""On links without codes, a constant in the data marks exception responses: a `field` of their record, at a fixed
+offset. No other response on the link has the bytes of this number there.
 
-Why: a decoder that cannot tell the two apart reads the reason of a refusal as the answer, or the reverse.
+Why: a decoder that cannot distinguish the two reads the exception as a normal response, or the reverse.
 
-Example: `exception_response: {field: command, record: abort}` where `command` has the `const` 0x80, and a message
-whose response begins with any byte.
+Example: `exception_response: {field: command, record: abort}` where `command` has the `const` 0x80, and a message whose
+response can begin with any byte.
 
-Cure: Give the field of the record a `const`. Give the fields of other responses at its place another `const`, an enum
-that is not open, or a range without this number. Where responses carry a code, state `flag`, `code` or `part` instead.
+Fix: Give the field of the record a `const`. Give the fields of other responses at the same offset a different `const`,
+an enum that is not open, or a range without this number. If responses carry a code, state `flag`, `code` or `part`
+instead.
 """
 
 from __future__ import annotations

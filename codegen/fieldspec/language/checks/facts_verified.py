@@ -5,7 +5,7 @@ Why: a list from another source may contain wrong numbers, and nothing in the li
 
 Example: a register written by `fieldspec import`, with `unverified: true`.
 
-Cure: Compare the fact with the manual, state the section and the line of the manual as its source, and remove
+Fix: Compare the fact with the manual, state the section and the line of the manual as its source, and remove
 the key.
 """
 

@@ -5,7 +5,7 @@ printed.
 
 Example: an erratum with `illegible: garbled` about a member whose `doc` has no entry under `inferred`.
 
-Cure: Add a reason under `inferred` for the key that was interpreted, or remove the value from the fact.
+Fix: Add a reason under `inferred` for the key that was interpreted, or remove the value from the fact.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ rows may have the same text. The rule enum_names_unique covers the members of en
 
 Example: a record whose second and third field are both labelled "hours".
 
-Cure: Find out what the second row is, correct its label, and write an erratum with the printed label. If both
+Fix: Find out what the second row is, correct its label, and write an erratum with the printed label. If both
 are correct, set `allow: {labels_unique: <reason>}`.
 """
 

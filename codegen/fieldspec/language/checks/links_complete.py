@@ -6,12 +6,12 @@ identified or its data has no place.
 
 Example: a link with two messages whose requests have no part with the role `code`.
 
-Cure: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address,
-code, lengths and user fields come before the body; constants and reserved parts may be anywhere. A length
-counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself; an
-escaped one covers no length that counts what is sent. What SLIP or COBS keeps out of frames is their delimiter. If
-frames really carry no code, name the link under `links` of each of its messages and omit their codes; the
-caller of the decoder then states the message.
+Fix: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address, code, lengths
+and user fields come before the body; constants and reserved parts may be anywhere. A length counts adjacent parts that
+include the body. A checksum covers adjacent parts that do not include itself; an escaped one covers no length that
+counts the sent bytes. The byte that SLIP or COBS removes from frames is the delimiter. If frames really carry no code,
+name the link under `links` of each of its messages and omit their codes; the caller of the decoder then states the
+message.
 """
 
 from __future__ import annotations

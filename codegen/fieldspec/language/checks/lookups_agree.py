@@ -5,7 +5,7 @@ the row that differs is misprinted.
 
 Example: three tables of terminals and signals; one of them has the signal of an output at IN 12.
 
-Cure: Correct the cell and write an erratum, or set `allow: {lookups_agree: <reason>}` on one of the tables.
+Fix: Correct the cell and write an erratum, or set `allow: {lookups_agree: <reason>}` on one of the tables.
 """
 
 from __future__ import annotations

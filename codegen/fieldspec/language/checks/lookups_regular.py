@@ -6,7 +6,7 @@ not notice it among dozens of rows.
 Example: a gain column with 1, 2, 3, 4, 5, 6, 7, 2 that then starts again, where all other sequences end with
 8.
 
-Cure: Correct the cell, and write an erratum. If the number is really different, set `allow: {lookups_regular:
+Fix: Correct the cell, and write an erratum. If the number is really different, set `allow: {lookups_regular:
 <reason>}` on the table.
 """
 

@@ -6,12 +6,12 @@ Why: a decoder identifies a message by its code, and people identify it by its n
 
 Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
-Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. Where commands
-share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place, or a
-byte whose `range` has numbers that no other of them has. The responses need none: without it, the request determines
-which response is expected. A message that is sent only on links without codes names them under `links`. What reads
-is answered wherever it is sent. An unrequested message has a code that no response has, or a constant
-at the same place.
+Fix: Add the code, or correct one of them and write an erratum if the manual prints it that way. If commands share a
+code and have subcodes, give each request the field with its subcode as a `const`, at the same offset, or a byte with a
+`range` of its own numbers. Responses need no subcode: without it, the request determines the expected response. A
+message that is sent only on links without codes names these links under `links`. A message that reads has a response on
+every link on which it is sent. An unrequested message has a code that no response has, or a constant at the same
+offset.
 """
 
 from __future__ import annotations

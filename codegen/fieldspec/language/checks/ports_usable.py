@@ -5,8 +5,7 @@ frame ends in it. If two links state one port, its frames can belong to either.
 
 Example: `network: {tcp: 4001}` at a link whose frames contain only data.
 
-Cure: State `udp` in place of `tcp` where each datagram is a frame. State a port at the one link whose frames it
-carries.
+Fix: State `udp` in place of `tcp` if each datagram is a frame. State a port only at the link whose frames it carries.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ digit of the bound is wrong.
 
 Example: a range of -1..127 on a `u16`.
 
-Cure: Correct the type or the bound. Use a signed type if the manual prints negative values.
+Fix: Correct the type or the bound. Use a signed type if the manual prints negative values.
 """
 
 from __future__ import annotations

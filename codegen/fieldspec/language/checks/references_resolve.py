@@ -5,7 +5,7 @@ Why: without the referenced fact, a value has no meaning and no layout.
 
 Example: `enum: homing_mod` where the enum has the name homing_mode.
 
-Cure: Correct the name, or define the missing fact.
+Fix: Correct the name, or define the missing fact.
 """
 
 from __future__ import annotations

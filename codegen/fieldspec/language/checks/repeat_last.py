@@ -1,15 +1,15 @@
-"""A field that repeats may have an element, and it is known where it ends: by the end of the data, less the bytes of
-what always follows, or by a field before it that `measures` it. Where something of no fixed size follows, and in
-records that are part of others, that field is a binary number of one or two bytes without a sign. A record of no fixed
-size may be part of messages and of such records, once, `count` times or repeated, if all of its lists, and of its
-texts that vary, are counted so. Data of exceptions and of messages that access registers have lists at their end alone.
+"""A repeated field permits at least one element, and its end is known: by the end of the data, less the fixed bytes
+after it, or by an earlier field that `measures` it. If data of no fixed size follows, and in records within other
+records, that field is a binary number of one or two bytes without a sign. A record of no fixed size may be part of
+messages and of such records, once, `count` times or repeated, if an earlier field measures each of its lists and texts
+of varying width. The data of exceptions, and of messages that access registers, have lists only at their end.
 
-Why: without a field that counts the elements, only the end of the data gives their number, less what always follows.
-Records that differ in size are separated by their own counts.
+Why: without a field that counts the elements, their number follows only from the end of the data. Only their own counts
+separate records that differ in size.
 
-Example: a list of points with `repeat: 1..15` and another list after it, which nothing measures.
+Example: a list of points with `repeat: 1..15` and another list after it, without a field that measures either.
 
-Cure: State the number of elements as `count`, the field that counts them as `measures`, or list the fields in the order
+Fix: State the number of elements as `count`, the field that counts them as `measures`, or list the fields in the order
 of the wire.
 """
 

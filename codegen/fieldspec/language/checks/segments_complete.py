@@ -1,12 +1,13 @@
-"""A message whose value follows in pieces names another message of the same links, and in it the field with a piece.
-The pieces can be put together again: their number of bytes is known, by `last`, by `unused` or by `size`.
+"""A message that starts a segmented transfer names another message of the same links, and the field with a segment in
+that message. The segments can be reassembled: the number of bytes follows from `last`, `unused` or `size`.
 
-Why: a program reads or writes the value with what is stated here. A piece too much or a byte too few is another value.
+Why: programs read or write the value by these keys. With a segment too many or a byte too few, the value would be
+different.
 
 Example: `segments: {message: upload_segment, when: [segments], data: data}` without `last` and without `size`.
 
-Cure: State what the manual prints: the bit of the last piece, the number of unused bytes, the size of the whole value.
-Give a `const`, a `default` or a `range` to each field of the request that nothing else decides.
+Fix: State the keys that the manual prints: the bit of the last segment, the number of unused bytes, the size of the
+whole value. Give a `const`, a `default` or a `range` to each other field of the request.
 """
 
 from __future__ import annotations

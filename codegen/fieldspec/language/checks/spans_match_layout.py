@@ -6,7 +6,7 @@ wrong, a field is missing, or the column means something else.
 
 Example: `span: "2"` for a field of two bytes at the start of the data; `word_span: 7` for a field of 32 bits.
 
-Cure: Correct a type or the span, and write an erratum if the manual prints it that way.
+Fix: Correct a type or the span, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

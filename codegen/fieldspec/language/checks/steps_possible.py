@@ -6,7 +6,7 @@ outside its range, the device rejects it or does something else.
 
 Example: `{write: actual_position, argument: position}`, or `{wait: in_position, value: 2}`.
 
-Cure: Name the intended fact by its role or its path, and a value that it can have. Use `pulse` for a bit
+Fix: Name the intended fact by its role or its path, and a value that it can have. Use `pulse` for a bit
 whose edge has the effect, and `set` or `clear` for any other bit.
 """
 

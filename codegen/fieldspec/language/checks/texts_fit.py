@@ -1,5 +1,5 @@
-"""A text has room for its characters and its terminator, and only texts have keys for texts. A terminator ends a text
-on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, packed ASCII has three of them
+"""A text has room for its characters and its terminator, and only texts have keys for texts. Only a left-aligned text
+has a terminator, UTF-16 and a text with `byte_order: little` have an even number of bytes, packed ASCII has three bytes
 for four characters and no zeros, and a default is a text that can be sent. Only fields and registers that are not
 reserved have a special text form.
 
@@ -7,7 +7,7 @@ Why: a text that cannot be written as it is read loses or changes characters wit
 
 Example: `{name: title, type: text, length: 7, encoding: utf_16}`, as the last character has one byte.
 
-Cure: Correct the length, or remove the key.
+Fix: Correct the length, or remove the key.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""Every unit is one of the language, or the spec declares it under `units`, with a symbol of its own. Its `ucum` has
-the form of a code: symbols with exponents, joined by points and slashes; words in braces say what is counted. A unit
-with a `factor` has a `quantity`.
+"""Every unit is one of the language, or the spec declares it under `units`, with a unique symbol. Its `ucum` has the
+form of a code: symbols with exponents, joined by points and slashes; braces contain the counted object. A unit with a
+`factor` has a `quantity`.
 
-Why: software that converts values must know the unit, and a misspelt unit is unknown. Exports hand the code on to
-software that reads it.
+Why: software that converts values must know the unit, and a misspelt unit is unknown. Exports pass the code to other
+software.
 
 Example: `unit: Pluse`, or `ucum: mm//s`
 
-Cure: Use the intended unit, and write an erratum with the printed one. Declare a unit that the language does not
+Fix: Use the intended unit, and write an erratum with the printed one. Declare a unit that the language does not
 have under `units`, with its quantity and its factor. Correct the code, or remove it.
 """
 

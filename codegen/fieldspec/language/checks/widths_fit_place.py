@@ -4,7 +4,7 @@ Why: an output would have to invent bytes that the manual does not print.
 
 Example: a register of words of type `u24`, or five digits in a register of words.
 
-Cure: State the whole words as `u32` or `u48`, or `i32` or `i48` with a sign, with a `range` if it is known; of
+Fix: State the whole words as `u32` or `u48`, or as `i32` or `i48` with a sign, with a `range` if it is known; for
 digits, two in each word.
 """
 

@@ -7,7 +7,7 @@ messages.
 
 Example: a register with `access: ro` and `write_range: 0..1`.
 
-Cure: Use `range` for the field of a message, or remove `write_range`. Define a separate record for the
+Fix: Use `range` for the field of a message, or remove `write_range`. Define a separate record for the
 message.
 """
 

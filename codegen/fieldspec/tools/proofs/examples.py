@@ -138,8 +138,8 @@ def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str
     lengths = frames.link.frame(example.direction).lengths
     length = next((part for part in lengths if part.offset == error.offset), None)
     if not frames.has_right_checksum(example.frame, example.direction):
-        cure = "state under `counts` what the length counts; " if length is not None else ""
-        return cure + _mend("length_byte_correct")
+        fix = "state under `counts` what the length counts; " if length is not None else ""
+        return fix + _mend("length_byte_correct")
     if length is None:
         return "the checksum is correct, so the bytes are too: compare them with the message's fields"
     return (
