@@ -1,4 +1,4 @@
-"""Decides for a whole list what its cells leave open: how a gain is used, what bounds are in, what lengths count."""
+"""Decides for a whole list what its cells leave open: how a gain is used, what bounds are in, the unit of lengths."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
 
 
 def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str) -> tuple[str, Assumption | None]:
-    """What lengths count. `sizes` has each row's length, the words of its type and those to the next address, or 0."""
+    """The unit of lengths. `sizes` has each row's length, the words of its type and those to the next address, or 0."""
     if stated or not sizes:
         return stated or "words", None
     matches = Counter(
