@@ -1,6 +1,6 @@
 """The command line: parses the arguments and runs a verb. Each verb is a module of `command.verbs`.
 
-Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input, 141 where nobody read the output to its end.
+Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input, 141 if the reader of the output stopped early.
 """
 
 from __future__ import annotations
@@ -288,7 +288,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def command() -> NoReturn:
-    """What a shell calls. Ends the process at once: freeing the objects of a run would take longer than a verb."""
+    """The entry point of a shell. Ends the process at once: freeing the objects of a run would take longer than a verb."""
     os._exit(streams.finished(main()))
 
 

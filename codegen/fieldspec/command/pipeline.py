@@ -45,7 +45,7 @@ def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
 
 
 def findings(spec: DeviceSpec) -> list[Diagnostic]:
-    """The findings of one device at all its versions, beyond those of its files."""
+    """The findings of one device at all its versions, beyond the findings of its files."""
     return proven(spec)
 
 
@@ -134,7 +134,7 @@ def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(
 
 
 def overview(name: str, paths: Iterable[str], content: Callable[[str], bytes]) -> dict[str, bytes]:
-    """The files of one output that are made of those of all devices, by path.
+    """The files of one output that summarize all devices, by path.
 
     `paths` are the latter below the folder of all outputs, and `content` has the bytes of one of them.
     """

@@ -1,4 +1,4 @@
-"""Every rule by its code, with its documentation: those of findings, and those of changes between versions."""
+"""Every rule of findings and of changes between versions by its code, with its documentation."""
 
 from __future__ import annotations
 
@@ -62,7 +62,9 @@ cannot be read. The formats `sarif` and `github` omit the class `docs`.
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule's documentation. `stage` is one of the keys of `_TITLES`, or `changes`; `classes` are those of changes."""
+    """A rule's documentation. `stage` is one of the keys of `_TITLES`, or `changes`; `classes` are the classes of
+    changes.
+    """
 
     code: str
     stage: str

@@ -82,7 +82,7 @@ SIEMENS = IEC | _words(
     s5time variant void dtl ltime nil ok region end_region pragma_begin pragma_end
     """
 )
-"""The words of SCL, with those of IEC 61131-3."""
+"""The words of SCL and of IEC 61131-3."""
 
 
 @dataclass(frozen=True, slots=True)

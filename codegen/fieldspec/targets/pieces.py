@@ -29,7 +29,7 @@ class Names(Protocol):
 
     @contextmanager
     def noting(self) -> Iterator[RequestedNames]:
-        """Meanwhile, notes what is asked for, and the names that are given."""
+        """Meanwhile, records the requests and the names."""
 
     def gives(self, requested_names: RequestedNames) -> bool:
         """Gives the same names again, all or none."""

@@ -72,7 +72,7 @@ def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
 
 @dataclass(frozen=True, slots=True)
 class _TracedField:
-    """What the bytes of a field gave."""
+    """The result of reading the bytes of a field."""
 
     name: str
     rows: list[Row]
@@ -81,8 +81,8 @@ class _TracedField:
 class Body:
     """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
 
-    `rows` and `values` go as far as the bytes do. `request_values` are those of the request that the frame answers.
-    `outer` is the message or the record; its sources stand in for fields without their own.
+    `rows` and `values` go as far as the bytes do. `request_values` are the values of the request that the frame
+    answers. `outer` is the message or the record; its sources stand in for fields without their own.
     """
 
     def __init__(
@@ -240,7 +240,7 @@ class Body:
         return read.judged(False, f"{span.plus} to {span.value.width + span.plus}", "wrong_measure")
 
     def _count(self, field: FieldLayout) -> int:
-        """How many elements the field should have: as many as fit if their number is free."""
+        """The number of elements that the field should have: all that fit if their number is free."""
         repeat = field.field.repeat
         if repeat is None:
             return field.count or 0
@@ -275,7 +275,7 @@ class Body:
         return replace(row, errata=errata_at(self.layout.device, path))
 
     def _field(self, field: FieldLayout, start: int, sizes: Sequence[int]) -> _TracedField:
-        """What the elements of one field gave, which have some sizes. Adds their values to `values`."""
+        """The result of reading the elements of one field, which have the given sizes. Adds their values to `values`."""
         rows: list[Row] = []
         program = field_program(self.layout.device, self.record, field)
         values = run_each(program, Place(self.data, start, self.end), sizes, rows, self._rows_by_name)
@@ -286,7 +286,7 @@ class Body:
         return _TracedField(field.name, rows)
 
     def _row(self, row: Row, known: Mapping[str, Raw]) -> ExplanationRow:
-        """The row of what some bytes gave; `known` are the values of the fields before it, and those of the request."""
+        """The row of what some bytes gave; `known` are the values of the fields before it and of the request."""
         device, field, value = self.layout.device, row.variable.field, row.variable.value
         assert field is not None
         exponent = row.rows_beside.get(row.variable.exponent)

@@ -47,8 +47,8 @@ def explained(
     """The explanation of a whole frame. `direction` is `request` or `response`.
 
     `message` names the message of a frame that carries no code. `request` is the frame that a response answers: it
-    tells which message and which registers the response is about, if the response does not.
-    Raises KeyError for a link that the device does not have, and nothing for any bytes.
+    identifies the message and the registers of the response, if the response does not. Raises KeyError for a link that
+    the device does not have, and nothing for any bytes.
     """
     remembered = _EXPLAINED.get_or_compute(layout, lambda _: {})
     key = link, direction, frame, message, request
@@ -108,7 +108,7 @@ class _Frame:
         self.accessed: tuple[int, int] | None = None
 
     def explanation(self) -> Explanation:
-        """The whole explanation. The header comes first, as its code tells what the body is."""
+        """The whole explanation. The header comes first, because its code determines the body."""
         if self.unreadable is not None:
             return self._unreadable(self.unreadable)
         rows = [*start_rows(self.wrapped), *self._head()]
@@ -340,7 +340,7 @@ class _Frame:
         return self.message.data(self.direction) if self.message else None
 
     def _body(self) -> tuple[list[ExplanationRow], RegisterRows]:
-        """The rows of the body, and those of the registers that it reads or writes."""
+        """The rows of the body, and of the registers that it reads or writes."""
         start, record = self.shape.header_size, self._record()
         end = max(start, len(self.data) - self.shape.trailer_size) if self.wrapped.whole else len(self.data)
         if record is None:

@@ -1,4 +1,4 @@
-"""What a person should know before a request is sent: whether it only reads, and what a write does beside."""
+"""Warnings before a request is sent: whether it only reads, and the side effects of a write."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ def with_parameter(
 ) -> ExplanationRow:
     """The row of element `index` of a field, with the name and the meaning that its parameter gives it.
 
-    `known` are the values of the frame so far and those of the request that it answers. `outer` is the message.
+    `known` are the values of the frame so far and of the request that it answers. `outer` is the message.
     """
     part = field.value.parameter if field.value else None
     if part is None:

@@ -79,7 +79,8 @@ def accessed(
     data: bytes,
     unit_size: int = 2,
 ) -> Span | None:
-    """The words that a message accesses, by its own values or those of the request that it answers; None if unknown.
+    """The words that a message accesses, by its own values or the values of the request that it answers; None if
+    unknown.
 
     `data` are the bytes of the words, at `offset` in the parts; empty if the message does not carry them. In a space of
     bytes, the `unit_size` is 1.

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
 _MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
-"""Numbers with at most so many places, or digits, are written in full; others are rounded to no fewer digits."""
+"""Numbers with at most this number of places, or digits, are written in full; others are rounded to it."""
 _EXACT = Context(prec=200)
 
 
@@ -333,7 +333,7 @@ def _bit(device: Device, bit: Bit, number: int) -> Meaning:
 
 
 def bit_text(bit: Bit) -> str:
-    """What it means that a single bit is 1."""
+    """The meaning of a single bit that is 1."""
     text = bit.one or bit.doc
     if bit.edge:
         text = "; ".join(part for part in (text.removesuffix("."), f"acts at its {bit.edge} edge") if part)

@@ -33,7 +33,7 @@ class ExceptionMark:
         return self.number.to_bytes(self.size, order)
 
     def is_in(self, data: bytes) -> bool:
-        """Whether some data are those of an exception response."""
+        """Whether some data belong to an exception response."""
         return data[self.offset : self.end] == self.pattern
 
 

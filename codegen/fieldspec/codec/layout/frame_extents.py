@@ -44,8 +44,8 @@ _OPEN = FrameExtent(OPEN)
 class FrameExtents:
     """The extents of all frames in one direction.
 
-    `by_code` has those of codes that determine them, `by_subcode` for other codes what tells their messages apart, and
-    the extents by its number. `refusal` is that of exception responses which a bit of the code marks.
+    `by_code` has the extents of codes that determine them, `by_subcode` for other codes the subcode of their messages,
+    and the extents by its number. `refusal` is that of exception responses which a bit of the code marks.
     """
 
     by_code: Mapping[int, FrameExtent]
@@ -79,7 +79,9 @@ def frame_extents(
     messages: Iterable[tuple[str, int | None, RecordLayout]],
     refusal: RecordLayout | None,
 ) -> FrameExtents:
-    """The extents of the frames of some messages: name, code and data; `refusal` are those of exception responses."""
+    """The extents of the frames of some messages: name, code and data; `refusal` are the extents of exception
+    responses.
+    """
     frame, error = link.frame(direction), link.link.exception_response
     code_extents: dict[int, set[FrameExtent]] = {}
     names: dict[str, FrameExtent] = {}

@@ -1,10 +1,10 @@
 """Lists with other fields after them, and records that differ in size, in lists and by themselves: where everything is
 in some data.
 
-Codecs work on the image of such a record: first all other fields, then the lists. Each list but the last one has room
-there for as many elements as it may have. An element that differs in size is there as it is sent, with zeros after it
-up to the most bytes that it may have, so that everything in the image has its place. The last list goes on to the end
-of the image. A record that differs in size and occurs a fixed number of times is a list of so many elements.
+Codecs work on the image of such a record: first all other fields, then the lists. Each list except the last has room
+there for its greatest number of elements. An element that differs in size is there as it is sent, with zeros after it
+up to the most bytes that it may have, so that everything in the image has its place. The last list extends to the end
+of the image. A record that differs in size and occurs a fixed number of times is a list of that number of elements.
 """
 
 from __future__ import annotations
@@ -175,7 +175,7 @@ class InnerLists:
         return b"".join(inner.parts.sent_bytes(element) for element in elements)
 
     def sent_bytes(self, element: bytes) -> bytes:
-        """What is sent of an element in an image."""
+        """The sent bytes of an element in an image."""
         size = self.sent_size(element)
         assert isinstance(size, int)
         return element[:size]
@@ -201,7 +201,7 @@ def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
 
 
 def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
-    """The elements of a list whose elements differ in size: as many as have `size` bytes in the image, or all."""
+    """The elements of a list whose elements differ in size: those within `size` bytes of the image, or all."""
     sizes: list[int] = []
     offset = 0
     while offset < len(data) if size is None else len(sizes) * inner.element < size:

@@ -12,7 +12,7 @@ from fieldspec.language.model.digits import NIBBLES
 from fieldspec.language.model.value import Value
 
 WAITS, OPEN, NONE = -2, -1, 0
-"""In place of a size: more bytes must come to tell it; nothing but silence, or an end delimiter, tells it; no frame."""
+"""In place of a size: more bytes are needed; only silence or an end delimiter ends the frame; not a frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ class Count:
 class FrameSize:
     """A frame has `fixed` bytes, and `unit` more for each that its `count` says.
 
-    Without a count, one `with_end` goes on to the next end delimiter.
+    Without a count, a frame `with_end` continues to the next end delimiter.
     """
 
     fixed: int

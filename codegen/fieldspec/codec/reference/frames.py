@@ -75,7 +75,7 @@ class FrameCodec:
     def decode(self, frame: bytes, direction: str, message: str = "") -> Decoded:
         """The meaning of a whole frame.
 
-        `message` names the message where the frame does not tell which one it is. Raises CodecError.
+        `message` names the message if the frame does not identify it. Raises CodecError.
         """
         shape = self.link.frame(direction)
         head, data = self._around(frame, direction)
@@ -267,7 +267,7 @@ class FrameCodec:
         return self._marked(direction, self._joined(direction, numbers, inner, True))
 
     def _complete(self, direction: str, numbers: Values, inner: bytes, is_sent: bool) -> None:
-        """Fills in the lengths and the checksums of the bytes that are sent, or those of the bytes before."""
+        """Fills in the lengths and the checksums of the sent bytes, or of the bytes before escaping."""
         shape = self.link.frame(direction)
         for length in shape.lengths:
             if _is_sent(shape, length) == is_sent:

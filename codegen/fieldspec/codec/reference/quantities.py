@@ -66,7 +66,7 @@ def quantity(value: Value, raw: float, power: int | None = None) -> Fraction | N
 
 
 def count_of_quantity(value: Value, number: Fraction, power: int | None = None) -> int:
-    """The count of a quantity. Raises NoQuantityError where it is none, or that of a special value."""
+    """The count of a quantity. Raises NoQuantityError if it is not a quantity, or is a special value."""
     count = (number - Fraction(value.offset)) / scale_of(value, power)
     if count.denominator != 1:
         raise NoQuantityError(f"{number} is not a whole number of counts")

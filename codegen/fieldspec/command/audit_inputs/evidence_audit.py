@@ -48,7 +48,7 @@ def folder_report(
 ) -> tuple[Report, tuple[Diagnostic, ...]]:
     """The report on a folder of units, and its findings; those in the notes alone where there are any.
 
-    `layouts` are those of all versions. Raises UsageError.
+    `layouts` are the layouts of all versions. Raises UsageError.
     """
     notes, findings = _notes(folder)
     if findings:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 JOURNAL, SUMMARY = "journal.json", "summary.json"
 JOURNAL_FORMAT = 2
-"""The number of what a journal holds: a run goes on from journals of this form alone."""
+"""The version of the journal format: a run continues only from journals of this version."""
 PART = 1_000_000
 """The frames of a part, unless --part-frames says another number."""
 
@@ -64,7 +64,7 @@ def require_captures() -> None:
 
 
 def _choices(layout: DeviceLayout, arguments: argparse.Namespace) -> Choices:
-    """What the options say about all frames. Raises UsageError."""
+    """The options that apply to all frames. Raises UsageError."""
     from fieldspec.tools.captures.decoding import Choices
 
     for option in OF_FRAMES:
@@ -113,7 +113,7 @@ def source_files(names: list[str]) -> list[tuple[str, Path]]:
 
 
 class _Job:
-    """One run over all files, which goes on where an earlier one was stopped."""
+    """One run over all files, which continues where an earlier run was stopped."""
 
     def __init__(
         self,
@@ -209,7 +209,7 @@ class _Job:
             raise UsageError(f"cannot read {path}: {error.strerror}") from None
 
     def _journal(self) -> Any:
-        """What an earlier run has noted, None where there is none. Raises UsageError for another task."""
+        """The journal of an earlier run, None without one. Raises UsageError for another task."""
         path = self.out / JOURNAL
         if not path.exists():
             if any(self.out.iterdir()):

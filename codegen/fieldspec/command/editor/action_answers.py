@@ -1,4 +1,4 @@
-"""What the server answers where an editor asks what can be done at a place: edits, and what a frame says."""
+"""The code actions at a position: edits, and the explanation of a frame."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ _INDEXES: ByIdentity[DeviceSpec, _Index] = ByIdentity(limit=50)
 
 
 def meant(place: Cursor) -> list[NamedFact]:
-    """The facts that are named at a place, or that a name there refers to; in a protocol those of each device."""
+    """The facts that are named at a place, or that a name there refers to; in a protocol, the facts of each device."""
     node = place.scalar or place.key_scalar
     if node is None:
         return []

@@ -26,7 +26,7 @@ def name_at(place: Cursor) -> Span:
 
 
 def renaming(place: Cursor, new_name: str) -> list[Span]:
-    """The places of a name that are written anew. Raises UsageError where the new name breaks something."""
+    """The places where a name is replaced. Raises UsageError where the new name breaks something."""
     project, at_cursor = place.project, name_at(place)
     old_name = _text(at_cursor)
     spans = list(dict.fromkeys(span for fact in meant(place) for span in _spans(fact) if _text(span) == old_name))

@@ -28,7 +28,7 @@ from fieldspec.language.reading.memory import FileRead
 PAUSE = 0.05
 """Seconds without a key after which the specs are judged."""
 IDLE = 2.0
-"""Seconds without a key after which memory is tidied up: nobody else does, and the server runs for long."""
+"""Seconds without a key press after which garbage is collected, because the server runs for a long time."""
 
 _SEVERITIES = {Severity.ERROR: types.DiagnosticSeverity.Error, Severity.WARNING: types.DiagnosticSeverity.Warning}
 
@@ -88,7 +88,7 @@ class Server(LanguageServer):
         return (project, read) if project is not None and read is not None else None
 
     def cursor(self, uri: str, position: types.Position) -> Cursor | None:
-        """What is at a position of a document; None where that is not a spec, or cannot be read there."""
+        """The context of a position in a document; None where that is not a spec, or cannot be read there."""
         document = self.document(uri)
         return cursor(*document, self.positions(document[1].file).offset(position)) if document is not None else None
 

@@ -184,7 +184,7 @@ def _files_named(folder: str, pattern: re.Pattern[str]) -> list[os.DirEntry[str]
 
 
 def _ours(state: os.stat_result) -> bool:
-    """Whether a file is regular, not too large, and writable by nobody else."""
+    """Whether a file is regular, not too large, and writable only by its owner."""
     if not stat.S_ISREG(state.st_mode) or state.st_size > _LARGEST:
         return False
     if os.name != "posix":

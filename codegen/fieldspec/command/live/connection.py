@@ -35,7 +35,7 @@ _MOST_REASONS = 3
 """The reasons of one finding."""
 
 _TIMEOUT = 1.0
-"""The seconds that a response can take if nobody says how long."""
+"""The default response timeout in seconds."""
 
 
 def has_registers(layout: DeviceLayout) -> bool:
@@ -233,7 +233,7 @@ def settings_text(layout: DeviceLayout, link: LinkLayout, arguments: argparse.Na
 
 
 def unit_address_text(unit: int) -> str:
-    """What a verb says of the unit address that it uses because nobody has chosen one."""
+    """The remark of a verb on the default unit address."""
     return f"unit address {unit}; --unit NUMBER chooses another"
 
 

@@ -1,4 +1,4 @@
-"""What the verbs of `fieldspec live` print and ask."""
+"""The output and the questions of the verbs of `fieldspec live`."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def can_ask(arguments: argparse.Namespace) -> bool:
 
 
 def confirmed(arguments: argparse.Namespace) -> bool:
-    """Whether a person agrees to write. Raises UsageError where nobody can be asked."""
+    """Whether a person agrees to write. Raises UsageError without a terminal."""
     if arguments.yes:
         return True
     if not can_ask(arguments):

@@ -21,7 +21,7 @@ from fieldspec.targets import BUILT_IN, OUTPUTS, Files, Output
 
 
 def load_outputs(anew: bool = False) -> None:
-    """Adds the outputs of installed packages to those of fieldspec. Raises UsageError."""
+    """Adds the outputs of installed packages to fieldspec's own outputs. Raises UsageError."""
     installed = plugins(OUTPUT_GROUP, BUILT_IN, anew)
     for name in [name for name in OUTPUTS if name not in BUILT_IN]:
         del OUTPUTS[name]
@@ -30,7 +30,7 @@ def load_outputs(anew: bool = False) -> None:
 
 
 def outputs_help(arguments: Sequence[str]) -> str:
-    """What `build --help` says of the outputs, those of installed packages too. Raises UsageError."""
+    """The outputs in `build --help`, including outputs of installed packages. Raises UsageError."""
     load_outputs()
     titles = {
         name: output.backend.title() if isinstance(output.backend, PluginBackend) else output.title
@@ -60,7 +60,7 @@ class PluginBackend:
         return _checked_findings(self.plugin, self._call("refusals", versions))
 
     def title(self) -> str:
-        """What the output writes, in a line. Raises UsageError."""
+        """The description of the output in one line. Raises UsageError."""
         return str(self._module().TITLE)
 
     def _module(self) -> Any:
@@ -182,7 +182,7 @@ def _loaded(plugin: Plugin) -> Any:
 
 
 def load_checks(anew: bool = False) -> None:
-    """Adds the checks of installed packages to those of fieldspec. Raises UsageError."""
+    """Adds the checks of installed packages to fieldspec's own checks. Raises UsageError."""
     from fieldspec.language.checks import table
 
     table.INSTALLED.clear()

@@ -75,7 +75,7 @@ def plugins(group: str, reserved: Collection[str], anew: bool = False) -> dict[s
 
 
 _known: dict[str, tuple[Plugin, ...]] = {}
-"""What is installed, by the state of the folders that modules are imported from."""
+"""The installed plug-ins, by the state of the import folders."""
 
 
 def _installed(anew: bool) -> tuple[Plugin, ...]:
@@ -94,7 +94,7 @@ def _installed(anew: bool) -> tuple[Plugin, ...]:
 
 
 def _stored(state: str) -> tuple[Plugin, ...] | None:
-    """What an earlier run has found; None where nothing is stored, or another program has written it."""
+    """The result of an earlier run; None where nothing is stored, or another program has written it."""
     content = cache_folder.cached(KIND, state)
     try:
         rows = json.loads(content or b"")

@@ -85,7 +85,7 @@ _FIXED = 2
 
 
 def split(table: Table, limit: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The numbers of the columns that fit into `limit` columns of a terminal, and of those that stand below their rows.
+    """The numbers of the columns that fit into `limit` columns of a terminal, and of the columns below their rows.
 
     The widest columns go first, of equal ones the last; the first two always stay.
     """

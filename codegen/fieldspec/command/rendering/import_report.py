@@ -1,4 +1,4 @@
-"""What an import used of a list, what it did not, and what it took for granted, as lines for people."""
+"""The content that an import used of a list, the unused content, and the assumptions, as lines for people."""
 
 from __future__ import annotations
 

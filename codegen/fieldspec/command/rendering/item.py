@@ -218,7 +218,7 @@ def fact_details(device: Device, fact: Fact) -> Details:
 
 
 def _handling(handling: Handling) -> Details:
-    """What a reader or writer of a value must know."""
+    """Notes for readers and writers of a value."""
     yield "reading", "clears it: only the first reader gets it" if handling.clears_on_read else ""
     yield "memory", _MEMORY.get(handling.memory, "")
     yield "saved by", handling.saved_by

@@ -39,7 +39,7 @@ class Server(MCPServer[None]):
 
 
 def _refuse(name: str, arguments: Mapping[str, Any], properties: Mapping[str, Any]) -> None:
-    """Raises ToolError for arguments that are not those of a tool."""
+    """Raises ToolError for arguments that a tool does not have."""
     size = len(json.dumps(arguments))
     if size > MOST_BYTES:
         raise ToolError(f"the arguments of {name} have {size} bytes; send {MOST_BYTES} at most")
@@ -52,7 +52,7 @@ def _refuse(name: str, arguments: Mapping[str, Any], properties: Mapping[str, An
 
 
 class _Messages:
-    """The messages of a client. A line that is none is answered here; JSON-RPC 2.0, section 5."""
+    """The messages of a client. An invalid line is answered here; JSON-RPC 2.0, section 5."""
 
     def __init__(self, lines: Any, answers: Any) -> None:
         self._lines, self._answers = lines, answers

@@ -84,7 +84,7 @@ class FramePrinter:
 
 @dataclass(frozen=True, slots=True)
 class _Body:
-    """What is printed of an explanation below its remarks."""
+    """The part of an explanation below its remarks."""
 
     blocks: tuple[Block, ...]
     footnotes: tuple[str, ...]
@@ -135,7 +135,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _fails(reading: ChosenReading, strict: bool) -> bool:
-    """Whether the exit code is 1: the frame is wrong or, where that is asked for, has a doubtful value."""
+    """Whether the exit code is 1: the frame is wrong or, with `--strict`, has a doubtful value."""
     return reading.wrong or (strict and any(faults(reading.explanation)))
 
 
@@ -289,7 +289,7 @@ class Log:
         ]
 
     def _request(self, reading: ChosenReading) -> OpenRequest | None:
-        """The frame as the request that the next response answers; None for what nobody answers."""
+        """The frame as the request that the next response answers; None for messages without a response."""
         request = reading.explanation
         if request.direction != "request" or (reading.wrong and request.reasons != ("unknown_code",)):
             return None

@@ -149,7 +149,7 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
 
 
 def _unit_address(layout: DeviceLayout, unit: int | None) -> int:
-    """The unit address: the one that is asked for, or the first that the device can have. Raises UsageError."""
+    """The unit address: the requested address, or the first that the device can have. Raises UsageError."""
     if unit is None:
         return usual_unit_address(layout)
     if not _has_unit_address(layout):

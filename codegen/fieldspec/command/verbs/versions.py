@@ -51,7 +51,7 @@ def _named(node: Node, bound: str) -> Iterator[str]:
 
 
 def each(spec: DeviceSpec) -> list[str]:
-    """Every version of a device; those of lines without outputs are joined with the newest version."""
+    """Every version of a device; versions of lines without outputs are joined with the newest version."""
     built = spec.versions()
     other_versions = [version for version in spec.lines.place if version not in built]
     return [*built, *(other if other in spec.lines.alike else f"{built[-1]}+{other}" for other in other_versions)]

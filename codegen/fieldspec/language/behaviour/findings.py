@@ -1,4 +1,4 @@
-"""What is wrong with a behaviour."""
+"""The findings of a behaviour."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the names in a behaviour mean: signals, elements of records, properties of the axis, states of machines."""
+"""The meaning of names in a behaviour: signals, elements of records, properties of the axis, states of machines."""
 
 from __future__ import annotations
 

@@ -87,9 +87,8 @@ class Rename:
 class Comparison:
     """The pairs of corresponding objects in two versions of a device, and the objects that only one version has.
 
-    `renames` are the new paths of objects that the spec itself says to have another name, by their old paths.
-    `reserved_changes` are the pairs of which one object has a meaning and the other is reserved; nothing else in them
-    can be compared.
+    `renames` are the new paths of objects that the spec itself renames, by their old paths. `reserved_changes` are the
+    pairs of which one object has a meaning and the other is reserved; nothing else in them can be compared.
     """
 
     def __init__(self, old: Device, new: Device, renames: Mapping[str, str] | None = None) -> None:
@@ -128,12 +127,12 @@ class Comparison:
 
     @property
     def values(self) -> list[ValuePair]:
-        """The values that differ, without those of reserved objects."""
+        """The values that differ, without values of reserved objects."""
         return [pair for pair in self.all_values if not pair.reserved]
 
     @cached_property
     def all_values(self) -> list[ValuePair]:
-        """The values that differ. What a field takes from its signal is a difference of the signal alone."""
+        """The values that differ. A value that a field takes from its signal differs only in the signal."""
         differences = []
         for model_class, pairs in self._pairs.items():
             for pair in pairs:
@@ -252,7 +251,7 @@ class _Offsets:
     """The offsets of fields, or of parts of a frame, by their identity in memory, and their size.
 
     An offset is a run and a number of bytes: a frame has one run before its body, and one from there on; fields have
-    one up to each list that goes on to the end or that another field measures, and one after the last of these.
+    one run up to each list that extends to the end or that another field measures, and one after the last of these.
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
@@ -340,7 +339,7 @@ def _proven(
     new_surroundings: Surroundings,
     containers: tuple[Any, Any],
 ) -> Iterator[tuple[Pair[Any], str]]:
-    """The pairs that evidence proves: the two have in common what no other removed or added object has."""
+    """The pairs that evidence proves: the two share data that no other removed or added object has."""
     evidence = EVIDENCE.get(model_class)
     if evidence is None:
         return

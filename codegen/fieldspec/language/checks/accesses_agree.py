@@ -55,7 +55,7 @@ def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterat
 
 
 def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
-    """What the field allows, and no table with its record."""
+    """The access that the field permits, but no table with its record."""
     if not field.access or not all(use.access for use in uses):
         return
     for verb, allows in _VERBS:
@@ -67,7 +67,7 @@ def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
 
 
 def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
-    """What the table allows, and no field of its record."""
+    """The access that the table permits, but no field of its record."""
     fields = [field for field in record.fields if not field.reserved]
     if not table.access or not fields or not all(field.access for field in fields):
         return

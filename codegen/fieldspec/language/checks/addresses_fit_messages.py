@@ -41,7 +41,9 @@ def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
 
 
 def _addressed(device: Device, space: str, refused: str) -> Iterator[tuple[Fact, str, int, int]]:
-    """What a message can access of a space: registers with the first addresses of their elements, whole tables."""
+    """The part of a space that a message can access: registers with the first addresses of their elements, whole
+    tables.
+    """
     for register in device.registers():
         if device.space_name(register.space) == space and register.access != refused:
             yield register, "at", register.address, register.address + (register.count - 1) * register.stride

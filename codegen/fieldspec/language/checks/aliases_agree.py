@@ -63,7 +63,7 @@ def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator
 
 
 def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic]:
-    """A field of a response can have what the request has: as many elements, and no other constant."""
+    """A field of a response can have the values of the request: the same number of elements, and the same constant."""
     if same is None:
         return
     if _elements(field) != _elements(same):

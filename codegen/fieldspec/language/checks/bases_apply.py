@@ -42,7 +42,7 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
 
 
 def _no_address(device: Device, table: Table, register: Register, extent: int) -> str:
-    """Why the range of a register is not that of the address of a table of so many words; empty where it is."""
+    """Why the range of a register cannot be the base address of a table with `words` words; empty if it can."""
     value, space = register.value, device.space(table.space)
     bounds = space.bounds.intervals
     if value.ranges is None:
@@ -62,7 +62,7 @@ def _no_address(device: Device, table: Table, register: Register, extent: int) -
 
 
 def _detections(device: Device, table: Table) -> Iterator[Diagnostic]:
-    """Versions are told by something at a known address."""
+    """A version is identified by a value at a constant address."""
     record = device.records.get(table.record)
     paths = {field.place.path for field in record.fields} if record is not None else set()
     for line in device.lines:

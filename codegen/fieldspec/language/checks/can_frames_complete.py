@@ -112,7 +112,7 @@ def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Ite
 
 
 def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
-    """The data of every message, and those of an exception response, fit into a frame."""
+    """The data of every message, and of an exception response, fit into a frame."""
     sizes = RecordSizes(device)
     for direction in ("request", "response"):
         parts_size = sum(part_size(part) for part in link.parts(direction) if part.bits is None)

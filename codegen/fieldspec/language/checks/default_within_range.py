@@ -55,7 +55,7 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
 
 
 def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:
-    """What a default is that the type cannot have, and what to do; None where it has the form of the value."""
+    """The fault of a default that the type cannot have, and its fix; None where it has the form of the value."""
     encoding = value.encoding
     match encoding:
         case Octets():
@@ -73,7 +73,7 @@ def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, 
 
 
 def _wrong_count(device: Device, value: Value, default: str) -> tuple[str, str]:
-    """What a text is that stands for a whole number, and what to do."""
+    """The fault of a text default of a whole number, and its fix."""
     help = "state the raw value: the value in the unit, less the offset, divided by the scale"
     if default.isdecimal():
         help = f"numbers have no leading zeros: write it as `{default.lstrip('0') or '0'}`"

@@ -106,7 +106,7 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 
 def _has_digits(primitive: Primitive) -> bool:
-    """Whether numbers of a type may be sent as digits: those of machines, in two's complement below zero."""
+    """Whether numbers of a type may be sent as digits: whole numbers of 8 to 64 bits, in two's complement below zero."""
     encoding = primitive.encoding
     match encoding:
         case Whole():
@@ -158,7 +158,7 @@ def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
 
 
 def _use(fact: Fact, value: Value) -> str:
-    """What a value is for that outputs read as a binary number; empty for other values."""
+    """The purpose of a value that outputs read as a binary number; empty for other values."""
     if value.const is not None:
         return "is a constant"
     if isinstance(fact, Field) and fact.measures is not None:

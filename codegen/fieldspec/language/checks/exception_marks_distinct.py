@@ -62,7 +62,7 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
 def _apart(
     device: Device, sizes: RecordSizes, link: Link, message: Message, place: Place, number: int
 ) -> Iterator[Diagnostic]:
-    """Whether the bytes at a place of the response of a message never are those of a number."""
+    """Whether the bytes at an offset of the response of a message never equal a number."""
     offset, size, order = place
     mark = number.to_bytes(size, "little" if order == "little" else "big")
     first: Field | None = None
@@ -84,7 +84,7 @@ def _apart(
 
 
 def _is_another(device: Device, field: Field, start: int, offset: int, mark: bytes) -> bool:
-    """Whether the bytes that a field, which begins at `start`, shares with those of the mark never are the mark's."""
+    """Whether the bytes that a field at `start` shares with the mark never equal the mark's bytes."""
     value = field.value
     if value is None or not is_count(value.encoding) or value.width:
         return False

@@ -35,7 +35,7 @@ def label(place: Place, key: str, text: str) -> Label:
 
 
 def is_imported(place: Place, device: Device) -> bool:
-    """Whether only the file of a protocol states a fact. What it lacks is a matter of the device that uses it."""
+    """Whether only the file of a protocol states a fact. The device that uses the protocol states what is missing."""
     path = device.place.whole.file.path
     return not place.whole.file.path.startswith(path[: path.rfind("/") + 1])
 
@@ -128,7 +128,7 @@ class Allowance:
     check: str
 
     def spans(self) -> list[Span]:
-        """The span of the fact and those of its values, some of which may come from elsewhere."""
+        """The spans of the fact and of its values, some of which may come from elsewhere."""
         return [self.fact.place.whole, *self.fact.place.spans.values()]
 
 

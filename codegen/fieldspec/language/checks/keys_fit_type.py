@@ -100,7 +100,7 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
-    """What a number with an enum or a word of bits cannot have beside it."""
+    """The keys that a number with an enum or a bit field cannot have."""
     keys = ("enum", *_SCALED, "unit") if value.flags else _SCALED if value.enum else ()
     names = "is a word of bits" if value.flags else f"has the names of {value.enum}"
     fix = (
@@ -119,7 +119,7 @@ def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 
 def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnostic]:
-    """What a truth value is that its enum refuses, though no reader refuses either of the two."""
+    """The truth value that a closed enum lacks, although readers accept both truth values."""
     if enum is None or enum.open:
         return
     available = {member.value for member in enum.members if not member.unavailable}

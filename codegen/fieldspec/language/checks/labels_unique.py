@@ -32,7 +32,7 @@ def labels_unique(device: Device) -> Iterator[Diagnostic]:
 
 
 def _as_original(row: Fact, originals: Mapping[str, Register]) -> bool:
-    """Whether a row is the copy of a register that has the same label, and is looked at there."""
+    """Whether a row is the copy of a register with the same label, which is checked there."""
     original = originals.get(row.copy_of) if isinstance(row, Register) else None
     return original is not None and original.label == row.label and not row.printed_name
 

@@ -48,7 +48,7 @@ def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Di
 
 
 def _counting(numbers: Sequence[int]) -> dict[int, int]:
-    """The rows of a column that counts on from row to row, or begins anew, and are neither; with what they should be.
+    """The rows that neither continue nor restart the count of a column, with the expected numbers.
 
     Nothing where fewer than half of the rows count on.
     """
@@ -65,7 +65,7 @@ def _counting(numbers: Sequence[int]) -> dict[int, int]:
 
 
 def _rising(numbers: Sequence[int]) -> dict[int, int]:
-    """The rows of a column that rises by one after every so many rows, and are not what that makes them."""
+    """The rows that break a column that rises by one after a fixed number of rows."""
     runs = [len(list(run)) for _, run in groupby(numbers)]
     width = Counter(runs).most_common(1)[0][0]
     if width < 2 or len(numbers) < _FEWEST_STEPS * width:

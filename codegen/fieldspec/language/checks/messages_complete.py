@@ -74,7 +74,7 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
 
 
 def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Diagnostic]:
-    """What the device sends of its own accord is known without a request."""
+    """Unrequested messages are identified without a request."""
     answered_messages = [message for message in messages_on(device, link) if message.is_answered_on(link.name)]
     is_coded = any(part.role == "code" for part in link.response)
     for message in (message for message in answered_messages if not message.is_requested):
@@ -150,7 +150,7 @@ def _check_response_code(device: Device, message: Message) -> Iterator[Diagnosti
 
 
 def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:
-    """A message that is sent beside others is no such one itself, and shares a link with each of them."""
+    """A message that supplements others is not supplemented itself, and shares a link with each of them."""
     for name in message.supplements:
         other = device.messages.get(name)
         if other is None:

@@ -63,7 +63,7 @@ class Addresses:
     def at(self, space: str, address: int) -> list[Addressed]:
         """The values that begin at an address of a space; an empty name means the first space.
 
-        Of registers and tables at the same address, one is enough.
+        One register or table of those at the same address is enough.
         """
         own = self._device.space_name(space)
         register = self._registers.get((own, address))

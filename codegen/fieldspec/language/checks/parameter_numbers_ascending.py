@@ -20,7 +20,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 
 _FEW = 4
-"""Of so many steps at most one may skip, or the list has holes by design."""
+"""The number of steps of which at most one may skip; otherwise, the list has gaps by design."""
 
 
 def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:

@@ -19,7 +19,7 @@ from fieldspec.language.model.link import Link
 
 _CODE = "ports_usable"
 _ENDING = ("length", "code", "checksum")
-"""The roles of parts that tell where a frame ends."""
+"""The roles of parts that determine the end of a frame."""
 
 
 def ports_usable(device: Device) -> Iterator[Diagnostic]:

@@ -38,7 +38,7 @@ _PARTS = frozenset(
         "unit_addresses",
     )
 )
-"""What a path may name below a fact that is none itself."""
+"""The names below a fact that a path may end in, although they are not facts."""
 
 _SAVING = frozenset(("registers", "parameters", "messages", "records", "tables", "signals"))
 """The sections of what is written to a device or sent to it."""

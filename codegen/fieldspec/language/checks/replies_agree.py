@@ -53,7 +53,7 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _count_mismatch(device: Device, message: Message, request: Example, reply: Example) -> str:
-    """The reason why a response has another number of values than its request asks for, or an empty text."""
+    """The reason why the number of values in a response differs from the requested number, or an empty text."""
     access = message.accesses
     if access is None or access.operation != "read" or reply.direction != "response":
         return ""

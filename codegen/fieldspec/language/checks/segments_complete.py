@@ -147,7 +147,7 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
 
 
 def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[Diagnostic]:
-    """The message that ends a transfer: nobody answers it, and everything in it is known."""
+    """The message that ends a transfer: it has no response, and all its values are known."""
     message = device.messages.get(abort.message)
     if message is None:
         yield _finding(first, f"there is no message `{abort.message}`", near(abort.message, device.messages))

@@ -78,7 +78,7 @@ def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
 
 
 def _use(fact: Fact) -> str:
-    """What a text is for that outputs do not read in a form of its own; empty for other texts."""
+    """The purpose of a text that outputs do not read in a special form; empty for other texts."""
     if isinstance(fact, (Parameter, Subindex)):
         return "is a parameter"
     return "is reserved" if getattr(fact, "reserved", False) else ""

@@ -70,7 +70,7 @@ def _may_be_address(part: Part) -> bool:
 
 
 def _size(part: Part) -> int:
-    """The bits of a part of an identifier, or those of its bytes."""
+    """The bits of a part of an identifier, or of its bytes."""
     if part.bits is not None:
         return part.bits[1] - part.bits[0] + 1
     return 8 * part.value.size if part.value is not None else 0

@@ -77,7 +77,7 @@ _OTHER_WORDS = {
 _LOOKALIKES = str.maketrans(
     {"\u00ba": "°", "\u02da": "°", "\u2109": "°F", "\u2103": "°C", "\u03bc": "µ", "\u2126": "Ω"}
 )
-"""Characters that look like those of units: the ordinal indicator and the ring above like the sign of degrees."""
+"""Characters that look like unit symbols: the ordinal indicator and the ring above like the sign of degrees."""
 
 
 def units_known(device: Device) -> Iterator[Diagnostic]:

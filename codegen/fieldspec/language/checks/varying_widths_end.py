@@ -171,7 +171,7 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
 
 
 def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
-    """The finding of a value whose end nobody sees."""
+    """The finding of a value without a visible end."""
     index = body.fields.index(field)
     if index + 1 == len(body.fields) or text_count(body, field) is not None:
         return

@@ -80,7 +80,7 @@ FLETCHER = {
     "fletcher16": Checksum("fletcher", 16, modulus=0xFF),
     "fletcher32": Checksum("fletcher", 32, unit_size=2, modulus=0xFFFF),
 }
-"""The Fletcher checksums that have public names: those of Fletcher's article, and the one of RFC 1950."""
+"""The Fletcher checksums with public names: from Fletcher's article, and from RFC 1950."""
 
 _DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)(?:_of(\d))?")
 _DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d)([bl]?))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
@@ -227,7 +227,7 @@ DIGITS = {"decimal": 10, "upper_hex": 16, "lower_hex": 16}
 
 
 def checksum_size(name: str, digits: str) -> int:
-    """The bytes of a checksum in a frame: those of its number, or its characters."""
+    """The bytes of a checksum in a frame: its number, or its characters."""
     checksum = checksum_named(name)
     if digits == "decimal":
         return len(str(checksum.mask))

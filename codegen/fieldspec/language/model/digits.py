@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from fieldspec.language.model.encoding import Encoding
 
     class Number(Protocol):
-        """The type of the number that the digits are those of."""
+        """The type of the number that the digits represent."""
 
         @property
         def encoding(self) -> Encoding: ...
@@ -68,7 +68,7 @@ def has_sign(value: Digits) -> bool:
 
 
 def is_complement(value: Digits) -> bool:
-    """Whether the digits are those of a number in two's complement."""
+    """Whether the digits represent a number in two's complement."""
     return is_signed(value.type.encoding) and value.digits in ("upper_hex", "lower_hex")
 
 

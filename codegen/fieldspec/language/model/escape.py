@@ -22,14 +22,14 @@ class Escape:
     """The method is `replace`, `insert`, `add`, `cobs` or `can`; it applies to the parts from `first` to `last`.
 
     `can` packs the first parts into the identifier of a CAN frame, which has `bits` bits. `fields` has the size, the
-    byte order, the first bit and the number of bits of each of these parts. What is sent is a frame as SocketCAN has it
-    in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data; three
-    zeros; the data.
+    byte order, the first bit and the number of bits of each of these parts. The sent bytes are a frame as SocketCAN
+    writes it in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data;
+    three zeros; the data.
 
     `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
-    each occurrence of `pattern`; the search begins anew after it. `add` sends each byte plus `inserted`, without the
-    carry. Lengths and checksums among these parts are those of the original bytes, all others those of the bytes that
-    are sent. Empty names are the first and the last part.
+    each occurrence of `pattern`; the search restarts after it. `add` sends each byte plus `inserted`, without the
+    carry. Lengths and checksums among these parts apply to the original bytes, all others to the sent bytes. Empty
+    names are the first and the last part.
     """
 
     method: str
@@ -79,7 +79,7 @@ class Escape:
         return 5 if any(data[5:CAN_HEADER]) else None
 
     def header_fault(self, data: bytes, offset: int) -> str:
-        """What is wrong with a CAN frame at an offset that `wrong_header` returns."""
+        """The fault of a CAN frame at an offset that `wrong_header` returns."""
         if offset == 4 and data[4] != len(data) - CAN_HEADER:
             return f"byte 4 says {data[4]} bytes of data, but there are {len(data) - CAN_HEADER}"
         if offset == 4:

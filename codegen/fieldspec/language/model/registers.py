@@ -81,7 +81,7 @@ class RegisterGroup(Fact):
 
 @dataclass(frozen=True, slots=True)
 class PrintedElement:
-    """What the manual prints of one element: its addresses and its words."""
+    """The printed details of one element: its addresses and its words."""
 
     place: Place
     index: int

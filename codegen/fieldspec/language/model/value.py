@@ -104,7 +104,7 @@ class ParameterSizes:
 
 @dataclass(frozen=True, slots=True)
 class ParameterPart:
-    """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value.
+    """The role of a value in an access to numbered parameters of a set or of a space: number, subindex or value.
 
     `sizes` is None where all bytes of a field are the value.
     """
@@ -178,7 +178,7 @@ class Value:
         return self.unit.removeprefix(power_of_ten(self.scale_by)).lstrip() if self.scale_by else self.unit
 
     def number_size(self, size: int) -> int:
-        """The bytes of its number as machines have it, for a value in `size` bytes: those of the type for digits."""
+        """The size of its binary number, for a value in `size` bytes: for digits, the size of the type."""
         return self.type.size if self.digits else size
 
     @property
@@ -226,7 +226,7 @@ class Value:
 
     @property
     def is_low_first(self) -> bool:
-        """Whether hexadecimal digits begin with those of the lowest byte."""
+        """Whether hexadecimal digits begin with the digits of the lowest byte."""
         return self.digits.endswith("hex") and self.byte_order == "little"
 
     @property

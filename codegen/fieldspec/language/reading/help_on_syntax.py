@@ -25,7 +25,7 @@ _HELP = (
 
 
 def syntax_help(problem: str, text: str, offset: int) -> str:
-    """The help for a message of the parser about a place of a text; empty for messages that nobody has met."""
+    """The help for a message of the parser about a place of a text; empty for unknown messages."""
     if "cannot start any token" in problem:
         word = re.match(r"[^\s,}\]]*", text[offset:])
         quoted = word[0] if word is not None else text[offset : offset + 1]

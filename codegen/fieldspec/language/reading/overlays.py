@@ -33,7 +33,7 @@ _ORDERED_BY = ("at", "number", "value", "bit", "base")
 _OF_ALL_VERSIONS = frozenset(("accepts", "audit", "reviews", "uses", "versions"))
 """Sections that are not of one version, so that no overlay changes them."""
 _JUDGING = frozenset(("accepts", "audit", "reviews"))
-"""Sections whose names are those of other versions too."""
+"""Sections whose names other versions share."""
 
 
 def applied(tree: Mapping, overlay: Mapping) -> tuple[Mapping, list[Diagnostic]]:
@@ -63,7 +63,7 @@ def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
 
 
 def _stating(tree: Mapping, overlay: Mapping) -> Mapping:
-    """The tree with the entries of an overlay, in one list after those of the versions that it is based on."""
+    """The tree with the entries of an overlay, in one list after the entries of the versions that it is based on."""
     before = tree.values.get("changes")
     entries = [*before.items] if isinstance(before, Sequence) else []
     for part in OVERLAY_PARTS:
@@ -322,7 +322,7 @@ _LISTS = frozenset(key for key, part in schema()["properties"].items() if part["
 
 
 def _place_of(reference: Reference) -> tuple[int, bool, int]:
-    """What is replaced later has a lower place: what is nearer to the root, a key, and what is nearer to its start."""
+    """Later replacements have a lower place: nearer to the root, a key, nearer to its start."""
     return len(reference.keys), not reference.is_key, reference.start
 
 

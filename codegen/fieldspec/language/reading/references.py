@@ -39,7 +39,7 @@ INNER = frozenset(
 HOLDERS = frozenset(("enums", "flags", "links", "messages", "records", "tables"))
 """The sections of facts that have such parts."""
 ASKED = ("request", "fields", "bits", "members", "response")
-"""Their lists, in the order in which a name is looked for: a response repeats what a request asked."""
+"""Their lists, in the order of the search for a name: a response repeats values of the request."""
 
 Keys: TypeAlias = tuple[str | int, ...]
 """The keys and numbers that lead to a node of a tree."""

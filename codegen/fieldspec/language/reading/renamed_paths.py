@@ -7,7 +7,7 @@ from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, ke
 _STEPS = ("write", "set", "clear", "pulse", "send", "read", "wait", "timeout")
 _PATHS = ("fact", "about", "references", "saved_by", "opposite_of", "sum_of", "within", "limit", *_STEPS)
 _WORDS = ("flags", "enum", "record")
-"""The keys that name what a path goes on in, after a register or a field."""
+"""The keys that name the fact in which a path continues after a register or a field."""
 
 
 class RenamedPaths:

@@ -25,7 +25,7 @@ _NO_ITEM = re.compile(r"^(?:---|\.\.\.|%)|\t|\ufeff", re.MULTILINE)
 _ALIAS = re.compile(r"(?:^|[\s\[{,:])\*\S")
 _DASH = re.compile(r" *- +")
 _SIZES: ByIdentity[Mapping, int] = ByIdentity(limit=10)
-"""At most so many values are in these trees, whose texts are so long that there is a limit."""
+"""The limit of the number of values in these trees, whose texts are long."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""The order of rows that a device states beside those of its protocols."""
+"""The order of rows that a device states next to the rows of its protocols."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the rules of reading say, in the words of their documentation: what holds, why, an example, the fix."""
+"""The documentation of the rules of reading: what holds, why, an example, the fix."""
 
 from __future__ import annotations
 

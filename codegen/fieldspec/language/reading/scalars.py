@@ -299,7 +299,7 @@ def _known_key(key: str, known: Schema) -> str:
 
 
 def _misplaced(key: str, known: Schema) -> str:
-    """The help for a key of other mappings, which is no slip of the pen; empty for others."""
+    """The help for a key of other mappings, which is not a typing error; empty for others."""
     from difflib import get_close_matches
 
     if key not in _all_keys() or get_close_matches(key, known, 1, _SLIP):
@@ -357,7 +357,7 @@ def _node_at(root: Node, path: list[str | int]) -> Node:
 
 
 def _head(node: Node) -> Span:
-    """The first line of a node: underlining a whole block helps nobody."""
+    """The first line of a node: underlining a whole block does not help."""
     if isinstance(node, Scalar):
         return node.span
     end = node.file.text.find("\n", node.start)

@@ -299,7 +299,7 @@ class Lines:
         return free
 
     def _never(self, node: Mapping, holders: tuple[Mapping, ...]) -> Iterator[Diagnostic]:
-        """A finding where no version of a line that a fact names is within its bounds and those of what holds it."""
+        """A finding where no version of a line that a fact names is within its bounds and the bounds of its parents."""
         bounds = [key for key in ("since", "until", "only") if key in node.values]
         if len(bounds) + len(holders) < 2:
             return

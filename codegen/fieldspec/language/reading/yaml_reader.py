@@ -48,7 +48,7 @@ _TAG = re.compile(r"!(<[^>]*>|[^\s,\[\]{}]*)")
 _BREAK = "\n\r\x85\u2028\u2029"
 
 Size: TypeAlias = tuple[int, int]
-"""What a node counts: its values, with those below it, and the levels below it."""
+"""The counts of a node: its values, including all below it, and the levels below it."""
 
 # Classes of events, as plain values: there are no types to be narrowed where every instruction counts.
 _SCALAR: Any = ScalarEvent
@@ -132,7 +132,7 @@ def parsed_items(file: SourceFile, lines: str, depth: int) -> Sequence | None:
 
 
 def _indenting_tab(file: SourceFile) -> int | None:
-    """Where a line is indented with a tab: most parsers then say something that helps nobody."""
+    """Where a line is indented with a tab: the message of most parsers does not help."""
     if "\t" not in file.text:
         return None
     line_start = 0

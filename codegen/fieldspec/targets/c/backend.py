@@ -328,7 +328,7 @@ def _code_texts(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
 
 
 def _claim_names(naming: Naming, version: str, versions: Sequence[str]) -> None:
-    """Claims the names that every header has before those of the device are."""
+    """Claims the names of every header before the names of the device."""
     for name in _OWN_TYPES:
         naming.own(name)
     for name in (*_OWN_MACROS, *runtime_macros()):

@@ -57,12 +57,12 @@ def machine(encoding: Encoding) -> Machine:
 
 
 def machine_bits(bits: int) -> int:
-    """The bits of the narrowest number of a machine that has so many."""
+    """The width of the narrowest machine number with at least this number of bits."""
     return next(width for width in MACHINE_BITS if width >= bits)
 
 
 def machine_whole(whole: Whole) -> Whole:
-    """The number of C that has all numbers of another one, and perhaps more: that of `int32_t` has those of 24 bits."""
+    """The number of C that has all numbers of another one, and perhaps more: `int32_t` holds all numbers of 24 bits."""
     return Whole(machine_bits(whole.bits), Sign.COMPLEMENT if whole.sign.is_signed else Sign.NONE)
 
 
@@ -126,7 +126,7 @@ def to_bits(naming: Naming, encoding: Encoding, number: Expression) -> Expressio
 
 
 def fixed_bits(encoding: Encoding, number: int) -> Literal:
-    """A number that no user sets, as its bits. Raises AssertionError for what is no such number."""
+    """A number that no user sets, as its bits. Raises AssertionError for other values."""
     match encoding:
         case Whole():
             bits = whole_bits(encoding, number)

@@ -53,8 +53,8 @@ _NUMBERED: set[str] = set()
 class Naming:
     """The names in the header of one device: each fact has one name, and no two names are equal.
 
-    A thing is known by what it is and by the names of what it belongs to. Of two things whose words are the same
-    joined, the one that is asked for first gets them; the other one has a number after them.
+    A thing is known by what it is and by the names of what it belongs to. If two facts have the same joined words, the
+    first request gets them, and the second gets a number after them.
     """
 
     def __init__(self, device: str) -> None:
@@ -69,7 +69,7 @@ class Naming:
 
     @contextmanager
     def noting(self) -> Iterator[RequestedNames]:
-        """Meanwhile, notes what is asked for, and the names that are given. A piece has no pieces."""
+        """Meanwhile, records the requests and the names. A piece has no pieces."""
         assert self._noted is None
         self._noted = {}, {}
         try:

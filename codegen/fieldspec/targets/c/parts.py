@@ -120,7 +120,9 @@ def address_literal(address: int) -> Expression:
 
 
 def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:
-    """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is none of the link's."""
+    """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is not a unit address of the
+    link.
+    """
     addresses = link.link.unit_addresses
     if addresses is None or addresses.ranges is None:
         return None

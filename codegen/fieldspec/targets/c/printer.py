@@ -279,7 +279,7 @@ def _remark_text(remark: str) -> str:
 
 
 def _fold(line: str, indent: str, longest_line: int) -> list[str]:
-    """A line that is too long, in several: it goes on after `||`, or else after commas and `&&`."""
+    """A line that is too long, in several lines: it breaks after `||`, or else after commas and `&&`."""
     ends = (" || ",) if " || " in line else (", ", " && ")
     for end in ends:
         line = line.replace(end, f"{end}\n")

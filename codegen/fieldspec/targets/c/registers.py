@@ -99,8 +99,8 @@ def access_functions(
 ) -> list[Declaration]:
     """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
 
-    What the device answers is read whatever it is. Only what is written must be the constant or, of a `trigger`, a
-    member of its closed enum. A value of a closed enum has the type of the enum where that holds all that it may be.
+    The response of the device is always read. Only what is written must be the constant or, of a `trigger`, a member of
+    its closed enum. A value of a closed enum has the type of the enum where that holds all that it may be.
 
     `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
     """

@@ -126,7 +126,7 @@ def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
 
 
 def _test_enum(naming: Naming, enum: Enum) -> Iterator[Statement]:
-    """Compares the numbers that the function of a closed enum knows with those of its members."""
+    """Compares the numbers that the function of a closed enum accepts with the numbers of its members."""
     members = available_members(enum)
     largest = max((member.value for member in members), default=0)
     wide = largest >= 2**63
@@ -187,7 +187,7 @@ def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statemen
 def _test_last(
     naming: Naming, function: str, kind: str, result: str, last: int, expected: int, before: tuple[Expression, ...] = ()
 ) -> Block:
-    """What a function from numbers to addresses gives for the last number, and that it refuses the one after it."""
+    """Tests a function from numbers to addresses: its result for the last number, and that it rejects the next number."""
     variable = Identifier(result)
 
     def result_of(number: int) -> Call:

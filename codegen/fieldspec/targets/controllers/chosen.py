@@ -19,7 +19,7 @@ from fieldspec.targets.controllers.statements.routine import Routine, called
 from fieldspec.targets.controllers.structs import Struct
 
 _UNITS = ("words", "bytes")
-"""What the process data of a telegram are given as."""
+"""The form of the process data of a telegram."""
 
 
 def chosen_routines(world: World, routines: Sequence[Routine]) -> tuple[Routine, ...]:

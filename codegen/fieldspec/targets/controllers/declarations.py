@@ -42,7 +42,7 @@ _STATUS = "codec_status"
 
 @dataclass(frozen=True, slots=True)
 class Declarations:
-    """What is declared for a device, in the order in which it can be.
+    """The declarations of a device, in a valid order.
 
     `structs` hold values, for programs; `images` are what lies on the wire, the process data of telegrams and whatever
     else is in the dialect's memory as it is there. Each follows those that lie in it. `world` has the same names

@@ -17,7 +17,7 @@ from fieldspec.targets.controllers.statements.routine import SECTIONS
 class Spelling:
     """What differs between dialects where a routine is written.
 
-    With `siemens_names` variables are called as Siemens calls them: `names` has those of the routine that is written.
+    With `siemens_names` variables are called as Siemens calls them: `names` has the names of the current routine.
     `variable` and `routine` hold a name, `shift` holds the function, the value and the number of bits. `member` holds
     an enum, a member and its number; where `enums` is false, the dialect has none, and a variable has the type of the
     numbers. `struct` holds the name of a declared type. `array` is the form of the names of array types, which the
@@ -79,11 +79,11 @@ class Dialect:
 
     `enums` says whether enums are types, of at least `enum_members` members; else their form is empty. `widest` are the
     bytes of its widest whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be
-    arrays, `wide_texts` that texts of codes may have other characters than those of ASCII. `bits` says whether words of
-    flags lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images,
-    and `longest_image` the most bytes of process data. `packs` says that a struct can be told to have no gaps; `texts`
-    is empty where constants cannot be texts of codes. `has_status` says that blocks have a WORD that says how they are,
-    in place of the number of an error. `foreign` is what tools of others lose of it, empty for nothing.
+    arrays, `wide_texts` that texts of codes may have characters outside of ASCII. `bits` says whether words of flags
+    lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images, and
+    `longest_image` the most bytes of process data. `packs` says that a struct can be told to have no gaps; `texts` is
+    empty where constants cannot be texts of codes. `has_status` says that blocks have a WORD that says how they are, in
+    place of the number of an error. `foreign` is what tools of others lose of it, empty for nothing.
 
     `comment` is the form of a comment, `byte_order_mark` what its files begin with, `line_end` how lines end there.
     """

@@ -34,7 +34,7 @@ def fraction(literal: Fraction) -> str:
 
 
 def initial(value: int | Decimal, kind: Elementary, hexadecimal: bool) -> str:
-    """What a constant has in its declaration, which says its type; hexadecimal where the manual writes it so."""
+    """The literal of a constant in its declaration, which states the type; hexadecimal if the manual writes it so."""
     if isinstance(value, Decimal) or kind.family == "real":
         return real(Decimal(value))
     if hexadecimal and value >= 0:
@@ -49,7 +49,7 @@ def real(value: Decimal) -> str:
 
 
 def narrow(text: str) -> bool:
-    """Whether a text fits STRING, which has no other characters than those of ASCII on every controller."""
+    """Whether a text fits STRING, which has only ASCII characters on some controllers."""
     return text.isascii()
 
 

@@ -80,7 +80,7 @@ class Struct:
 
 
 def wire_type(value: Value) -> Type:
-    """The type with as many bytes as a value has on the wire: whole numbers for numbers, bit strings for bits.
+    """The type with the size of a value on the wire: integers for numbers, bit strings for bits.
 
     A number of a width that no type has is its bytes, and so is one that is sent as digits. A number that no type has
     as it is sent is its bits.
@@ -114,7 +114,7 @@ def _real_type(precision: Precision) -> Elementary:
 
 
 def bits_remark(value: Value | None) -> str:
-    """What a comment says of a member of an image that has the bits of a number and not the number; else nothing."""
+    """The comment of an image member that has the bits of a number instead of the number; otherwise empty."""
     if value is None or is_odd(value.encoding) or value.flags:
         return ""
     is_bits = is_real(value.encoding) or has_magnitude(value.encoding)

@@ -41,7 +41,8 @@ class ReportedVersion:
 
 
 def reported_version(layout: DeviceLayout, behaviour: Behaviour) -> ReportedVersion | None:
-    """What tells the version of a device; None where the spec does not say it, or where no value can be it.
+    """The value that identifies the version of a device; None where the spec does not say it, or where no value can be
+    it.
 
     It is None too where the behaviour states the value.
     """

@@ -107,7 +107,7 @@ def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
 
 
 def _extent(comparison: Comparison, pair: Pair[Part], side: int) -> tuple[object, ...]:
-    """What a part counts or covers, whether it is written out or not: the first and the last part, by new names."""
+    """The parts that a part counts or covers, explicitly or by default: the first and the last part, by new names."""
     link, part = pair.containers[side], (pair.old, pair.new)[side]
     path = part.place.path.rpartition("/")[0]
     direction = path.rpartition("/")[2]
@@ -121,7 +121,7 @@ def _extent(comparison: Comparison, pair: Pair[Part], side: int) -> tuple[object
 
 
 def _span_text(part: Part) -> str:
-    """What a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
+    """The span that a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []

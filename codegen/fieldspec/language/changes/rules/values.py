@@ -71,7 +71,7 @@ def _of(value: Value | None) -> str:
 
 
 def _encoding(value: Value) -> tuple[Primitive, str, int, bool, TextForm | None, int]:
-    """What the bytes of a value are read as."""
+    """The type in which the bytes of a value are read."""
     return value.type, value.digits, value.places, value.has_blanks, value.text_form, value.width
 
 

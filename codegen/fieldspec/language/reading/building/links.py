@@ -28,7 +28,7 @@ _KEYS = {
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
-"""The keys of a part by its role, except those of every fact."""
+"""The keys of a part by its role, except the keys of every fact."""
 _SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "avoids"}
 _SPECIFIC |= {"reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}

@@ -151,7 +151,7 @@ def _about(station: Station, needs: str, *further: str) -> tuple[str, ...]:
 
 
 def _terminal(line: Settings | None) -> Iterator[str]:
-    """What is to be set at a terminal of Beckhoff, which is delivered with full duplex."""
+    """The settings of a Beckhoff terminal, whose factory setting is full duplex."""
     if line is not None and line.rate in TERMINAL_RATES and line.frame in TERMINAL_FRAMES:
         yield (
             f"EL6022, CoE of channel 1: 8000:11 = {TERMINAL_RATES[line.rate]} ({line.rate} bps), 8000:15 = "
@@ -233,7 +233,7 @@ def _declared(block: re.Match[str]) -> str:
 
 
 def _telegram(world: World, spelling: Spelling, message: MessageLayout) -> dict[str, object]:
-    """What the templates of a telegram need."""
+    """The data for the templates of a telegram."""
     sizes = {data.name: data.size or 0 for data in (message.request, message.response)}
     request, response = (sequence(sizes[data.name], BYTE) for data in (message.request, message.response))
     pascal = f"{world.names.device}{Name.of(message.name).pascal()}"

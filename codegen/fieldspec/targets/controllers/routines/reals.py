@@ -68,7 +68,7 @@ class _Form:
 
     @property
     def bias(self) -> int:
-        """What is added to exponents."""
+        """The bias of exponents."""
         return (1 << (self.exponent - 1)) - 1
 
     @property

@@ -48,7 +48,7 @@ def members_of(world: World, record: RecordLayout, struct: Expression) -> Place:
 
 
 def field_type(world: World, field: FieldLayout) -> Type:
-    """The type of the variable of a field; of a list, an array of as many elements as it can have."""
+    """The type of the variable of a field; for a list, an array of its greatest number of elements."""
     element_type = (
         world.struct(field.record.name) if field.record is not None else world.type_of(Wire.of_field(field).value)
     )

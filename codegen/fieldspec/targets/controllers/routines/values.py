@@ -163,7 +163,7 @@ def _number_read(
     target: Expression | None,
     reading: _Reading,
 ) -> list[Statement]:
-    """The statements that refuse anything but a constant, or read what is none from its bits."""
+    """The statements that reject any value except a constant, or read another value from its bits."""
     value = wire.value
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
@@ -388,7 +388,7 @@ def word_order(wires: Iterable[Wire]) -> str:
 
 
 def order_remark(layout: DeviceLayout, unit: str, has_several: bool = True) -> str:
-    """What a comment says of the order in which a value lies in its bytes or words; nothing where none has several."""
+    """The comment on the order of a value's bytes or words; empty without several."""
     if not has_several:
         return ""
     device = layout.device

@@ -63,9 +63,9 @@ _WIDE = [kind.name for kind in ELEMENTARY.values() if kind.size > 4]
 
 @cache
 def source(*names: str) -> Source:
-    """Sources of this folder as one, each after the one that it extends. Raises SourceError where one is none.
+    """Sources of this folder as one, each after the one that it extends. Raises SourceError for an invalid source.
 
-    Of actions and properties with one name, that of the last source counts. The late variables of the last source stand
+    If several actions or properties have one name, the last source counts. The late variables of the last source stand
     in front.
     """
     parts = [*{key: part for name in names for key, part in _chain(name).items()}.values()]

@@ -49,7 +49,7 @@ Members = Mapping[str, Mapping[str, tuple[str, Type]]]
 
 
 class Lookup:
-    """What the names of a source stand for while its statements are written."""
+    """The meanings of the names of a source while its statements are written."""
 
     def __init__(self, source: Source, slots: Mapping[str, Any], members: Members) -> None:
         self.source = source
@@ -67,7 +67,7 @@ class Lookup:
         return self.expression(self.source.properties[name])
 
     def value(self, term: Term) -> Any:
-        """What a term names, which need not be an expression. Raises SourceError where nothing has the name."""
+        """The object that a term names, which need not be an expression. Raises SourceError where nothing has the name."""
         if not isinstance(term, Named):
             return self.expression(term)
         token = term.token
@@ -97,7 +97,7 @@ class Lookup:
         return Member(outer, *members[token.text])
 
     def expression(self, term: Term, expected: Type | None = None) -> Expression:
-        """A term as an expression; a number takes the expected type. Raises SourceError for what is none."""
+        """A term as an expression; a number takes the expected type. Raises SourceError for other terms."""
         match term:
             case Named():
                 value = self.value(term)
@@ -124,7 +124,7 @@ class Lookup:
                 assert_never(term)
 
     def truth(self, term: Term) -> Expression:
-        """A term as a BOOL. Raises SourceError for what is none."""
+        """A term as a BOOL. Raises SourceError for other terms."""
         value = self.expression(term, BOOL)
         if value.type != BOOL:
             raise self.fail(term.token, f"this is {type_name(value.type)}, where a BOOL is wanted")

@@ -1,6 +1,6 @@
 """The syntax of Structured Text with slots, before anything is known of a device.
 
-What the generator decides stands in braces: `{name}` is a slot, `{Action(argument)}` writes an action in its place.
+The generator fills the slots in braces: `{name}` is a slot, `{Action(argument)}` writes an action in its place.
 """
 
 from __future__ import annotations
@@ -263,5 +263,5 @@ class _Parser:
 
 
 def parsed(name: str, text: str) -> Source:
-    """The source in a file. Raises SourceError where it is none."""
+    """The source in a file. Raises SourceError for other input."""
     return _Parser(name, text).file()

@@ -1,4 +1,6 @@
-"""Arrays that routines are lent, as types by name, since an argument must have exactly the bounds of its parameter."""
+"""Arrays that routines receive by reference, as named types, because an argument must have exactly the bounds of its
+parameter.
+"""
 
 from __future__ import annotations
 

@@ -107,7 +107,7 @@ def _head(title: str) -> list[str]:
 
 
 ENUM_ATTRIBUTES = ("qualified_only", "strict")
-"""Members are used with the name of their enum, and nothing but members is assigned."""
+"""Members are used with the name of their enum, and only members are assigned."""
 
 PACK_MODE = 1
 

@@ -162,7 +162,7 @@ class _Maker:
         return draft.block()
 
     def _cyclic(self, job: Job, message: MessageLayout) -> Routine:
-        """A block that works with a telegram, made twice as those of a line."""
+        """A block that works with a telegram, generated twice like the blocks of a line."""
         # The telegram comes first, also where a task has it in its name since others have one of the same kind.
         rest = job.name.removesuffix(f"_{message.name}").removeprefix(f"{message.name}_")
         name = self.world.block(message.name, rest)

@@ -32,7 +32,7 @@ from fieldspec.targets.controllers.statements.expressions import Expression, Neg
 from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
 _BY_LEVEL = frozenset({"homing_start", "jog_positive", "jog_negative", "jog_start"})
-"""Those of them that no other motion needs. A block clears them even where another one has taken over."""
+"""Those of them that no other motion needs. A block clears them even if another block has taken control."""
 _SETTLE = "T#20ms"
 
 
@@ -326,7 +326,7 @@ class CyclicTask:
         return constant(self.world, operand, field.value, step.value, kind_of(self.world, operand, field.value))
 
     def _follow(self) -> None:
-        """Adds the step in which a motion goes on while Execute is TRUE: what is commanded follows its inputs.
+        """Adds the step in which a motion continues while Execute is TRUE and follows the inputs.
 
         Where the response shows that the speed is reached, it counts once the command has stood for some time.
         """

@@ -56,7 +56,7 @@ class Conditions:
     def start_of(self, step: Step, value_of: Seen) -> list[Statement]:
         """What notes where the device is before the command: the value there, and whether that is away from the target.
 
-        What is near the target may not have begun yet, or need no motion at all.
+        An axis near the target may not have begun to move yet, or need no motion at all.
         """
         raw = self._raw(step, value_of)
         noted: list[Statement] = [Assignment(self._at_start(step, raw), raw)] if step.relative else []
@@ -81,7 +81,7 @@ class Conditions:
         return raw
 
     def test(self, step: Step, value_of: Seen) -> tuple[list[Statement], Expression]:
-        """What is computed before, and whether what a step waits for is there.
+        """The preceding computation, and whether the condition of a wait holds.
 
         Raises NoBlock for an argument that nothing sends, and for what is not to be seen.
         """
@@ -170,7 +170,7 @@ class Conditions:
     ) -> list[Statement]:
         """Judges a motion: whether it is where it is to be, has not begun, or has ended before.
 
-        Where it `must_begin`, what is waited for may be that of a motion before: it must be seen not to be there first.
+        If it `must_begin`, the condition may belong to the motion before: it must first be seen not to hold.
         """
         draft = self.draft
         computed, reached = self.all_of(steps, value_of)
@@ -214,8 +214,8 @@ class Conditions:
     ) -> list[Statement]:
         """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
 
-        What moves for long is stopped anew: the device may have begun what it had accepted before. A stop that is sent
-        too often might begin its ramp anew each time.
+        A device that moves for long is stopped again: it may have begun a command that it had accepted before. A stop
+        that is sent too often might restart its ramp each time.
         """
         draft = self.draft
         computed, is_standing = self.all_of(steps, value_of)
