@@ -288,7 +288,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def command() -> NoReturn:
-    """The entry point of a shell. Ends the process at once: freeing the objects of a run would take longer than a verb."""
+    """The entry point of a shell. Ends the process at once: freeing the objects of a run would take
+    longer than a verb.
+    """
     os._exit(streams.finished(main()))
 
 

@@ -58,7 +58,7 @@ def described(head: str, fact: Fact, *paragraphs: str) -> list[str]:
 
 
 def detection_text(detection: Detection) -> str:
-    """Which value tells the version of a device, and how a number in it is read."""
+    """The value that identifies the version of a device, and the interpretation of its number."""
     return f"The device tells its version in `{detection.fact}`. {number_text(detection)}".strip()
 
 

@@ -23,7 +23,7 @@ MOST = 100_000
 
 
 class Names(Protocol):
-    """The names of an output, which are given in the order in which they are asked for. They begin alike for a key."""
+    """The names of an output, which are assigned in the order of the requests. They begin alike for a key."""
 
     key: str
 
@@ -94,8 +94,8 @@ def piece(
     make: Callable[[], Result],
     names: Names | None = None,
 ) -> Result:
-    """What `make` gives, which depends on nothing but these facts and words, and on `names` that it asks for.
+    """The result of `make`, which depends only on these facts and words, and on the `names` that it requests.
 
-    Nobody changes the result.
+    The result must not be changed.
     """
     return _at_hand[0].taken(kind, facts, words, names, make) if _at_hand else make()

@@ -275,7 +275,9 @@ class Body:
         return replace(row, errata=errata_at(self.layout.device, path))
 
     def _field(self, field: FieldLayout, start: int, sizes: Sequence[int]) -> _TracedField:
-        """The result of reading the elements of one field, which have the given sizes. Adds their values to `values`."""
+        """The result of reading the elements of one field, which have the given sizes. Adds their values
+        to `values`.
+        """
         rows: list[Row] = []
         program = field_program(self.layout.device, self.record, field)
         values = run_each(program, Place(self.data, start, self.end), sizes, rows, self._rows_by_name)

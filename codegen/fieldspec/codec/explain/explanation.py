@@ -376,7 +376,7 @@ class _Frame:
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
         """The row of a body that nothing describes."""
         if self.shape.role("code") is None:
-            text = "the frame carries no code, and nothing else says which message it is"
+            text = "the frame carries no code, so its message is unknown"
             yield wrong_row(self.spot, start, self.data[start:end], "unknown_code", text)
         elif end > start:
             row = wrong_row(self.spot, start, self.data[start:end], "", "")

@@ -192,7 +192,9 @@ def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
 
 
 def errata_of_words(device: Device, facts: Collection[str]) -> tuple[str, ...]:
-    """The ids of the errata of enums, members and flags that gave a value its meaning, without errata of other members."""
+    """The ids of the errata of enums, members and flags that gave a value its meaning, without errata of
+    other members.
+    """
     if not facts:
         return ()
     errata_by_fact = _errata(device).of
@@ -210,7 +212,9 @@ def fact_row(
     read: DecodedValue,
     outer: Fact,
 ) -> ExplanationRow:
-    """The row of a fact whose bytes are at `position` in the parts. A fact without sources has the sources of `outer`."""
+    """The row of a fact whose bytes are at `position` in the parts. A fact without sources has the
+    sources of `outer`.
+    """
     offset, length, characters = spot.place(position, len(raw))
     errata = (*errata_at(device, fact.place.path), *errata_of_words(device, read.facts))
     return ExplanationRow(

@@ -134,7 +134,7 @@ class AcceptedSet:
 
 
 def accepted(device: Device, value: Value) -> AcceptedSet:
-    """What a value takes. A condition that one before it implies is left out."""
+    """The numbers that a value accepts. A condition that one before it implies is left out."""
     encoding = value.encoding
     reading = _reading(device, value, encoding)
     writing = _writing(device, value, encoding)
@@ -148,7 +148,7 @@ def _remarked_alone(device: Device, value: Value, reading: list[Condition]) -> t
 
 
 def _reading(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
-    """What a reader refuses."""
+    """The conditions that a reader enforces."""
     match encoding:
         case Whole():
             return _needed([*_constant(value), *_enum(device, value)])

@@ -100,7 +100,7 @@ class RecordLayout:
     type, and `chosen` has the same record by the values of the selector, with the type that this value decides. `spans`
     are the spans of all fields if some vary in width; offsets and sizes of fields then refer to the image.
     `inner_lists` are the lists where one has fields after it. In `fields` they come last, and offsets are those in the
-    image too. `rooms` are those lists of an image that have another one after them.
+    image too. `rooms` are the lists of an image that another list follows.
     """
 
     record: Record
@@ -181,7 +181,7 @@ class RecordLayout:
         return not self.has_differing and sum(field.count is None for field in self.fields) == 1
 
     def room_of(self, field: FieldLayout) -> InnerList | None:
-        """The room of a list in an image that has another list after it, None for other fields."""
+        """The room of a list that another list follows in an image, None for other fields."""
         return next((room for room in self.rooms if room.name == field.name), None)
 
     def rooms_before(self, field: FieldLayout) -> int:

@@ -65,9 +65,8 @@ class FrameCodec:
             return inner
         for index, char in enumerate(inner):
             if char not in b"0123456789ABCDEFabcdef":
-                raise CodecError(
-                    "not_hex", f"byte {char:#04x} is not a hexadecimal character", len(shape.start) + index
-                )
+                text = f"byte {char:#04x} is not a hexadecimal character"
+                raise CodecError("not_hex", text, len(shape.start) + index)
         if len(inner) % 2:
             raise CodecError("wrong_length", "an odd number of characters", len(frame) - len(shape.end))
         return bytes.fromhex(inner.decode("ascii"))

@@ -139,7 +139,7 @@ def _nothing_read(layout: DeviceLayout, links: Sequence[LinkLayout]) -> str:
 def _refuse_open_identifier(link: LinkLayout) -> None:
     """Raises UsageError for a link with a part of the identifier that nothing here can choose."""
     if link.open_identifier:
-        text = f"nothing says which {link.open_identifier} requests on {link.name} have in their identifier"
+        text = f"the {link.open_identifier} in the identifier of requests on {link.name} is unknown"
         raise UsageError(f"{text}: they are for a program, such as one with the generated code")
 
 

@@ -123,7 +123,9 @@ HOMES = ("fieldspec.language.model.", "fieldspec.codec.layout.", "fieldspec.foun
 
 
 def to_json(root: object) -> bytes:
-    """An object, and all objects in it, as lines of JSON after their seal. Only the paths of source files are stored."""
+    """An object, and all objects in it, as lines of JSON after their seal. Only the paths of source
+    files are stored.
+    """
     lines = _Freezing().lines(root)
     return _seal(lines) + b"\n" + lines
 

@@ -224,7 +224,9 @@ def _installed_file(path: str) -> bytes:
 
 
 def of_devices(specs_option: str | None, requested: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
-    """The folder with the specs, its files, and the files of installed protocols. Raises UsageError for unknown ones."""
+    """The folder with the specs, its files, and the files of installed protocols. Raises UsageError for
+    unknown ones.
+    """
     path = folder(specs_option)
     known = devices(path)
     for device in sorted(requested.difference(known)):

@@ -106,7 +106,9 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 
 def _has_digits(primitive: Primitive) -> bool:
-    """Whether numbers of a type may be sent as digits: whole numbers of 8 to 64 bits, in two's complement below zero."""
+    """Whether numbers of a type may be sent as digits: whole numbers of 8 to 64 bits, in two's
+    complement below zero.
+    """
     encoding = primitive.encoding
     match encoding:
         case Whole():

@@ -18,7 +18,9 @@ _VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(limit=1
 
 
 def facts(device: Device) -> tuple[Fact, ...]:
-    """All facts in the order of the spec's sections, each before the facts that it contains; separators are not facts."""
+    """All facts in the order of the spec's sections, each before the facts that it contains; separators
+    are not facts.
+    """
     return _FACTS.get_or_compute(device, _facts)
 
 

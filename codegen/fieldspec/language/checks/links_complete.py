@@ -137,7 +137,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
             help = f"list it before the body: no output can read a frame whose {role} follows the data"
             yield finding(_CODE, part.place, "name", text, help)
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
-            text = f"{part.name} comes after the body, but nothing states its value"
+            text = f"{part.name} follows the body, but has no value"
             help = (
                 "give it a `const`; parts that users supply come before the body, or are the last field of each message"
             )

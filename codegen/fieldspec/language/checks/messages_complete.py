@@ -79,7 +79,7 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
     is_coded = any(part.role == "code" for part in link.response)
     for message in (message for message in answered_messages if not message.is_requested):
         if not is_coded:
-            text = f"nothing tells that a frame on {link.name} is {message.name}, which only the device sends"
+            text = f"no code or constant identifies {message.name} on {link.name}, which only the device sends"
             help = "give a part of `response` the role `code`, or name under `links` only links without codes"
             yield finding(_CODE, message.place, "requested", text, help)
             continue
@@ -87,7 +87,7 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
         same = [other for other in answered_messages if other is not message and other.code_of("response") == code]
         places = [_places(device, sizes, other.response) for other in (message, *same)]
         if same and distinct_place(places) is None:
-            text = f"nothing tells {message.name} from the response to {same[0].name}, and only the device sends it"
+            text = f"{message.name} is unrequested, and looks like the response to {same[0].name}"
             help = "correct one of the codes, or give each of them a field with a `const` at the same place"
             related_label = label(same[0].place, "code", same[0].name)
             yield finding(_CODE, message.place, "requested", text, help, related_label)

@@ -132,7 +132,7 @@ def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]
                     actual_size = plural(value.size, "byte")
                     text = f"{fact.name or parameter.name} has {actual_size}, and no message can {verb} as many"
                     related_label = label(carriers[0].place, "name", "a field with the values of these parameters")
-                    help = "correct the type, or state a message that carries it, or `segments` for values in pieces"
+                    help = "correct the type, or state a message that carries it, or `segments`"
                     yield finding(_CODE, fact.place, "type", text, help, related_label)
 
 

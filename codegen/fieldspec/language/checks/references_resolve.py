@@ -151,7 +151,7 @@ def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diag
     sets = {*device.parameters, *(parameter_set.space for parameter_set in device.parameters.values())}
     yield from _named(place, "parameter", "parameter set", part.set, sets)
     if part.part == "values" and len(device.sets(part.set)) > 1:
-        text = f"the values of {part.set} are in several sets, and nothing states their order"
+        text = f"the values of {part.set} are in several sets without an order"
         yield finding("references_resolve", place, "parameter", text, "name one of the sets")
 
 

@@ -82,7 +82,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
     last = varying or later_fields[-1]
     if is_open and not counts:
         problem = "after it has no fixed size" if varying is not None else "comes after it in a record"
-        text = f"nothing says where {field.name} ends, as {last.name} {problem}"
+        text = f"the end of {field.name} is unknown, because {last.name} {problem}"
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
     elif is_open and list_count(layer, field) is None:

@@ -44,7 +44,7 @@ def _of_message(device: Device, first: Message, stated: Segments) -> Iterator[Di
         yield from _writing(device, first, stated)
     piece = device.messages.get(stated.message)
     if piece is None or piece is first or piece.segments is not None:
-        text = f"{stated.message} is no other message that carries a piece"
+        text = f"{stated.message} cannot carry the segments of this message"
         candidates = [name for name, other in device.messages.items() if other is not first and other.segments is None]
         yield _finding(first, text, near(stated.message, candidates))
         return
@@ -65,7 +65,7 @@ def _reading(device: Device, first: Message, stated: Segments) -> Iterator[Diagn
     sizes = _sizes(first.response)
     enum = _enum(device, first.response, sizes)
     if sizes is None or enum is None:
-        text = f"the response of {first.name} has no value in bytes with `sizes`, which would say whether pieces follow"
+        text = f"the response of {first.name} has no value in `bytes` with `sizes` to announce segments"
         yield _finding(first, text, "give it a field of `bytes` with `parameter: {part: value, sizes: ..}`")
         return
     short = {name for case in sizes.cases for name in case.when}
@@ -85,11 +85,13 @@ def _reading(device: Device, first: Message, stated: Segments) -> Iterator[Diagn
 def _writing(device: Device, first: Message, stated: Segments) -> Iterator[Diagnostic]:
     if _part(first.request, "value") is not None:
         text = f"the request of {first.name} has the value itself"
-        yield _finding(first, text, "state a message of its own for values in pieces, or `when` for one that reads")
+        yield _finding(
+            first, text, "use a separate message for segmented values, or add `when` to a message that reads"
+        )
     if stated.size:
         yield from _size(first, first.request, stated.size)
     for field in _open_fields(device, first.request, {stated.size}):
-        yield _finding(first, f"nothing says what {field.name} of {first.name} is", "give it a `const` or a `default`")
+        yield _finding(first, f"{field.name} of {first.name} has no value", "give it a `const` or a `default`")
 
 
 def _size(first: Message, record: Record, name: str) -> Iterator[Diagnostic]:
@@ -139,11 +141,11 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
         yield _finding(first, text, "name a field for 0 and more")
     always = bool(stated.size) and not stated.unsized
     if not always and not (stated.last and stated.unused):
-        text = f"nothing says how many bytes of the pieces of {first.name} are the value"
+        text = f"the number of value bytes in the segments of {first.name} is unknown"
         yield _finding(first, text, "state `size` for all, or `last` and `unused`")
     decided = {stated.data, *(place.field.name for own in places.values() for place in own)}
     for field in _open_fields(device, piece.request, decided):
-        yield _finding(first, f"nothing says what {field.name} of {piece.name} is", "give it a `const` or a `default`")
+        yield _finding(first, f"{field.name} of {piece.name} has no value", "give it a `const` or a `default`")
 
 
 def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[Diagnostic]:
@@ -171,7 +173,7 @@ def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[
                 yield _finding(first, f"{enum.name} has no member `{name}`", help)
     repeated = {own.name for own in first.request.fields}
     for own in _open_fields(device, message.request, {abort.reason, *repeated}):
-        yield _finding(first, f"nothing says what {own.name} of {message.name} is", "give it a `const` or a `default`")
+        yield _finding(first, f"{own.name} of {message.name} has no value", "give it a `const` or a `default`")
 
 
 def _open_fields(device: Device, record: Record, decided: set[str]) -> Iterator[Field]:

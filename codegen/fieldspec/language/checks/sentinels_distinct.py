@@ -42,13 +42,13 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
                     f"{sentinel.text} of {fact.name} is {OUT_OF_RANGE}, the state of every number outside of its range"
                 )
             elif sentinel.text in names:
-                text = f"{sentinel.text} of {fact.name} is {names[sentinel.text]} and {sentinel.name}"
+                text = f"{sentinel.text} of {fact.name} has two names, `{names[sentinel.text]}` and `{sentinel.name}`"
             elif sentinel.name in texts:
-                text = f"{sentinel.name} of {fact.name} is {texts[sentinel.name]} and {sentinel.text}"
+                text = f"{sentinel.name} of {fact.name} names both {texts[sentinel.name]} and {sentinel.text}"
             elif (other := _shared(value, sentinel)) is not None:
-                text = f"{sentinel.text} of {fact.name} is {sentinel.name}, and {other.text} is {other.name}"
+                text = f"{sentinel.text} of {fact.name} is `{sentinel.name}`, and {other.text} is `{other.name}`"
             elif member is not None and enum is not None:
-                text = f"{sentinel.text} of {fact.name} is {sentinel.name}, and {member.name} of {enum.name}"
+                text = f"{sentinel.text} of {fact.name} is `{sentinel.name}`, but `{member.name}` in {enum.name}"
             elif value.const is not None:
                 text = f"{fact.name} is always {value.const}, and has the sentinel {sentinel.name}"
             if text:

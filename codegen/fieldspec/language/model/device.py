@@ -139,7 +139,9 @@ class Device:
 
     @property
     def detection(self) -> Detection | None:
-        """The value that identifies the version, among those with outputs, of a device; None where no line states it."""
+        """The value that identifies the version, among those with outputs, of a device; None where no
+        line states it.
+        """
         lines = (line.detected_by for line in self.lines if line.builds or line.like)
         return next((detection for detection in lines if detection is not None), None)
 

@@ -107,7 +107,9 @@ class UnitAddresses:
     sources: tuple[Citation, ...]
 
     def intervals(self, direction: str) -> tuple[tuple[int, int], ...]:
-        """The unit addresses in frames of one direction: the devices' addresses, and in requests the broadcast address."""
+        """The unit addresses in frames of one direction: the devices' addresses, and in requests the
+        broadcast address.
+        """
         known = self.ranges.intervals if self.ranges is not None else ()
         if direction != "request" or self.broadcast is None:
             return known

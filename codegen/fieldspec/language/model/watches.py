@@ -33,7 +33,9 @@ STARTING = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class Watch:
-    """A condition that must hold while a task runs: an operand with a value. `reason` is the error where it does not."""
+    """A condition that must hold while a task runs: an operand with a value. `reason` is the error where
+    it does not.
+    """
 
     operand: Operand
     value: ScalarValue

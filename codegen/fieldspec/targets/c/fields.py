@@ -47,7 +47,9 @@ def is_set_by_user(field: FieldLayout) -> bool:
 
 
 def words_around_images(naming: Naming, record: RecordLayout) -> dict[str, str]:
-    """The names in the functions of a record that call the functions of its image, where each field has its own offset."""
+    """The names in the functions of a record that call the functions of its image, where each field has
+    its own offset.
+    """
     struct = naming.type("record", record.name) if members(record) else ""
     verbs = ("encode", "decode", "encode_image", "decode_image")
     return {

@@ -187,7 +187,9 @@ def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statemen
 def _test_last(
     naming: Naming, function: str, kind: str, result: str, last: int, expected: int, before: tuple[Expression, ...] = ()
 ) -> Block:
-    """Tests a function from numbers to addresses: its result for the last number, and that it rejects the next number."""
+    """Tests a function from numbers to addresses: its result for the last number, and that it rejects
+    the next number.
+    """
     variable = Identifier(result)
 
     def result_of(number: int) -> Call:

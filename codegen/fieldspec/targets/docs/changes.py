@@ -36,7 +36,7 @@ NAME = "changes"
 """The page's name, without its ending. No version takes it from the page: see `page_name`."""
 
 COLUMNS = (
-    TableColumn("What has changed", "wide", unbroken=True),
+    TableColumn("Change", "wide", unbroken=True),
     TableColumn("Fact", unbroken=True),
     TableColumn("Remarks"),
 )
@@ -206,7 +206,7 @@ class _Pages:
 
 VERSION_COLUMNS = (
     TableColumn("Version", unbroken=True),
-    TableColumn("What it is", "wide"),
+    TableColumn("Description", "wide"),
     TableColumn("Registers", "number"),
     TableColumn("Messages", "number"),
     TableColumn("Parameters", "number"),

@@ -109,7 +109,7 @@ class FrameTable:
         )
 
     def _role(self, part: PartLayout, record: RecordLayout | None, message_code: int | None) -> Iterator[Line]:
-        """What a part of a frame contains, in words, by its role."""
+        """The description of a frame part's content, by its role."""
         if part.role == "code" and message_code is not None:
             in_decimal = () if part.form == "decimal" else (text_piece(f" ({message_code})"),)
             yield (code(part.number_text(message_code)), *in_decimal)

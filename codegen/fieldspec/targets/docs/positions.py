@@ -9,7 +9,7 @@ from fieldspec.foundation.classes import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """A place in a frame: `fixed` bytes and so many times the steps, as in `3 + 16k`."""
+    """A place in a frame: `fixed` bytes plus multiples of the steps, as in `3 + 16k`."""
 
     fixed: int
     steps: tuple[tuple[int, str], ...] = ()

@@ -52,7 +52,7 @@ def intervals(ranges: Ranges | None) -> Data:
 
 
 def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str, Data]:
-    """A value with the places of its bytes. Its keys are those of `Value`, where their meanings are the same."""
+    """A value with the places of its bytes. Its keys are named like the attributes of `Value` with the same meaning."""
     parameter = value.parameter
     return stated(
         {

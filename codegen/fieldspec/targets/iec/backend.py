@@ -40,7 +40,7 @@ class Source:
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """Of a device's newest version the types and functions as one source, and the constants for a configuration."""
+    """For a device's newest version: the types and functions as one source, and the constants for a configuration."""
     layout = newest(versions)
     name = stem(layout.device.id, layout.device.version)
     iec_source = source(layout)

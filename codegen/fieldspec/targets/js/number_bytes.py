@@ -91,7 +91,7 @@ def _long(terms: list[str]) -> str:
 
 
 def stored_bits(number: str, targets: Sequence[str]) -> list[str]:
-    """The statements that write the bits of a number, or those of its two's complement, the last byte first.
+    """The statements that write the bits of a number, or of its two's complement, the last byte first.
 
     It is given by the name of a variable, and `targets` by their expressions, the most significant one first.
     """

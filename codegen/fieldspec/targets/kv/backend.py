@@ -63,7 +63,7 @@ def remaining(layout: DeviceLayout) -> Expressed:
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
-    """The rows of an area: those of another version, where nothing of it differs there."""
+    """The rows of an area: the rows of another version if they are equal."""
     device = layout.device
     meanings = word_map.meanings(device, area)
     before = known.get((base, area.name))
@@ -100,7 +100,7 @@ _NOT_EXACT = {
     "byte_registers": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
     "moving_tables": refused("addresses are constants: output_addresses_constant"),
     "pieces": adapted("are messages whose words are in the map; nothing puts them together"),
-    "choices": adapted("stand once for each type, with the values that decide it"),
+    "choices": adapted("are listed once for each type, with the values that select it"),
     "aliases": adapted("have the name to write"),
     "other_frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
     "frames": adapted("are words to fill in and to compare; nothing sums and compares them"),

@@ -1,4 +1,4 @@
-"""What is in no word of a map: registers of bits and bytes, and links whose frames differ from their parts."""
+"""The facts that a word map lacks: registers of bits and bytes, and links whose frames differ from their parts."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from fieldspec.targets.kv.areas import frames_in_words, has_frame_areas
 
 
 def register_refusals(layout: DeviceLayout) -> Iterator[Refusal]:
-    """A refusal of each register in a space of bits or bytes; those of a group have one finding."""
+    """A refusal of each register in a space of bits or bytes, with one finding per group."""
     for group in layout.device.groups:
         space = layout.device.space(group.space)
         if space.unit == WORD:

@@ -199,7 +199,7 @@ class _CyclicTask:
         if words:
             self.draft.steps.append("task.settle()")
             self.draft.remarks.append(
-                "Clears the bits that switch on and start first, so that nothing goes on by itself afterwards."
+                "Clears the bits that switch on and start first, so that nothing starts by itself afterwards."
             )
 
     def _slot(self, operand: Operand, direction: str) -> Slots:

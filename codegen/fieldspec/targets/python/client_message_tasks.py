@@ -62,7 +62,7 @@ class MessageTask:
         return self.names.request(message.name)
 
     def _send(self, index: int, watched: list[str]) -> int:
-        """Adds a message with what is looked at in its response; gives the place of the next one."""
+        """Adds a message with the checks of its response; returns the place of the next message."""
         draft, steps = self.draft, self.task.steps
         step = steps[index]
         exchange = self._exchange(step)

@@ -1,4 +1,4 @@
-"""What the code of a client refers to: the names of a version's module, and values as expressions."""
+"""The references in the code of a client: the names of a version's module, and values as expressions."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class ClientNames:
         return kind
 
     def request(self, message: str) -> Exchange:
-        """The classes of a message. Raises NoTask for one that nobody answers."""
+        """The classes of a message. Raises NoTask for a message without a response."""
         exchange = self.exchanges.get(message)
         if exchange is None or not exchange.response_name:
             raise NoTask(f"{message} has no response")
@@ -103,7 +103,7 @@ class ClientNames:
 
 
 def is_scaled(value: Value) -> bool:
-    """Whether the count of a value is another number than its quantity."""
+    """Whether the count of a value differs from its quantity."""
     return is_exact(value.encoding) and value.scaled and not value.enum and not value.flags
 
 

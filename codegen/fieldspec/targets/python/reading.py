@@ -260,7 +260,9 @@ CASE = "case"
 
 
 def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], letters: str, order: str) -> list[str]:
-    """The statement that defines the `Choice` of a record; `letters` are those of the fields before the decided one."""
+    """The statement that defines the `Choice` of a record; `letters` are the letters of the fields before the decided
+    field.
+    """
     selector, decided = record.selector, fields[-1]
     assert selector is not None
     repeat = decided.field.field.repeat

@@ -237,7 +237,7 @@ def value_type(value: Value, words: Words) -> str:
 
 
 def native_order(fields: tuple[FieldLayout, ...]) -> str:
-    """The byte order of a Struct that holds some fields: that of the first number of several bytes."""
+    """The byte order of a Struct that holds some fields: the order of the first number of several bytes."""
     for field in fields:
         if field.value is not None and field.size > 1 and struct_letter(field.value.encoding) != "s":
             return field.order

@@ -1,4 +1,4 @@
-"""What a language of queries must be able to say. Every function returns an expression, and null for a null."""
+"""The operations of a query language. Every function returns an expression, and null for a null."""
 
 from __future__ import annotations
 
@@ -52,7 +52,8 @@ class Slot:
 class DecimalScale:
     """quantity = count * scale + offset as an exact decimal number.
 
-    `digits` are those of the greatest count, `places` follow the point, and `precision` are all digits of a quantity.
+    `digits` are the digits of the greatest count, `places` follow the point, and `precision` are all digits of a
+    quantity.
     """
 
     scale: Decimal

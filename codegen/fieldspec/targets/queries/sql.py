@@ -34,7 +34,7 @@ def decimal_text(number: Decimal) -> str:
 
 
 def type_of(size: int, signed: bool) -> str:
-    """The narrowest type of whole numbers with so many bytes."""
+    """The narrowest integer type with that number of bytes."""
     return ("" if signed else "U") + _TYPES[next(width for width in _TYPES if width >= size)]
 
 

@@ -179,7 +179,7 @@ class ValueQuery:
             yield ValueRule("unknown_value", lambda data, offset: dialect.negated(self._is_known(data, offset, False)))
 
     def findings(self) -> Iterator[ValueRule]:
-        """What an audit reports of the value: what a codec refuses, and what it lets pass."""
+        """The findings of an audit about the value: rejected by a codec, or accepted in spite of the spec."""
         yield from self.faults()
         value, dialect = self.value, self.dialect
         enum, flags = self.device.enums.get(value.enum), self.device.flags.get(value.flags)

@@ -67,7 +67,7 @@ def _image(project: Project, placed: Placed) -> list[str]:
     ]
     members = []
     for member in placed.members:
-        swapped = "" if direct(placed, member) else " Bytes are in another order than the PLC reads them."
+        swapped = "" if direct(placed, member) else " Its bytes are not in the PLC's order."
         place = f"{member.at}.{member.bit or 0}"
         members.append(
             (member.member.name, _type(project, member.member.type), f"{place} {member.member.remark}{swapped}")

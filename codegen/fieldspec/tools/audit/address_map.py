@@ -143,7 +143,7 @@ class GapExtent(NamedTuple):
 
 
 def spaces_of(layout: DeviceLayout) -> tuple[Space, ...]:
-    """The spaces of registers and parameters, and those of the codes and numbers of messages; no empty ones."""
+    """The spaces of registers and parameters, and of the codes and numbers of messages; no empty spaces."""
     device = layout.device
     own = list(device.spaces) if device.several_spaces else [""]
     spaces = [_registers(layout, name) for name in own] if device.groups or device.tables else []

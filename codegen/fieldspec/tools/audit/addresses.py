@@ -61,7 +61,7 @@ def _gaps(spaces: Sequence[Space]) -> SectionTable:
     kinds = []
     for space, block, run in _all_runs(spaces):
         if run.state in (DECLARED, UNDECLARED) and run.is_own:
-            reason = run.reason or "nothing says why"
+            reason = run.reason or "no reason stated"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
             kinds.append("warning" if run.state == UNDECLARED else "")
     columns = ("space", "block", "first", "last", "size", "state", "reason")
@@ -74,7 +74,7 @@ def _overlaps(spaces: Sequence[Space]) -> SectionTable:
     for space, block, run in _all_runs(spaces):
         if run.state == OVERLAP and run.is_own:
             names = " and ".join(occupant.name for occupant in run.occupants)
-            rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
+            rows.append((block.title, *_ends(space, run), names, run.reason or "no reason stated"))
             kinds.append("" if run.reason else "warning")
     return SectionTable(
         "overlaps",
@@ -115,7 +115,7 @@ def _runs(spaces: Sequence[Space]) -> SectionTable:
             (space.title, block.title, *_ends(space, run), STATES[run.state], names, descriptions, place, source)
         )
     columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
-    title = "All addresses; for tables, those of the first element"
+    title = "All addresses; for tables, the addresses of the first element"
     return SectionTable("address_map", title, columns, tuple(rows), detail=True)
 
 

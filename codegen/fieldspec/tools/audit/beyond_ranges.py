@@ -1,4 +1,4 @@
-"""What a device does with each value beyond its range: refused as the manual says, or not printed."""
+"""How a device treats each value outside its range: refused according to the manual, or not printed."""
 
 from __future__ import annotations
 

@@ -102,7 +102,9 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
 
 
 def _collect_lines(node: Node, lines: set[int], visited: ByIdentity[Node, None]) -> None:
-    """Adds the lines that texts of a node cite. Versions share most nodes: `visited` has those of other versions."""
+    """Adds the lines that texts of a node cite. Versions share most nodes: `visited` has the facts of
+    other versions.
+    """
     if node in visited:
         return
     visited[node] = None

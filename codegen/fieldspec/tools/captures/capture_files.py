@@ -29,7 +29,7 @@ NOTHING = bytes(16)
 """The record of a packet without a time and without a byte: what a file has where nothing was written."""
 
 Read = Callable[[int], bytes]
-"""Reads at most so many bytes; returns none at the end."""
+"""Reads at most this number of bytes; returns none at the end."""
 
 
 class CaptureError(ValueError):
@@ -70,7 +70,7 @@ class CaptureReader:
     """Reads one capture. `interfaces` grows as the file describes them; `losses` counts what cannot be read.
 
     `position` and `interfaces` are all that is needed to go on reading later, from that byte of the file on. `rest`
-    counts the bytes that nobody has read; without it they are read to be counted.
+    counts the unread bytes; without it they are read to be counted.
     """
 
     def __init__(self, read: Read, state: dict[str, Any] | None = None, rest: Callable[[], int] | None = None) -> None:

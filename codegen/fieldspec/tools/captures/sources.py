@@ -37,7 +37,7 @@ class Source(Protocol):
         """What another source needs to go on after the last batch."""
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped, lost and remarkable, by kind."""
+        """The skipped, lost and remarkable payloads, by kind."""
 
 
 class Lines:
@@ -85,7 +85,7 @@ class PacketSource:
         return {"reader": self.reader.state(self.position), "order": self.order.state(), "packets": self.packets}
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped, lost and remarkable, by kind."""
+        """The skipped, lost and remarkable payloads, by kind."""
         return {"skipped": self.network.skipped, "bytes lost": self.reader.losses, "events": self.order.events}
 
     def payloads(self) -> Iterator[Payloads]:

@@ -63,7 +63,7 @@ VERDICT_TEXTS = pa.array(VERDICTS)
 
 
 def record_batches(batch: Batch, texts: list[str], source: str, device: str) -> dict[str, Any]:
-    """A batch as record batches, by the name of the table. `texts` are those of the columns of texts."""
+    """A batch as record batches, by the name of the table. `texts` are the texts of the text columns."""
     words = pa.array(texts, pa.string())
     frames, values = batch.frames, batch.values
     rows, value_rows = len(frames.number), len(values.frame)

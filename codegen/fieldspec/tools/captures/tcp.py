@@ -76,7 +76,7 @@ class StreamOrder:
     def payloads(self, buffer: Bytes, segments: Segments) -> Payloads:
         """The payloads in the order of their streams. Datagrams stay as they are.
 
-        Segments that follow one another are taken as columns; only the others are looked at one by one.
+        Segments that follow one another are taken as columns; only the others are processed one by one.
         """
         step = _Step(buffer, segments, segments.size > 0, np.zeros(len(segments.at), np.bool_))
         cut_short = int(np.count_nonzero(segments.length > segments.size))
@@ -175,7 +175,7 @@ class StreamOrder:
         return before != sequence
 
     def _line(self, stream: int, own: Numbers, step: _Step) -> None:
-        """Notes where a line goes on after a payload that the capture cut short."""
+        """Records where a line continues after a payload that the capture cut short."""
         if stream < 0:
             return
         is_cut = step.segments.length[own] > step.segments.size[own]

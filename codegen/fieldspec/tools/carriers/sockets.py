@@ -105,7 +105,7 @@ class Listener:
 
 
 class Datagrams:
-    """UDP. A server answers whoever has sent the last datagram, a client sends to the address of its URL."""
+    """UDP. A server answers the sender of the last datagram, a client sends to the address of its URL."""
 
     datagrams = True
     keeps_pauses = False

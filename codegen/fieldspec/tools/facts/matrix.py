@@ -71,7 +71,7 @@ def _by_path(rows: Sequence[FactRow], renamings: Sequence[Renaming]) -> dict[str
 
 
 def _row_values(row: FactRow | None) -> tuple[tuple[str, str], ...] | None:
-    """What a fact states; None if it is missing. Versions are compared by this."""
+    """The statements of a fact; None if it is missing. Versions are compared by this."""
     if row is None:
         return None
     return tuple((key, _cell_text(key, cell)) for key, cell in row.items() if key not in _PLACES and cell is not None)

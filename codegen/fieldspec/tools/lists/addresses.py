@@ -98,7 +98,7 @@ class AddressText:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """What a cell says of an address: one, or the first and the last of several, and bits of it.
+    """The address in a cell: one, or the first and the last of several, and its bits.
 
     `other` is a second notation of the first address, `bits` the lowest and the highest bit. `pointless`
     says that `.0` may as well be what a spreadsheet adds to a number, `pointed` that the cell is one with a fraction.
@@ -113,7 +113,7 @@ class Place:
 
 
 def address_text(text: str) -> AddressText | None:
-    """The address in a text, None if it is none."""
+    """The address in a text, None without one."""
     text = unicodedata.normalize("NFKC", text).strip().strip("`*'\"").strip()
     pointless = _POINTLESS.fullmatch(text)
     text = pointless[1] if pointless else text
@@ -137,7 +137,7 @@ def address_text(text: str) -> AddressText | None:
 
 
 def place(text: str) -> Place | None:
-    """What a cell says of an address, None if it is none. Raises CellError, with the reason, for two readings."""
+    """The address in a cell, None without one. Raises CellError, with the reason, for two readings."""
     whole = address_text(text)
     if whole is not None and not _POINTLESS.fullmatch(text.strip()):
         return Place(whole)

@@ -38,7 +38,7 @@ _READING = {1: "coils", 2: "discrete_inputs", 3: "registers", 4: "input_register
 
 @dataclass(frozen=True, slots=True)
 class Functions:
-    """What the codes of functions say: the address space, and whether one of them reads and one writes."""
+    """The meaning of function codes: the address space, and whether they read and write."""
 
     space: str
     reads: bool
@@ -136,7 +136,7 @@ def number_in_unit(text: str, decimal: str = POINT) -> Decimal | None:
 
 
 def whole(text: str, decimal: str = POINT) -> int | None:
-    """A whole number, None if the text is none."""
+    """A whole number, None for other texts."""
     value = number(text, decimal)
     return int(value) if value is not None and value == value.to_integral_value() else None
 

@@ -41,7 +41,7 @@ _LENGTH_WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What a row says of a number: the factor of its scale, its bounds, and the name of its type."""
+    """The statements of a row about a number: the factor of its scale, its bounds, and the name of its type."""
 
     row: int
     factor: Fraction
@@ -118,11 +118,11 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
     unit, counts = either.count((False, True)), either.count((True, False))
     direction = UNIT if (unit or in_unit) and not counts else COUNTS
     if direction == UNIT and unit:
-        evidence = f"those of {unit} rows are not counts of their types"
+        evidence = f"{unit} rows contain no counts of their types"
     elif direction == UNIT:
         evidence = "so they prove the direction of the factor"
     elif counts and not unit:
-        evidence = f"those of {counts} rows are whole counts only so"
+        evidence = f"only so, {counts} rows contain whole counts"
     else:
         evidence = "nothing shows which"
     return direction, Assumption(

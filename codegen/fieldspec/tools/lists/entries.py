@@ -52,7 +52,7 @@ class Entry:
 
     @property
     def kind(self) -> str:
-        """What it is, as its row says."""
+        """Its kind, according to its row."""
         return self.row.kind
 
 

@@ -268,7 +268,7 @@ def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Ma
     references = [reference for end in ends if (reference := end.reference())]
     lowest = min(references, key=lambda reference: reference[1])
     if lowest[1] < _NEAR:
-        yield f"the numbers begin {lowest[1] + 1} above those of a table"
+        yield f"the numbers begin {lowest[1] + 1} above the numbers of a table"
     if len({reference[0] for reference in references}) > 1:
         yield "several tables"
     agreeing = [row.number for row, row_place in placed_rows.rows if _table(row_place) == spaces.get(row.number)]
@@ -344,7 +344,7 @@ def contradictions(placed_rows: Placed, base: str, columns: Columns) -> tuple[di
                 if usual > 0
                 else f"{heading} is {-usual} less in {times} rows"
             )
-            assumptions.append(Assumption("addresses", f"those of {columns.heading('address')}", evidence, "--address"))
+            assumptions.append(Assumption("addresses", f"as in {columns.heading('address')}", evidence, "--address"))
         for number, (difference, cell) in pairs.items():
             if difference != usual:
                 reason = f"contradicts the address under {columns.heading('address')}"

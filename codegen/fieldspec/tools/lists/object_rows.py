@@ -90,7 +90,7 @@ def with_objects(
         return replace(columns, rows=tuple(row for row in columns.rows if row not in other)), False
     if not stated and not any(text.mark or text.lettered for text in texts):
         reading = "hexadecimal" if own_base == HEXADECIMAL else "decimal"
-        assumptions.append(Assumption("indices", reading, "those of objects are 0x1000..0xFFFF", "--base"))
+        assumptions.append(Assumption("indices", reading, "objects have the indices 0x1000..0xFFFF", "--base"))
     return replace(columns, rows=tuple(rows)), True
 
 

@@ -35,7 +35,7 @@ _ORDERS = {(False, False): "ABCD", (False, True): "CDAB", (True, False): "BADC",
 
 
 class Loose(Enum):
-    """What a list may say of a type without naming it."""
+    """The properties of a type in a list without its name."""
 
     WHOLE = "whole"
     TRUTH = "truth"

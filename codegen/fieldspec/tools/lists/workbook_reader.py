@@ -80,7 +80,7 @@ def _worksheets(content: bytes, formulas: bool) -> list[Worksheet]:
 
 
 def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
-    """The cells of a sheet within the used area. What is merged counts for each of its cells."""
+    """The cells of a sheet within the used area. A merged value counts for each of its cells."""
     last_row, last_column = min(sheet.max_row, area[0]), min(sheet.max_column, area[1])
     merged = _merged_texts(sheet)
     rows = []

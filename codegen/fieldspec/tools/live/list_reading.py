@@ -19,7 +19,7 @@ _CAPITALS = (DEVICE, VERSION, TABLE, INDEX, NAME, VALUE)
 
 @dataclass(frozen=True, slots=True)
 class ListFinding:
-    """What is wrong in a cell. Rows and columns count from 1; a column 0 means the whole row."""
+    """The fault of a cell. Rows and columns count from 1; a column 0 means the whole row."""
 
     row: int
     column: int

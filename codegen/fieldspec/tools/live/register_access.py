@@ -249,7 +249,7 @@ class RegisterAccess:
         writing.write(client, self._placed(client, chosen))
 
     def read_back(self, client: Client, chosen: Assignment) -> Reading | None:
-        """What the device holds after a write. Raises NoAnswerError and CarrierError."""
+        """The value of the device after a write. Raises NoAnswerError and CarrierError."""
         try:
             placed = self._placed(client, chosen)
         except writing.WriteError as error:

@@ -31,7 +31,7 @@ class Change:
 
 
 class TransferError(Exception):
-    """A value was not transferred. `uncertain` says that nobody knows whether the device has it."""
+    """A value was not transferred. `uncertain` means that it is unknown whether the device has it."""
 
     def __init__(self, path: str, detail: str, uncertain: bool = False) -> None:
         super().__init__(f"{path} {detail}")

@@ -176,7 +176,7 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
 def _compare_meaning(
     layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
-    """The values in the spec against those of the bytes. Values that follow from others may be left out."""
+    """The values in the spec against the values of the bytes. Values that follow from others may be left out."""
     for name, value in {**decoded.head, **decoded.values}.items():
         if name in expected:
             if not _is_same_value(expected[name], value):

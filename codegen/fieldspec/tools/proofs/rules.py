@@ -1,4 +1,4 @@
-"""What the rules of proofs say, in the words of their documentation: what holds, why, an example, the fix."""
+"""The documentation of the rules of proofs: what holds, why, an example, the fix."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ class Request:
 
 
 def received(frames: FrameCodec, unit_address: int, frame: bytes, message: str) -> Request | str:
-    """What a frame asks of a device; what is wrong with it where the device takes no notice.
+    """The request in a frame; its fault if the device ignores it.
 
     `message` names the message where the frame does not.
     """

@@ -121,7 +121,9 @@ def _extent(comparison: Comparison, pair: Pair[Part], side: int) -> tuple[object
 
 
 def _span_text(part: Part) -> str:
-    """The span that a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
+    """The span that a length counts, or a checksum covers: `words from command to body plus 2`, `from
+    command to body`.
+    """
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []

@@ -259,7 +259,7 @@ def _serial(entry: Entry) -> Serial | None:
         ("parity", serial.texts("parity"), serial.text("default_parity")),
     ):
         if default and values and default not in values:
-            text = f"`default_{key}` is {default}, which is not in `{key}`"
+            text = f"`default_{key}` is `{default}`, which is not in `{key}`"
             serial.refuse("wrong_form", f"default_{key}", text, f"correct it, or add it to `{key}`")
     return Serial(
         baud=speeds,

@@ -49,7 +49,9 @@ class Fields:
 
 @dataclass(frozen=True, slots=True)
 class Parameters:
-    """The parameters of a routine for a request, or its results for a response; `refusal` is of an exception response."""
+    """The parameters of a routine for a request, or its results for a response; `refusal` is of an
+    exception response.
+    """
 
     head: dict[str, Variable]
     fields: Fields

@@ -244,7 +244,7 @@ def _share_about(world: World, share: Share) -> list[str]:
     formula = f"reference * (1 - counts / {full})" if share.complement else f"reference * counts / {full}"
     return [
         f"{share.title or share.name} = {formula}. {world.comment(share, None)}".strip(),
-        f"Counts are those of {', '.join(share.signals)}." if share.signals else "",
+        f"For {', '.join(share.signals)}." if share.signals else "",
         f"The reference is {' or '.join(share.references)}." if share.references else "",
     ]
 

@@ -395,5 +395,5 @@ def order_remark(layout: DeviceLayout, unit: str, has_several: bool = True) -> s
     byte = "high" if device.byte_order == "big" else "low"
     word = "high" if device.word_order == "big" else "low"
     if unit == "bytes":
-        return f"Of several bytes, the {byte} one comes first on the wire."
-    return f"Of several words, the {word} one comes first; a word is a number, whatever the order of bytes in memory."
+        return f"The {byte} byte of several comes first on the wire."
+    return f"The {word} word of several comes first; a word is a number, whatever its byte order in memory."

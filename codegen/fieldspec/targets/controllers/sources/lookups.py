@@ -67,7 +67,9 @@ class Lookup:
         return self.expression(self.source.properties[name])
 
     def value(self, term: Term) -> Any:
-        """The object that a term names, which need not be an expression. Raises SourceError where nothing has the name."""
+        """The object that a term names, which need not be an expression. Raises SourceError where
+        nothing has the name.
+        """
         if not isinstance(term, Named):
             return self.expression(term)
         token = term.token

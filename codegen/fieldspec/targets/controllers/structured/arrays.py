@@ -34,7 +34,7 @@ def named_arrays(kinds: Iterable[Type], spelling: Spelling, known: set[str]) -> 
 
 def array_item(kind: ArrayType, spelling: Spelling) -> Item:
     """The declaration of an array type with a name."""
-    title = "For arguments: the bounds of an array must be those of the parameter."
+    title = "For arguments: the bounds of an array must equal the parameter's."
     bounds = f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
     lines = (*comment(title), f"TYPE {array_name(kind, spelling)} : {bounds};", "END_TYPE")
     return Item(array_name(kind, spelling), "type", "arrays", lines)

@@ -314,7 +314,7 @@ class ExplainedFrame {
   unknownRows(start, end) {
     const data = this.data.subarray(start, end);
     if (!this.shape.code) {
-      const text = "the frame carries no code, and nothing else says which message it is";
+      const text = "the frame carries no code, so its message is unknown";
       return [wrongRow(this.spot, start, data, "unknown_code", text)];
     }
     if (end <= start) return [];

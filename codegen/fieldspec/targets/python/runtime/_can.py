@@ -29,7 +29,7 @@ class CanFrame(Record):
 
     @classmethod
     def of(cls, frame: Data) -> CanFrame:
-        """The record of a frame as encoders return it. Raises CodecError for bytes that are none."""
+        """The record of a frame as encoders return it. Raises CodecError for other bytes."""
         if len(frame) < _HEADER or frame[4] != len(frame) - _HEADER:
             raise CodecError("wrong_mark", "it is not a CAN frame", 0)
         identifier = int.from_bytes(frame[:4], "big")

@@ -139,7 +139,7 @@ class Digits:
         return number - 16**self.count if number > self.high else number
 
     def _in_order(self, characters: bytes) -> bytes:
-        """Hexadecimal digits, of which those of the lowest byte may come first."""
+        """Hexadecimal digits, possibly with the lowest byte first."""
         if not self.is_reversed:
             return characters
         return b"".join(characters[place : place + 2] for place in range(len(characters) - 2, -1, -2))

@@ -23,7 +23,7 @@ class Replace:
         self.special = frozenset(self.pairs) | frozenset(pair[0] for pair in self.originals)
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         pairs = self.pairs
         return b"".join(pairs[byte] if byte in pairs else bytes((byte,)) for byte in data)
 
@@ -65,7 +65,7 @@ class Insert:
         self.stuffed = pattern + bytes((inserted,))
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         return bytes(data).replace(self.pattern, self.stuffed)
 
     def original(self, data: Data, offset: int) -> bytes:
@@ -95,7 +95,7 @@ class Add:
         self.taken = bytes((number - byte) & 0xFF for number in range(256))
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         return bytes(data).translate(self.added)
 
     def original(self, data: Data, offset: int) -> bytes:
@@ -113,7 +113,7 @@ class Cobs:
     __slots__ = ()
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         result, block = bytearray(), bytearray()
         for byte in data:
             if len(block) == 254:
@@ -150,7 +150,7 @@ class Cobs:
 class EscapedFrames(PartFrames):
     """Frames whose parts are escaped from `first` to `last`, the bounds of a slice.
 
-    The lengths and checksums at the places `sent` are those of the bytes that are sent, those at `own` are not.
+    The lengths and checksums at the places `sent` apply to the sent bytes, those at `own` do not.
     """
 
     __slots__ = ("escape", "first", "last", "own", "sent")

@@ -1,9 +1,8 @@
 """Framers find the frames in a stream of bytes that arrives in pieces of any size, with garbage between frames.
 
 A framer is for one direction: requests and responses look alike, and the bytes of the other direction are garbage to
-it. It keeps at most the bytes of one frame. Where bytes look like a frame and are none, it drops one byte and tries
-again, so it examines each byte no more often than a frame has bytes. A regular expression skips bytes that cannot begin
-a frame.
+it. It keeps at most the bytes of one frame. If bytes look like a frame but are not, it drops one byte and tries again,
+so each byte is examined at most once per byte of a frame. A regular expression skips bytes that cannot begin a frame.
 
 Garbage may look like the beginning of a frame. Then the frames after it wait until that frame would be complete, or
 until the line has been silent and `idle` is called. Garbage with the right checksum by chance counts as a frame;
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
     Extent = tuple[int, int, int, int] | tuple[int, int, int, int, Literal["big", "little"], bool]
 
 _NO_DIGITS = 1 << 64
-"""What is read where a part has no digits: no code, no unit address, no flag of a code and no length of a frame."""
+"""The number of a part without digits: not a code, unit address, flag of a code or length of a frame."""
 
 
 class Intervals:

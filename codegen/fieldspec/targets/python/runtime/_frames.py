@@ -57,7 +57,7 @@ class Response(Record, Generic[M]):
 class ErrorReply(Record, Generic[M]):
     """An exception response: the code of the request, or the one that all exception responses have, and the reason.
 
-    Where the usual response has another code than the request, `code` is that one.
+    If the code of the usual response differs from the request's, `code` is the response's.
     """
 
     __slots__ = ("code", "exception", "unit_address")

@@ -119,7 +119,7 @@ class Parameter(Generic[T]):
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
-        """The counts that may be written, as intervals with both ends; none where there is no limit but the type's."""
+        """The counts that may be written, as intervals with both ends; none if only the type limits them."""
         return self.value.ranges
 
     @property
@@ -203,7 +203,7 @@ class Parameter(Generic[T]):
     def from_bytes(self, data: bytes, subindex: int = 0) -> T:
         """The value of exactly all of the bytes that a message carries, for its element with an index.
 
-        Of a text, the zeros that fill it up may be missing. Raises CodecError.
+        The padding zeros of a text may be missing. Raises CodecError.
         """
         own, title = self._element(subindex)
         data = _filled(own, data)

@@ -102,7 +102,7 @@ class Segments:
         return index(getattr(response, self.by)) in self.numbers
 
     def read(self, session: Session, first: Any, response: Any, most: int) -> Work[bytes]:
-        """The value whose pieces follow the response to the request `first`, of at most so many bytes."""
+        """The segmented value that follows the response to the request `first`, of at most `most` bytes."""
         try:
             content = yield from self._read(session, response, most)
         except PieceError as error:

@@ -42,7 +42,7 @@ class Subcodes:
 
 
 class Answers:
-    """The classes of responses with one code that nothing in them tells apart: only their requests do."""
+    """The classes of responses with one code that only their requests identify."""
 
     __slots__ = ("classes",)
 

@@ -78,7 +78,7 @@ _MOST_ELEMENTS = 1 << 16
 
 @dataclass(slots=True)
 class _Model:
-    """What is read of a model: its rows, the next address, and the variable group after which addresses are open."""
+    """The content of a model: its rows, the next address, and the variable group after which addresses are open."""
 
     rows: FormatRows
     following: int = 0

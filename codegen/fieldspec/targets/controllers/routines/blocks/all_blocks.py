@@ -196,13 +196,13 @@ def _kind(draft: BlockDraft, job: Job) -> Kind:
 
 
 _HIDDEN = (
-    "The device does not show that it takes this command, so that nobody would know which of two it carries out: it "
-    "begins at standstill only and while no other block has a command under way, and no other begins meanwhile; else "
-    "Error 11. A motion of its own it halts first."
+    "The device does not show that it accepts this command, so of two it is unknown which it carries out: it begins "
+    "only at standstill and while no other block has a command under way, and no other begins meanwhile; else Error "
+    "11. It first halts a motion of its own."
 )
 _AGAIN = (
-    "The stop is sent again where the device moves for longer than StartTime. What was accepted and not seen to begin "
-    "may begin in spite of it: then the block is Busy until the device has stood for StartTime."
+    "The stop is sent again if the device moves for longer than StartTime. An accepted command that was not seen to "
+    "begin may still begin: then the block is Busy until the device has stood for StartTime."
 )
 
 

@@ -363,7 +363,7 @@ class CyclicTask:
         safe = cleared([self.places.bit(operand) for operand in self.places.starting()])
         if safe:
             self.remarks.append(
-                "Clears the bits that switch on and start first, so that nothing goes on when the alarm is gone."
+                "Clears the bits that switch on and start first, so that nothing moves when the alarm is gone."
             )
             draft = self.draft
             draft.add([*safe, draft.go(draft.next + 1)])

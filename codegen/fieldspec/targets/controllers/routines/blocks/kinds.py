@@ -64,7 +64,7 @@ class Kind:
 
     sources: tuple[str, ...]
     comment = (
-        "Only a rising edge of Execute starts it, the first scan included; one while Busy starts it anew, with its "
+        "Only a rising edge of Execute starts it, the first scan included; one while Busy restarts it with its "
         "inputs. Done, CommandAborted, Error stay until Execute is FALSE, at least one scan. Call it in each scan."
     )
 

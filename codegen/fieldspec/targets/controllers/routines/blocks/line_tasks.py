@@ -209,7 +209,7 @@ class LineTask(ABC):
                 noted += conditions.start_of(step, value_of) if value_of(self.target(step)) is not None else []
             for step in refusals[:1]:
                 if value_of(self.target(step)) is not None:
-                    remark = "a fault was there before the command, so that a refusal is not told from it"
+                    remark = "an earlier fault hides a refusal"
                     self.fault_before = draft.flag("xFaultBefore", remark)
                     computed, absent = conditions.test(step, value_of)
                     noted += [*computed, Assignment(self.fault_before, opposite(absent))]
@@ -244,7 +244,7 @@ class LineTask(ABC):
         last: bool | None = None,
         behind_all: int = 0,
     ) -> None:
-        """Adds steps of a task. What is `accepted` is done after the step at `accepted_at`.
+        """Adds steps of a task. The `accepted` statements follow the step at `accepted_at`.
 
         If it `begins_motion`, later waits are judged as a motion; `ending` a motion is not watched. `last` says that
         nothing comes after, by default where these are the last steps of the task; `behind_all` is the step that comes

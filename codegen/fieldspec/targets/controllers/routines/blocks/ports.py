@@ -45,10 +45,10 @@ STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
 _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("state", INT, STATE_REMARK),
     ("error", UINT, "0, or why there is no answer: an ErrorID"),
-    ("request", UDINT, "the number of the request, which whoever asks counts up"),
+    ("request", UDINT, "the number of the request, counted up by its sender"),
     ("answered", UDINT, "the number of the request that was answered"),
     ("first", UDINT, "the number of the last request of a stop"),
-    ("urgent", INT, "while it is not 0, what is not urgent waits; whoever serves the port counts it down in each scan"),
+    ("urgent", INT, "while it is not 0, only urgent requests are sent; the server counts it down in each scan"),
 )
 """What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
 

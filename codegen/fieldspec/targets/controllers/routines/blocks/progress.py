@@ -89,7 +89,7 @@ class Conditions:
         if not step.argument:
             return [], self.has(operand, step.wanted, raw)
         if step.argument not in self.arguments:
-            raise NoBlock(f"no step before sends what `{step.target}` is waited for")
+            raise NoBlock(f"no earlier step sends the value that `{step.target}` waits for")
         expected = self.arguments[step.argument]
         if step.within is None and not step.relative and expected.type == raw.type:
             return [], compared(raw, "=", expected)
@@ -175,7 +175,7 @@ class Conditions:
         draft = self.draft
         computed, reached = self.all_of(steps, value_of)
         is_standing = self.stands(value_of)
-        reached_flag = draft.flag("xReached", "all that is waited for is there, in one look")
+        reached_flag = draft.flag("xReached", "all conditions hold in one read")
         standing = draft.flag("xStanding", "the device stands")
         idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
         body = [
@@ -193,7 +193,7 @@ class Conditions:
             evidence.append(moved)
         enough: Expression = reached_flag
         if must_begin:
-            changed = draft.flag("xChanged", "what is waited for was seen not to be there: the motion has begun")
+            changed = draft.flag("xChanged", "a condition did not hold: the motion has begun")
             fresh.append(changed)
             body.append(when(Negation(reached_flag), [assigned(changed, True)]))
             enough = every([reached_flag, changed])

@@ -165,7 +165,7 @@ class BlockDraft(BlockVariables):
         step = self.next
         self.settling.append(step)
         timer = self.declared_once("fbSettle", TIMER, "local")
-        remark = "how long the device has to see what it was sent, before that changes or is looked at"
+        remark = "how long the device has to read a telegram before the next change or read"
         self.declared_once("SettlingTime", TIME, "input", remark, initial)
         self.add([when(Member(timer, "Q", BOOL), [self.go(step + 1)])], remark="the device sees what was sent")
 
