@@ -16,7 +16,7 @@ PATTERNS = {
         r"\b(?:tells? (?:which|what|whether|apart|where|of|nothing|the (?:version|length|direction|type))"
         r"|told (?:from|apart|by|what)|is to tell)\b"
     ),
-    "there are as advice (choose from)": r"; there (?:is|are) `|\bhelp: there (?:is|are)\b",
+    "there are as advice (choose from)": r"\bhelp: there (?:is|are)\b",
     "a rare word": r"\b(?:anew|afresh|mend(?:ed|s)?|for good|at last|whoever|lent|outlasts?|by lot|in turns)\b",
     "behind (after)": r"\bbehind\b(?!-| (?:a|the) (?:network|gateway|proxy|firewall|scenes))",
     "is no X (is not a X)": (

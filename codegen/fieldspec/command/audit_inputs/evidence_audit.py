@@ -93,7 +93,9 @@ def _notes(folder: Path) -> tuple[list[tuple[Path, UnitNote]], list[Diagnostic]]
         try:
             data = regular_file.content(name, _MOST_BYTES)
         except FileNotFoundError:
-            raise UsageError(f"{path} has no {FILE} that says which unit it is of") from None
+            raise UsageError(
+                f"{path} has no {FILE}; write one with model, firmware and serial_number: redacted"
+            ) from None
         except SizeError:
             raise UsageError(f"{name} has more than {_MOST_BYTES >> 20} MiB; a note is smaller") from None
         except OSError as error:

@@ -15,7 +15,7 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
     port_help += " (default: by the link)"
     simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=port_help)
     browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
-    simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
+    simulate.add_argument("--websocket", type=whole, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     _add_line_settings(simulate)
     simulate.add_argument(

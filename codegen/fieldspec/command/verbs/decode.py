@@ -156,7 +156,8 @@ def _frame(layout: DeviceLayout, text: str, device: str) -> LogLine:
     try:
         line = log_line(text, [link.link for link in layout.links.values()])
     except Unreadable as error:
-        hint = _path_hint(text, device) if device and os.path.exists(text) else ""
+        hint = "; write its bytes in hexadecimal, such as 01 03 10 00"
+        hint = _path_hint(text, device) if device and os.path.exists(text) else hint
         raise UsageError(f"this is not a frame: {error}{hint}") from None
     if line is None or not line.frame:
         raise UsageError("this is not a frame: it has no bytes")

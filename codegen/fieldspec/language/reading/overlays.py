@@ -153,12 +153,12 @@ class _Application:
             return True  # the schema says that there is no such key
         if old is not None and not _absent(was) and exact(typed_at(was, (*part, "properties", key))[0]) == exact(old):
             return True
-        state = f"is {quoted(_node_text(old))}" if old is not None else "is not given"
-        text = f"`{key}` {state} in the base version, not {quoted(_node_text(was))}"
-        label = Label((old or fact).span, "the value in the base version")
-        self._refuse(
-            "overlay_base_differs", text, was, "the base has changed: look at both places, and correct `was`", label
-        )
+        state = f"is {quoted(_node_text(old))}" if old is not None else "is absent"
+        text = f"`{key}` {state} in the base version, but `was` is {quoted(_node_text(was))}"
+        label = Label((old or fact).span, "the value in the base version" if old is not None else "the fact")
+        right = quoted(f"was: {_node_text(old) if old is not None else '~'}")
+        help = f"write {right}; if the base has changed since, decide which value is right now"
+        self._refuse("overlay_base_differs", text, was, help, label)
         return False
 
     def _typed(self, node_keys: list[str | int], new: Mapping) -> None:

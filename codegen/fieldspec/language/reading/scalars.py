@@ -207,7 +207,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
     text = node.text if isinstance(node, Scalar) else None
     if keyword == "required":
         missing = facts["property"]
-        help = described(part.get("properties", {}).get(missing, {}))
+        purpose = described(part.get("properties", {}).get(missing, {}))
+        help = f"add `{missing}`: {purpose[:1].lower()}{purpose[1:]}" if purpose else f"add `{missing}`"
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
         options = [str(option) for option in part.get("enum", [])]
