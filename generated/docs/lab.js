@@ -5109,7 +5109,7 @@ class SocketCarrier {
     }
     return new Promise((resolve, reject) => {
       const socket = new WebSocket(address);
-      const fail = () => reject(new ConnectionFault("Nobody answers at this address. Is the simulator running, and is the key that of its last start?"));
+      const fail = () => reject(new ConnectionFault("No response from this address. Is the simulator running, and is the key from its last start?"));
       const timer = setTimeout(() => { socket.close(); fail(); }, OPENING);
       socket.binaryType = "arraybuffer";
       socket.addEventListener("open", () => {
@@ -5427,7 +5427,7 @@ class DevicePanel {
     this.update();
     const { data, milliseconds, lost } = await asking;
     if (data.length) this.note("RX", data);
-    const texts = [stray ? `${stray} bytes came before that nobody had asked for.` : "", lost];
+    const texts = [stray ? `${stray} unrequested bytes came before.` : "", lost];
     if (data.length) texts.push(this.show(readAnswer(data), data, patience));
     else if (!lost) texts.push(isAnswered ? `No answer within ${patience} ms.` : "");
     this.fault(texts.filter(Boolean).join(" "));

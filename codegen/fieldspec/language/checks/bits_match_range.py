@@ -4,7 +4,7 @@ the bits. If the bit field has a range, every value with these bits states a ran
 Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong. Encoders apply
 the range of the value; the range of the bit field is only shown to users.
 
-Example: a range of 0..1 for a word with a bit for each of 14 inputs.
+Example: a range of 0..1 for a bit field with 14 inputs.
 
 Fix: Correct the range or the list, and write an erratum. Reserved bits may be included or not. A group of bits with a
 closed enum may be included with its greatest member, and the range may be the range of the whole type if its last bit

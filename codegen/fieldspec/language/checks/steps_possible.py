@@ -140,7 +140,7 @@ def _same_count(first: Value, second: Value) -> bool:
 def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
     place = step.place
     if (step.action == "send") != isinstance(operand.fact, Message):
-        text = f"{operand.path} is {'a' if step.action != 'send' else 'no'} message"
+        text = f"{operand.path} is {'a' if step.action != 'send' else 'not a'} message"
         yield finding(_RULE, place, step.action, text, "messages are sent; other facts are written or read")
     elif isinstance(operand.fact, Message) and not operand.fact.is_requested:
         text = f"only the device sends {operand.path}, of its own accord"
