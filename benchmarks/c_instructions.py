@@ -121,7 +121,7 @@ def rows() -> Iterator[Row]:
         narrow = instruction_counts(folder, text, "-O2")
         small = instruction_counts(folder, text, "-Os")
         wide = instruction_counts(folder, text, "-O2", "-DCK10_WIDE_CRC_TABLE")
-        by = f"3 a field and 1; {version(needed('gcc', 'gcc'))} -O2"
+        by = f"3 per field and 1; {version(needed('gcc', 'gcc'))} -O2"
         for subject in all_subjects:
             for way, fields in (("read", subject.reads), ("write", subject.writes)):
                 best = 3 * fields + 1
@@ -140,7 +140,7 @@ def rows() -> Iterator[Row]:
             # Ranges cost what they cost anyone: the goal is for encoders that only look at the size.
             limit = narrow[f"{subject.prefix}_write_plain"] + 11
             for name, ending, goal in (
-                ("pack behind a check of the size", "sized", 1.0),
+                ("pack after a check of the size", "sized", 1.0),
                 ("encode: every value against its range", "checked", None),
             ):
                 count = narrow[f"{subject.prefix}_write_{ending}"]

@@ -23,7 +23,7 @@ ANSWERS = (
     ("completion", "completion of an address", "at: "),
     ("codeAction", "code actions", "access: "),
 )
-"""The requests, their names in the table, and the words behind which they ask."""
+"""The requests, their names in the table, and the words after which they ask."""
 
 ROUNDS = {1000: 5, 10_000: 3}
 """By number of registers."""
@@ -70,7 +70,7 @@ class Server:
         return work_of(self.process.pid) - before
 
     def asked(self, request: str, line: int, word: str) -> float:
-        """Milliseconds of the processor that an answer takes about the place behind a word of a line."""
+        """Milliseconds of the processor that an answer takes about the place after a word of a line."""
         before = work_of(self.process.pid)
         position = {"line": line, "character": self.text.split("\n")[line].index(word) + len(word)}
         selected = {"range": {"start": position, "end": position}, "context": {"diagnostics": []}}

@@ -27,9 +27,9 @@ and compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes
 other figures; these compare the blocks with each other and show the order of magnitude.
 
 *code* is the body of the block. The functions that blocks call exist once for each device; the line above each table
-has their sum, for a program that uses all of them. *data* is one instance. matiec copies each struct that a block is
-lent and each constant, and adds a byte of flags to each variable. CODESYS, TwinCAT and TIA Portal pass a reference, and
-need no memory for a constant, so *own data*, which leaves these out, is nearer to what they need.
+has their sum, for a program that uses all of them. *data* is one instance. matiec copies each constant and
+each struct passed to a block, and adds a byte of flags to each variable. CODESYS, TwinCAT and TIA Portal pass a
+reference, and need no memory for a constant, so *own data*, which excludes these, is a better estimate for them.
 """
 
 

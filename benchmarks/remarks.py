@@ -1,66 +1,68 @@
-"""What stands in the way of the goals that are missed, by group and name of the row."""
+"""Why some goals are missed, by group and name of the row."""
 
 from __future__ import annotations
 
 RICHER = (
-    "The floor knows one device in one form. Ours takes 2.5 to 3 times as long to read and check alone, as every value "
-    "knows its place and seventy rules look at it. What it writes is eight times as long: tests of every constant and "
-    "example beside the C header, codecs in Python, pages as HTML and Markdown, and an audit."
+    "The floor handles one device in one form. Reading and checking take 2.5 to 3 times as long as the floor, because "
+    "every value carries its source position and seventy rules check it. The outputs are eight times as large: tests "
+    "of every constant and example next to the C header, Python codecs, HTML and Markdown pages, and an audit."
 )
 START = (
-    "Of 130 ms for reading and checking, 60 are imports: the libraries of YAML and of the schema take 17, and 160 "
-    "modules of ours 20. The peer has a tenth of that to import."
+    "Of the 130 ms for reading and checking, 60 are imports: the YAML and schema libraries take 17, and the 160 "
+    "modules of fieldspec 20. The peer imports a tenth of that."
 )
 READS = (
-    "The device is compiled already; of its ten thousand objects, three hundred are made. Half of what is left is the "
-    "import of sixty small modules, which say what a device is made of and how a frame is explained, and a fifth that "
-    "of argparse; to see that specs and compiler are the same takes 3 ms."
+    "The device is already compiled; only 300 of its 10,000 objects are created. Half of the remaining time is the "
+    "import of sixty small modules for the parts of a device and the explanation of a frame, and a fifth is the import "
+    "of argparse; the check that specs and compiler are unchanged takes 3 ms."
 )
-MODEL = "What was read, and the model that is made of it, take 0.8 GB; the text of an output comes on top."
+MODEL = "The parsed files and their model take 0.8 GB; the text of an output is added to that."
 WATCH = (
-    "Findings are there after 0.1 s. All outputs of all versions of a device are then made again, however little of it "
-    "has changed; half of that is the documentation with its audit, which is one piece of work."
+    "Findings are available after 0.1 s. Then all outputs of all versions of the device are written again, even after "
+    "a small change; half of that time is the documentation with its audit, which is one unit of work."
 )
 LARGE_SAVE = (
-    "Seventy checks look at every register again, which takes a third of the time. The rest moves the text after the "
-    "change, lays out and identifies the device, and joins the pieces of its outputs. Checks are not kept by item: no "
-    "check takes more than 8 us for a register, and a look-up takes 2 us."
+    "Seventy checks read every register again, which takes a third of the time. The rest moves the text after the "
+    "change, computes the layout and identity of the device, and joins the parts of its outputs. Check results are not "
+    "cached by item: no check takes more than 8 us for a register, and a look-up takes 2 us."
 )
 MANY_VERSIONS = (
-    "All versions are read, checked, laid out and joined again, and only what they share is printed once. Most "
-    "registers of a version are equal to the registers of the version before it, but each version is judged on its "
-    "own, which takes a third of the time."
+    "All versions are read, checked, laid out and joined again; only shared parts are printed once. Most registers of "
+    "a version equal the registers of the version before it, but each version is checked separately, which takes a "
+    "third of the time."
 )
 ALL = (
-    "Nearly 4 s of work are shared by two processors, but not evenly: one has the largest device, the other the "
-    "three that are left, which take a fifth longer. To divide a device made more work than it saved. Before they "
-    "begin, 0.3 s go by with imports and the reading of all specs."
+    "Two processors share nearly 4 s of work, but not evenly: one builds the largest device, the other the remaining "
+    "three, which take a fifth longer. Splitting a device created more work than it saved. Before that, imports and "
+    "reading all specs take 0.3 s."
 )
 TURNS = (
     "pymodbus takes 3.7 times as long as the loop over 256 entries; when the goal was set, it took 4.7 times as long. "
-    "The least by hand that makes the same objects, for one message and with no link between, is at 8.0. What remains "
-    "is a call of the link each way, and the look-up of the class by the code. construct is at 29 to 31, by run."
+    "The shortest hand-written code that creates the same objects, for one message and without a link, is at 8.0. The "
+    "difference is one call of the link in each direction, and the look-up of the class by the code. construct is at "
+    "29 to 31, depending on the run."
 )
 TESTS = (
-    "Eighteen fields have ranges, and a comparison takes 9 ns: the tests are half of the time. Without any, the same "
-    "class by hand is at 23 beside construct, and at 39 beside Kaitai. With them, nothing was found to be faster: to "
-    "test the packed bytes as one large number takes as long for fields of one interval alone; a regular expression, "
-    "`min` and `max`, sets, and `map` take longer. Limits that are those of the type are left to `struct`."
+    "Eighteen fields have ranges, and a comparison takes 9 ns: the range checks are half of the time. Without them, "
+    "the same hand-written class is at 23 compared with construct, and at 39 compared with Kaitai. With range checks, "
+    "no faster method was found: comparing the packed bytes as one large number takes as long even if every field has "
+    "a single interval; a regular expression, `min` and `max`, sets, and `map` take longer. `struct` checks the limits "
+    "of the type."
 )
-SUMS = "What is written by hand with the same tests is at 30, with none at 34; the goal was set without tests."
+SUMS = "Hand-written code with the same checks is at 30, without checks at 34; the goal assumed no checks."
 CLASSES = (
-    "One file of such classes by hand takes 3.1 ms, most of it for making 100 classes of 21 slots. The rest are nine "
-    "modules instead of one, so that devices share what they can (1.3 ms), and what says which field is refused and "
+    "One file of such hand-written classes takes 3.1 ms, most of it to create 100 classes with 21 slots. The rest is "
+    "nine modules instead of one, so that devices share code (1.3 ms), and the code that names a rejected field and "
     "decodes many records at once (0.6 ms)."
 )
 SHIFTS = (
-    "Beside shifts by hand it is at 1.05. A DataView tests one bound for a number, shifts test one for each byte; to "
-    "make a DataView of every frame takes five times as long as to decode it, and frames seldom lie in the same bytes."
+    "Compared with hand-written shifts it is at 1.05. A DataView tests one bound per number, shifts test one per byte; "
+    "creating a DataView for every frame takes five times as long as decoding it, and frames seldom share a buffer."
 )
 INLINED = (
-    "V8 puts a function into its caller up to 460 bytes of its code; with nine tests and what they throw, the writer "
-    "has 770. Where V8 is told to take larger ones, it is at 1.06 into bytes, and at 1.28 with new bytes. Tests apart "
-    "from stores would be such functions, but state every test twice."
+    "V8 inlines functions of up to 460 bytes of bytecode; with nine checks and their errors, the writer has 770. With "
+    "a higher limit, it is at 1.06 into bytes, and at 1.28 with new bytes. Separate functions for checks and stores "
+    "would be short enough, but would state every check twice."
 )
 
 REMARKS = {
@@ -86,8 +88,8 @@ REMARKS = {
     ): MODEL,
 }
 NODES = (
-    "Every value becomes an object of its own that knows its place, and tags, anchors, keys that stand there twice, "
-    "depth and size are looked after; the prototype that took 0.32 did nothing of this."
+    "Every value becomes a separate object with its source position, and tags, anchors, duplicate keys, depth and size "
+    "are checked; the prototype that took 0.32 did none of this."
 )
 BY_GROUP = {"build --watch": WATCH, "All outputs of four devices": ALL, "YAML with line numbers": NODES}
-"""What stands in the way of every row of a group that has no remark of its own."""
+"""Why the rows of a group without their own remark miss their goals."""

@@ -51,14 +51,14 @@ FILES = (
 HEAD = """\
 # Benchmarks
 
-What the compiler and its outputs take, beside hand-written code and other tools that do the same work. Each row is
-timed in turns with its peer, so that only the ratios say something of another machine. A ratio is ours over the
-peer's; where the goal is *at least*, it is the peer's over ours. [benchmarks/README.md](../benchmarks/README.md)
-tells how.
+Time, size and memory of the compiler and its outputs, compared with hand-written code and other tools for the same
+work. Each row and its peer are timed alternately, so the ratios, but not the times, carry over to other machines. The
+ratio is the value of fieldspec divided by the peer's; if the goal is *at least*, it is the reverse. See
+[benchmarks/README.md](../benchmarks/README.md) for the method.
 
     {command}
 
-writes this page again. It was written on {machine}.
+writes this page. It was written on {machine}.
 
 ![Ours and the peers](benchmarks.svg)
 """
@@ -93,7 +93,7 @@ def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
     yield HEAD.format(command="make bench", machine=machine())
     with_goal = [row for row in rows if row.at_most is not None or row.at_least is not None]
     met = sum(row.met for row in with_goal)
-    yield f"Of {len(with_goal)} goals, {met} are met."
+    yield f"{met} of {len(with_goal)} goals are met."
     # A note says of its rows what they were measured by, and when.
     busy = [name for name in FILES if results.get(name, {}).get("load", 0) > BUSY and "note" not in results[name]]
     if busy:
@@ -108,14 +108,14 @@ def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
     for group in dict.fromkeys(row.group for row in rows):
         own = [row for row in rows if row.group == group]
         yield f"\n## {group}\n"
-        yield "| what | ours | peer | theirs | ratio | goal | met |"
+        yield "| subject | ours | peer | theirs | ratio | goal | met |"
         yield "|---|---:|---|---:|---:|---:|---|"
         yield from map(_row, own)
         reasons = dict.fromkeys(
             REMARKS.get((row.group, row.name), BY_GROUP.get(row.group, "")) for row in own if not row.met
         )
         for reason in filter(None, reasons):
-            yield f"\nWhat stands in the way: {reason}"
+            yield f"\nReason: {reason}"
     yield ""
 
 

@@ -21,7 +21,7 @@ MANUALS = {
 }
 """The texts of the manuals of projects, which audits compare with their specs."""
 LAST = ("station", "wattmeter", "beacon", "glider-x", "widget")
-"""The made-up devices that take the longest to build, tried behind all others."""
+"""The made-up devices that take the longest to build, tried after all others."""
 
 
 def _files(folder: Path, root: Path) -> dict[str, bytes]:

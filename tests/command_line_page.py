@@ -11,15 +11,15 @@ HEAD = """# Command line
 
 <!-- Written by `pytest --accept tests/test_guides.py` from the parser of the command line. Do not edit. -->
 
-`fieldspec VERB` carries out a verb. The exit codes are 0 for success, 1 for findings, and 2 for wrong use or unreadable
-input. Where the reader of the output ends first, as `head` does, it is the code that the verb already knows, or 141.
+`fieldspec VERB` runs a command. The exit codes are 0 for success, 1 for findings, and 2 for wrong use or unreadable
+input. If the reader of the output stops first, as `head` does, the exit code is the result so far, or 141.
 """
 
 
 def page() -> str:
     """The whole page: a table of all verbs, then a section for each."""
     verbs = list(_verbs(parser(), ""))
-    lines = [HEAD, "| verb | what it does |", "|---|---|"]
+    lines = [HEAD, "| command | purpose |", "|---|---|"]
     lines += [f"| [`{name}`](#{_anchor(name)}) | {_cell(help)} |" for name, help, _ in verbs if " " not in name]
     for name, help, verb in verbs:
         lines += ["", f"## fieldspec {name}", "", _sentence(verb.description or help), ""]

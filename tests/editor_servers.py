@@ -31,7 +31,7 @@ def serve(listener: socket.socket) -> None:
 
 @contextmanager
 def server_address() -> Iterator[tuple[str, int]]:
-    """The address of a new server, which has ended behind the block."""
+    """The address of a new server, which has ended after the block."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
         process = _processes().Process(target=serve, args=(listener,), daemon=True)
         process.start()

@@ -16,9 +16,12 @@ PATTERNS = {
         r"\b(?:tells? (?:which|what|whether|apart|where|of|nothing|the (?:version|length|direction|type))"
         r"|told (?:from|apart|by|what)|is to tell)\b"
     ),
+    "there are as advice (choose from)": r"\bhelp: there (?:is|are)\b",
     "a rare word": r"\b(?:anew|afresh|mend(?:ed|s)?|for good|at last|whoever|lent|outlasts?|by lot|in turns)\b",
-    "behind (after)": r"\bbehind\b(?! (?:a|the) (?:network|gateway|proxy|firewall|scenes))",
-    "is no X (is not a X)": r"(?<![Tt]here )(?<!where there )\b(?:is|are|was|were) (?:no|none)\b(?! longer| more)",
+    "behind (after)": r"\bbehind\b(?!-| (?:a|the) (?:network|gateway|proxy|firewall|scenes))",
+    "is no X (is not a X)": (
+        r"(?<![Tt]here )(?<!where there )\b(?:is|are|was|were) (?:no (?!longer|more)\w+|none\b(?!,|$))"
+    ),
     "the print (the manual, the printed value)": r"\b(?:the|in|a|whose) print\b(?! statement)",
     "speaks (uses)": r"\bspeaks? (?:of|against|telegram|Modbus|for)\b",
     "so many, as many as (the number)": r"\bso many\b|\bas many (?:bytes|words|elements|digits|values)?\b",

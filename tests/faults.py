@@ -21,7 +21,7 @@ CHANGING = ("open", "write", "fsync", "replace", "rename", "link", "unlink", "re
 
 @dataclass
 class Fault:
-    """A fault by name. `error` is what the operation raises, none for `kill`; it `lasts` for all operations behind."""
+    """A fault by name. `error` is what the operation raises, none for `kill`; it `lasts` for all operations after."""
 
     name: str
     error: BaseException | None = None

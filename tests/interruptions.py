@@ -1,4 +1,4 @@
-"""Kills builds at random moments and checks what they leave behind: `python tests/interruptions.py [BUILDS] [SEED]`."""
+"""Kills builds at random moments and checks what they leave after: `python tests/interruptions.py [BUILDS] [SEED]`."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def list_devices(draw: Any) -> str:
 
 
 def _table(draw: Any, spec: dict[str, Any]) -> None:
-    """A table of records behind all registers."""
+    """A table of records after all registers."""
     fields = [_register(draw, spec, False, 80 + number)[0] for number in range(draw(st.integers(1, 3)))]
     for row in fields:
         row["source"] = "1 L2"

@@ -165,7 +165,7 @@ def _shuffled(draw: Any, rows: Sequence[Mapping[str, Any]], form: str, separator
 
 
 def _with_rows_of_bits(rows: Sequence[dict[str, Any]]) -> Iterator[tuple[int | None, dict[str, Any]]]:
-    """Each row with its place, and behind it those of its bits, which are no rows of the export."""
+    """Each row with its place, and after it those of its bits, which are not rows of the export."""
     for place, row in enumerate(rows):
         bits = str(row.pop("bits", "")) if "count" not in row else ""
         yield place, row
@@ -201,7 +201,7 @@ def _retype(draw: Any, rows: Sequence[dict[str, Any]], comma: bool) -> None:
 
 
 def _join(draw: Any, rows: Sequence[dict[str, Any]], comma: bool) -> None:
-    """Puts bounds into one column, scales and units together, units behind names, and scales as gains or divisors."""
+    """Puts bounds into one column, scales and units together, units after names, and scales as gains or divisors."""
     if draw(st.booleans()):
         sign = draw(st.sampled_from(("..", " ~ ", " to ")))
         for row in rows:

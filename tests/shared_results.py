@@ -25,7 +25,7 @@ FOLDERS: list[Path] = []
 def shared(name: str, compute: Callable[[], Result]) -> Result:
     """What `compute` returns, which must be data that can be pickled; `name` is that of no other result.
 
-    A process that is no worker computes it.
+    A process that is not a worker computes it.
     """
     if not FOLDERS or fcntl is None:
         return compute()

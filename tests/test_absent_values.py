@@ -47,7 +47,7 @@ def test_none_is_refused_where_several_values_are_absent() -> None:
     with pytest.raises(CodecError, match=r"not_measured \(nan\) or too_far \(9999\)"):
         sample(distance_mm=None)
     record = METER.Sample(voltage_v=1, voltages=[5, -1])
-    with pytest.raises(CodecError, match=r"None is no single value of voltages: write low \(-1\) or high \(100\)"):
+    with pytest.raises(CodecError, match=r"None is not a single value of voltages: write low \(-1\) or high \(100\)"):
         record.voltages_v = [None, 1]
     assert (record.voltages_state, record.voltages_v) == ([None, "low"], [0.5, None])
 

@@ -57,7 +57,7 @@ TORQUE = "bits: 0..11, name: torque, scale: 36/4095, offset: -18, unit: Nm"
 NEEDED = {
     "an offset": (f"{{{TORQUE}}}", "torque", "0 is -18 Nm"),
     "a range without 0": ("{bits: 0..3, name: step, range: 1..9}", "step", "0 is not in 1..9"),
-    "a closed enum without 0": ("{bits: 0..3, name: kind, enum: mode}", "kind", "0 is no member of mode"),
+    "a closed enum without 0": ("{bits: 0..3, name: kind, enum: mode}", "kind", "0 is not a member of mode"),
 }
 HARMLESS = {
     "a scale alone": "{bits: 0..11, name: torque, scale: 0.5, unit: Nm}",

@@ -46,7 +46,7 @@ WRONG = (
     b"\x00\x0012",
     b"\t 12",
 )
-"""Other ways to write a number in four characters, and what is no number."""
+"""Other ways to write a number in four characters, and what is not a number."""
 
 
 def frame(weight: bytes = b"    0.00", drift: bytes = b"   0") -> bytes:

@@ -18,7 +18,7 @@ Why: because.
 
 Example: this.
 
-Cure: that.
+Fix: that.
 """
 from fieldspec.extension import Diagnostic
 def good(device):
@@ -41,8 +41,20 @@ BROKEN = {
         "needs a text TITLE of one line and a function files",
     ),
     "failing output": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{}['x']"), "KeyError: 'x'"),
-    "path out": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'../x': ''}"), "'../x' is no path of a file"),
-    "absolute path": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'/x': ''}"), "'/x' is no path of a file"),
+    "path out": (
+        "outputs",
+        "extra",
+        "bad",
+        GOOD_OUTPUT.replace("{}", "{'../x': ''}"),
+        "'../x' is not a path of a file",
+    ),
+    "absolute path": (
+        "outputs",
+        "extra",
+        "bad",
+        GOOD_OUTPUT.replace("{}", "{'/x': ''}"),
+        "'/x' is not a path of a file",
+    ),
     "bytes": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'x': b''}"), "neither a text nor a workbook"),
     "exit of the module": ("outputs", "extra", "bad", "raise SystemExit(0)", "SystemExit: 0"),
     "unknown name of the door": (
@@ -62,14 +74,14 @@ BROKEN = {
         *("outputs", "extra", "bad", GOOD_OUTPUT.replace("'Lists'", "'a\\nb'")),
         "needs a text TITLE of one line and a function files",
     ),
-    "shared that is no function": ("outputs", "extra", "bad", GOOD_OUTPUT + "shared = 1\n", "is not callable"),
+    "shared that is not a function": ("outputs", "extra", "bad", GOOD_OUTPUT + "shared = 1\n", "is not callable"),
     "refusals that are none": (
         *("outputs", "extra", "bad", GOOD_OUTPUT + "def refusals(versions): pass\n"),
         "TypeError: 'NoneType' object is not iterable",
     ),
     "text without UTF-8": (
         *("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'x': '\\ud800'}")),
-        "the content of x is no text in UTF-8",
+        "the content of x is not a text in UTF-8",
     ),
     "paths that differ by case": (
         *("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "{'a/x': '', 'A/X': ''}")),
@@ -88,7 +100,7 @@ BROKEN = {
     "no dict": ("outputs", "extra", "bad", GOOD_OUTPUT.replace("{}", "[]"), "its files are not a dict"),
     "no documentation": ("checks", "extra", "bad:good", "def good(device): return ()", "has not the parts Why"),
     "no function": ("checks", "extra", "bad:other", GOOD_CHECK, "has no attribute 'other'"),
-    "not callable": ("checks", "extra", "bad:__doc__", GOOD_CHECK, "bad:__doc__ is no function"),
+    "not callable": ("checks", "extra", "bad:__doc__", GOOD_CHECK, "bad:__doc__ is not a function"),
     "failing check": ("checks", "extra", "bad:good", GOOD_CHECK.replace("iter(())", "1 / 0"), "ZeroDivisionError"),
     "no findings": (
         "checks",
@@ -104,21 +116,21 @@ BROKEN = {
     ),
     "finding without a place": (
         *("checks", "extra", "bad:good", GOOD_CHECK.replace("iter(())", "[Diagnostic('extra', '', None)]")),
-        "the span of its finding is no Span",
+        "the span of its finding is not a Span",
     ),
     "finding without a text": (
         *("checks", "extra", "bad:good", GOOD_CHECK.replace("iter(())", "[Diagnostic('extra', 1, device.place[''])]")),
-        "the message of its finding is no text",
+        "the message of its finding is not a text",
     ),
     "two findings in place of labels": (
         *("checks", "extra", "bad:good"),
         GOOD_CHECK.replace("iter(())", "[Diagnostic('extra', '', device.place.whole, ('a',))]"),
-        "the labels of its finding are no tuple of Label objects",
+        "the labels of its finding are not a tuple of Label objects",
     ),
     "another severity": (
         *("checks", "extra", "bad:good"),
         GOOD_CHECK.replace("iter(())", "[Diagnostic('extra', '', device.place.whole, severity='error')]"),
-        "the severity of its finding is no Severity",
+        "the severity of its finding is not a Severity",
     ),
     "another code": (
         *("checks", "extra", "bad:good"),

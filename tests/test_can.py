@@ -70,7 +70,7 @@ def test_a_number_with_more_bits_than_its_place_is_refused() -> None:
 def test_the_offset_of_an_error_counts_the_identifier_first_and_then_the_data_as_the_guide_says() -> None:
     bus = codec(newest(TEST_SPECS, "ecu-can")).links["bus"]
     frame = bytearray(newest(TEST_SPECS, "ecu-can").device.examples["speed"].frame)
-    frame[8] ^= 0xFF  # byte 0 of the data, behind an identifier of one u16
+    frame[8] ^= 0xFF  # byte 0 of the data, after an identifier of one u16
     with pytest.raises(CodecError) as refused:
         bus.decode(bytes(frame), "request")
     assert refused.value.offset == 2
@@ -83,9 +83,9 @@ def test_the_offset_of_an_error_counts_the_identifier_first_and_then_the_data_as
 @pytest.mark.parametrize(
     ("at", "byte", "text"),
     [
-        (0, 0x80, "it is no CAN frame with an identifier of 11 bits"),
+        (0, 0x80, "it is not a CAN frame with an identifier of 11 bits"),
         (4, 7, "byte 4 says 7 bytes of data, but there are 8"),
-        (6, 1, "the three bytes behind the number of the data are not zero"),
+        (6, 1, "the three bytes after the data length are not zero"),
     ],
 )
 def test_what_is_wrong_with_the_header_of_a_frame_is_said_alike(at: int, byte: int, text: str) -> None:

@@ -206,7 +206,7 @@ def test_another_node_has_the_messages_in_the_other_direction(run: CommandLine) 
 
 def test_a_node_that_is_not_there_is_refused_with_those_that_are(run: CommandLine) -> None:
     ran = run("import", "-", "--to", "drive.yaml", "--node", "Car", stdin=DATABASE.encode())
-    assert (ran.code, ran.err) == (2, "fieldspec: - has no node Car; there are Drive, Host, Nobody\n")
+    assert (ran.code, ran.err) == (2, "fieldspec: - has no node Car; choose from Drive, Host, Nobody\n")
 
 
 def test_the_bytes_that_no_signal_is_in_have_no_meaning(run: CommandLine) -> None:

@@ -113,7 +113,7 @@ def test_every_function_that_documents_a_rule_is_in_the_table() -> None:
     documented = {
         node.name
         for node in functions
-        if isinstance(node, ast.FunctionDef) and "\nCure: " in (ast.get_docstring(node) or "")
+        if isinstance(node, ast.FunctionDef) and "\nFix: " in (ast.get_docstring(node) or "")
     }
     assert documented == {code for code, _, _ in RULES}
 
@@ -130,5 +130,5 @@ def test_page_of_changes_is_fresh(accept: bool) -> None:
 
 def test_rules_of_changes_say_something_in_every_part() -> None:
     for rule in rules.change_rules():
-        assert min(map(len, (rule.what, rule.why, rule.example, rule.cure))) > 5, rule.code
+        assert min(map(len, (rule.what, rule.why, rule.example, rule.fix))) > 5, rule.code
         assert rule.what.endswith("."), rule.code

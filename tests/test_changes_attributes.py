@@ -90,9 +90,9 @@ IGNORED = {
     "Device.version": "it is what is compared",
     "Device.accepts": "it judges changes, and is none",
     "Device.stated_changes": "it gives changes their reasons, and is none",
-    "Part.prefix": "the algorithm that begins behind it is compared",
-    "Part.suffix": "the algorithm that ends behind it is compared",
-    "Part.stated_algorithm": "the algorithm is compared, which begins behind the prefix",
+    "Part.prefix": "the algorithm that begins after it is compared",
+    "Part.suffix": "the algorithm that ends after it is compared",
+    "Part.stated_algorithm": "the algorithm is compared, which begins after the prefix",
     **{
         f"StatedChange.{name}": "it gives changes their reasons, and is none"
         for name in ("kind", "path", "to", "reason", "sources")
@@ -130,11 +130,11 @@ IGNORED = {
 
 
 APART = {
-    "choice": "what a project generates is no part of a device",
+    "choice": "what a project generates is not a part of a device",
     "attributes": "it describes the classes of the model",
     "encoding": "an encoding is what a primitive stands for, and primitives are compared by their names",
 }
-"""The modules whose classes are no part of a device, and why."""
+"""The modules whose classes are not a part of a device, and why."""
 
 
 @cache
@@ -298,7 +298,7 @@ def test_every_attribute_of_the_model_is_compared_or_listed(holder: str, noun: t
 
 def test_the_made_up_devices_have_every_class_of_the_model() -> None:
     missing = {noun.__name__ for noun in classes()} - {noun.__name__ for _, noun in positions()}
-    # What checks make of a device is no part of one.
+    # What checks make of a device is not a part of one.
     views = {"NumberPlace", "Operand", "Place", "Run", "TableRecord", "Watch"}
     assert missing == {"Checksum", "Fact", "Primitive", "Shape", "Unit", *views}
 

@@ -76,7 +76,7 @@ def summary(result: Any) -> tuple[list[str], list[tuple[str, str]], list[int], l
 
 LISTS = {
     "with a mark before": HEAD + "\n".join(ROWS),
-    "with a mark behind": HEAD + "\n".join(row.replace("0x", "", 1).replace(",", "h,", 1) for row in ROWS),
+    "with a mark after": HEAD + "\n".join(row.replace("0x", "", 1).replace(",", "h,", 1) for row in ROWS),
     "with letters": HEAD + "\n".join(row.removeprefix("0x") for row in ROWS),
     "with a heading that says it": "Addr (Hex)\tName\n10\tspeed\n11\tposition\n",
     "in decimal": "Address,Name\n16,speed\n17,position\n26,state\n",
@@ -287,7 +287,7 @@ def test_a_sheet_is_chosen_by_its_name(run: CommandLine, tmp_path: Path) -> None
     book.save(path)
     assert summary(run.json("compare", "gadget", str(path), "--sheet", "Registers"))[0] == ["speed"]
     ran = run("compare", "gadget", str(path), "--sheet", "Others")
-    assert (ran.code, ran.err) == (2, f"fieldspec: {path} has no sheet Others; there are Sheet, Registers\n")
+    assert (ran.code, ran.err) == (2, f"fieldspec: {path} has no sheet Others; choose from Sheet, Registers\n")
 
 
 FORMS = {

@@ -242,10 +242,10 @@ def test_a_misprint_of_the_manual_is_recognised(
         (["decode", "widget", ANSWER, "--request", "zz"], "this is not a frame: there are no bytes in it"),
         (["decode", "widget", ANSWER, "--request", ANSWER], "--request is not a valid request of widget: "),
         (["decode", "widget", ANSWER, "--request", READ, "--direction", "request"], "--direction cannot be request"),
-        (["decode", "widget", READ, "--direction", "up"], "there is no direction up; there are request, response"),
+        (["decode", "widget", READ, "--direction", "up"], "there is no direction up; choose from request, response"),
         (
             ["decode", "widget", READ, "--format", "xml"],
-            "there is no value of --format xml; there are json, text; see: fieldspec decode",
+            "there is no value of --format xml; choose from json, text; see: fieldspec decode",
         ),
         (["decode"], "the following arguments are required: DEVICE[@VERSION]"),
     ],

@@ -332,7 +332,7 @@ def test_links_hidden_files_and_other_kinds_of_a_revision_are_no_specs(run: Run,
     (folder / ".hidden.yaml").write_text("registers: {}\n", "utf-8")
     (folder / "notes.txt").write_text("registers: {}\n", "utf-8")
     git("add", ".")
-    git("commit", "--quiet", "-m", "Add what is no spec")
+    git("commit", "--quiet", "-m", "Add what is not a spec")
     assert run("released", "HEAD", "--fail-on", "breaking") == 1
     assert run.err == ""
     assert run("HEAD~1", "HEAD", "--fail-on", "any") == 0

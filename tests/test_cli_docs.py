@@ -56,7 +56,8 @@ def test_pages_are_built_and_served_until_an_interrupt(specs: Path, tmp_path: Pa
 
 
 @pytest.mark.parametrize(
-    ("port", "text"), [("70000", "--port 70000 is no port"), ("-1", "--port -1 is no port"), ("x", "invalid int value")]
+    ("port", "text"),
+    [("70000", "--port 70000 is not a port"), ("-1", "--port -1 is not a port"), ("x", "invalid int value")],
 )
 def test_what_is_no_port_is_refused(port: str, text: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["docs", f"--port={port}", "--no-open"]) == 2

@@ -122,16 +122,16 @@ def test_what_is_encoded_can_be_decoded(run: CommandLine) -> None:
     ("arguments", "message"),
     [
         (["read_registerz"], "there is no message read_registerz; did you mean read_registers?"),
-        ([*READ, "--link", "tcp"], "there is no link tcp; there are ascii, packet, rtu"),
+        ([*READ, "--link", "tcp"], "there is no link tcp; choose from ascii, packet, rtu"),
         (READ[:3], "missing_value: word_count is not given; the request has the fields station, address, word_count"),
         ([*READ, "adress=1"], "there is no field adress; did you mean address?"),
         ([*READ, "station=2"], "station has two values"),
         ([*READ[:3], "word_count"], "word_count is not of the form NAME=VALUE"),
         ([*READ[:3], "=1"], "=1 is not of the form NAME=VALUE"),
         ([*READ[:3], "word_count=11"], "out_of_range: word_count is 11, not in 1..10"),
-        ([*READ[:3], "word_count=two"], "word_count: `two` is no number; give a count"),
+        ([*READ[:3], "word_count=two"], "word_count: `two` is not a number; give a count"),
         (["read_registers", "station=99", *READ[2:]], "out_of_range: station is 99"),
-        (["read_registers", "station=1", "address=nothing", READ[3]], "address: `nothing` is no number"),
+        (["read_registers", "station=1", "address=nothing", READ[3]], "address: `nothing` is not a number"),
         (
             ["exchange", *PACKET, "size=3", "data=1,2,3"],
             "size is not given: it is the number of bytes of data; give receiver",
@@ -300,7 +300,7 @@ def test_a_value_that_is_read_only_may_be_requested_and_returned(run_on_devices:
 def test_a_count_of_a_register_has_no_leading_zeros(run: CommandLine) -> None:
     ran = run("encode", "widget", *WRITE, "values=-1.00 mm, 007")
     assert (ran.code, ran.out) == (2, "")
-    assert "`007` is no number" in ran.err
+    assert "`007` is not a number" in ran.err
 
 
 @pytest.mark.parametrize(

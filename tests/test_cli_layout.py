@@ -59,7 +59,7 @@ def test_a_field_of_several_types_has_a_layout_for_each(run: CommandLine) -> Non
     ("arguments", "message"),
     [
         (("tc100", "pont", "--target", "s7"), "there is no record of tc100 pont; did you mean point?"),
-        (("tc100", "point", "--target", "s8"), "there is no target s8; there are c, codesys, s7, tc3:1,"),
+        (("tc100", "point", "--target", "s8"), "there is no target s8; choose from c, codesys, s7, tc3:1,"),
         (("tc101", "point", "--target", "s7"), "there is no device tc101; did you mean tc100?"),
         (("tc100", "point"), "the following arguments are required: --target"),
         (("tc100", "--target", "s7"), "the following arguments are required: RECORD"),
@@ -94,7 +94,7 @@ def test_digits_are_bytes_and_what_varies_in_width_has_no_layout(
     run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     assert "weight[3]" in run("layout", "weigher", "checkpoint", "--target", "c").out
     behind = run("layout", "weigher", "weigh_samples_request", "--target", "c")
-    assert (behind.code, "fields come behind samples, which repeats" in behind.err) == (2, True)
+    assert (behind.code, "fields come after samples, which repeats" in behind.err) == (2, True)
     ran = run("layout", "weigher", "measure_response", "--target", "c")
     assert (ran.code, "weight varies in width" in ran.err) == (2, True)
 

@@ -116,10 +116,13 @@ def test_a_frame_of_another_length_than_the_telegram_is_wrong(run: CommandLine) 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--telegram", "4"], "there is no telegram 4; there are 3, 11, 70"),
+        (["--telegram", "4"], "there is no telegram 4; choose from 3, 11, 70"),
         (["--telegram", "telegram_4"], "there is no telegram telegram_4; did you mean telegram_3?"),
         (["--telegramm", "3"], "there is no option --telegramm; did you mean --telegram?"),
-        (["--verbose"], "there is no option --verbose; there are --direction, --format, --link, --message, --telegram"),
+        (
+            ["--verbose"],
+            "there is no option --verbose; choose from --direction, --format, --link, --message, --telegram",
+        ),
         (["--telegram"], "--telegram needs a name or a number"),
         (["--telegram", "3", "--message", "3"], "--message and --telegram both name the message"),
         (["--telegram", "read_parameter"], "read_parameter is not sent on cyclic, but on channel"),
@@ -133,7 +136,10 @@ def test_a_frame_of_another_length_than_the_telegram_is_wrong(run: CommandLine) 
             ["--message", "read_parameter", "--direction", "sent"],
             "sent is a direction of cyclic; channel has request and",
         ),
-        (["--telegram", "3", "--direction", "up"], "there is no direction up; there are received, request, response, "),
+        (
+            ["--telegram", "3", "--direction", "up"],
+            "there is no direction up; choose from received, request, response, ",
+        ),
         (["--request", READ, "--direction", "received"], "so --direction cannot be received"),
     ],
     ids=lambda part: part if isinstance(part, str) else " ".join(part),
@@ -153,7 +159,7 @@ def test_a_device_without_such_words_has_no_such_option(run: CommandLine) -> Non
 def test_a_telegram_of_a_later_version_is_unknown_to_an_earlier_one(run: CommandLine) -> None:
     assert run("decode", "glider-x", "20 00", "--telegram", "70").code == 0
     result = run("decode", "glider-x@1.0", "20 00", "--telegram", "70")
-    assert (result.code, result.err) == (2, "fieldspec: there is no telegram 70; there are 3, 11\n")
+    assert (result.code, result.err) == (2, "fieldspec: there is no telegram 70; choose from 3, 11\n")
 
 
 def test_words_values_and_their_reference_values_are_explained(run: CommandLine) -> None:
@@ -279,14 +285,20 @@ def test_a_percentage_that_is_no_whole_count_is_rounded_with_a_note(run: Command
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--telegram", "4"], "there is no telegram 4; there are 3, 11, 70"),
+        (["--telegram", "4"], "there is no telegram 4; choose from 3, 11, 70"),
         (["--telegram", "3", "control=0"], "speed_setpoint is not given; telegram_3 received has the fields control, "),
         (["--telegram", "3", "--direction", "request", "speed=1"], "there is no field speed"),
         (["--telegram", "3", "control=1", "CTL=2"], "CTL and control are the same field"),
-        (["--telegram", "3", "control=of"], "`of` is no bit of control_word: on, no_off2, acknowledge, sign_of_life"),
+        (
+            ["--telegram", "3", "control=of"],
+            "`of` is not a bit of control_word: on, no_off2, acknowledge, sign_of_life",
+        ),
         (["--telegram", "3", "control=sign_of_life=16"], "16 does not fit the 4 bits of sign_of_life"),
         (["--telegram", "3", "control=0", "speed_setpoint=250 %"], "out_of_range"),
-        (["--telegram", "3", "control=0", "speed_setpoint=50 rpm"], "`50 rpm` is no number; give a count, or with its"),
+        (
+            ["--telegram", "3", "control=0", "speed_setpoint=50 rpm"],
+            "`50 rpm` is not a number; give a count, or with its",
+        ),
         (
             ["11", "control=0", "target=0", "gain=1.5 1/s", "torque_reduction=101 %"],
             "out_of_range: torque_reduction is",

@@ -20,12 +20,12 @@ from fieldspec.command.console.usage import unknown
     ("name", "known", "hint"),
     [
         ("sped", ["speed", "force"], "there is no register sped; did you mean speed?"),
-        ("x", ["b10", "b9", "a"], "there is no register x; there are a, b9, b10"),
-        ("x", ["b", "a", "c"], "there is no register x; there are a, b, c"),
+        ("x", ["b10", "b9", "a"], "there is no register x; choose from a, b9, b10"),
+        ("x", ["b", "a", "c"], "there is no register x; choose from a, b, c"),
         ("x", ["d", "a", "b", "c"], "there is no register x; the nearest of 4 are d, c, b"),
         ("x", [], "there is no register x; there are none"),
-        ("12", ["121", "112"], "there is no register 12; there are 112, 121"),
-        ("", ["a"], "there is no register without a name; there are a"),
+        ("12", ["121", "112"], "there is no register 12; choose from 112, 121"),
+        ("", ["a"], "there is no register without a name; choose from a"),
     ],
 )
 def test_an_unknown_name_is_answered_by_the_nearest_one_or_by_all_where_they_are_few(
@@ -54,12 +54,12 @@ def test_an_option_takes_the_least_number_that_has_a_meaning(
     ("number", "text", "reason"),
     [
         (seconds, "-0.001", "-0.001 is less than 0"),
-        (seconds, "nan", "nan is no number"),
+        (seconds, "nan", "nan is not a number"),
         (positive, "0", "0 is not more than 0"),
-        (positive, "inf", "inf is no number"),
-        (whole, "-1", "-1 is no whole number from 0 on"),
-        (natural, "0", "0 is no whole number from 1 on"),
-        (natural, "\u0661", "\u0661 is no whole number from 1 on"),
+        (positive, "inf", "inf is not a number"),
+        (whole, "-1", "-1 is not a whole number from 0 on"),
+        (natural, "0", "0 is not a whole number from 1 on"),
+        (natural, "\u0661", "\u0661 is not a whole number from 1 on"),
     ],
 )
 def test_an_option_refuses_numbers_without_a_meaning(number: Callable[[str], float], text: str, reason: str) -> None:

@@ -44,7 +44,7 @@ FRAMES = {
     "a sign": (b"0F+410703150", ("unknown_value", 2)),
     "a capital letter in the length": (b"0F0410A03150", ("unknown_value", 5)),
     "another length": (b"0F0410803150", ("wrong_length", 5)),
-    "a code that is no number": (b"0F0410703:50", ("unknown_value", 7)),
+    "a code that is not a number": (b"0F0410703:50", ("unknown_value", 7)),
     "a code of no message": (b"0F0410703250", ("unknown_code", 7)),
     "anything in the reserved digit": (b"0F041070315x", None),
 }

@@ -22,7 +22,7 @@ MOST_WORDS_OF_A_DOOR = 1200
 MOST_WORDS = 45_000
 """The words of all guides and reference pages that people write."""
 
-CEILINGS = {"Guides": 0, "Reference": 8, "Proof": 86}
+CEILINGS = {"Guides": 0, "Reference": 0, "Proof": 0}
 """The hits of the expressions in each group. They can only fall: lower a ceiling with the page that improves."""
 
 

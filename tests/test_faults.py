@@ -297,7 +297,7 @@ def test_a_journal_that_somebody_else_wrote_has_no_effect(tmp_path: Path) -> Non
             pass
         assert os.listdir(tmp_path / "home") == []
     (folder / "journal").write_text("[]", "utf-8")
-    with pytest.raises(UsageError, match="is no journal of a build"), Staging(out):
+    with pytest.raises(UsageError, match="is not a journal of a build"), Staging(out):
         pass
 
 

@@ -19,7 +19,7 @@ NEWEST = [versions[-1] for versions in layouts_of(TEST_SPECS).values()]
 
 
 def stands_out(framer: Any) -> bool:
-    """Whether frames are recognized behind garbage: other bytes than those of the garbage begin them, or a checksum."""
+    """Whether frames are recognized after garbage: other bytes than those of the garbage begin them, or a checksum."""
     frames = framer.frames
     return bool(frames.start or (frames.has_checksum and not isinstance(framer, runtime("_escapes").EscapeFramer)))
 

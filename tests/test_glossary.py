@@ -33,7 +33,7 @@ def exempt() -> frozenset[str]:
 
 
 def bare_words() -> frozenset[str]:
-    """The words that are no whole names inside functions: those in the first column of their table."""
+    """The words that are not whole names inside functions: those in the first column of their table."""
     section = GLOSSARY.partition("## Bare words inside functions")[2]
     rows = re.findall(r"^\| (`.*?) \|", section, re.MULTILINE)
     return frozenset(word for row in rows for word in re.findall(r"`(\w+)`", row))

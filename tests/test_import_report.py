@@ -24,7 +24,7 @@ def test_a_strict_import_refuses_what_is_not_used(run: CommandLine) -> None:
     path = run.folder / "lifter" / "device.yaml"
     ran = run("import", "-", "--to", str(path), "--strict", stdin=PARTLY.encode())
     assert (ran.code, ran.out) == (2, "")
-    assert "row 3, Address `tbd`: is no address; columns not used: Colour" in ran.err
+    assert "row 3, Address `tbd`: is not an address; columns not used: Colour" in ran.err
     assert not path.parent.exists()
     assert run("import", "-", "--to", str(path), "--strict", stdin=WHOLE.encode()).code == 0
 
@@ -37,7 +37,7 @@ def test_what_was_taken_is_said_on_the_other_stream_where_the_spec_is_printed(ru
         "columns used: address, name, type",
         "columns not used: Colour",
         "rows: 1 of 2 used (50 %)",
-        "not used: row 3, Address `tbd`: is no address",
+        "not used: row 3, Address `tbd`: is not an address",
         "assumed: addresses: decimal (digits without a mark; --base hex decides)",
         "assumed: address space: registers (the list does not say it; --space decides)",
         "row 2: speed: registers 0x000A, u16, 1 words",

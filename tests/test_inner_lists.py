@@ -1,4 +1,4 @@
-"""Messages with fields behind a list that another field counts: codecs read them, and refuse them at the same byte."""
+"""Messages with fields after a list that another field counts: codecs read them, and refuse them at the same byte."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ LISTS: dict[str, tuple[Callable[[], bytes], str]] = {
         "has merged cells as far as",
     ),
     "elements within each other": (lambda: workbook("<a>" * 1000), "unpacks to more than a list of registers holds"),
-    "an entity behind a long remark": (
+    "an entity after a long remark": (
         lambda: (
             workbook("").replace(b"", b"", 0)
             and _packed(f"<!--{'x' * 5000}--><!DOCTYPE x [<!ENTITY a 'b'>]><x>&a;</x>")

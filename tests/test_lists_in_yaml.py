@@ -252,7 +252,7 @@ def test_what_a_definition_has_beside_registers_is_named(run: CommandLine) -> No
     lines = DEFINITION.splitlines()
     expected = {
         "Version": "is a version in nibbles, which a register does not have as a type",
-        "Split": "has registers that do not stand one behind the other",
+        "Split": "has registers that are not consecutive",
         "Sum": "has no registers: it is computed from other items",
     }
     by_line = {
@@ -322,16 +322,16 @@ def test_what_a_configuration_has_beside_registers_is_named(run: CommandLine) ->
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("parameters:\n - group: a\n   items: [&a [*a]]\n", "is no YAML in line 3"),
-        ("parameters:\n - group: a\n   items: [{name: b\n", "is no YAML in line"),
-        ("parameters:\n\t- group: a\n", "is no YAML in line 2"),
-        ("parameters:\n - group: a\n   items: [1, 2]\n", "has no object that can be taken: row 1: is no item"),
+        ("parameters:\n - group: a\n   items: [&a [*a]]\n", "is not YAML in line 3"),
+        ("parameters:\n - group: a\n   items: [{name: b\n", "is not YAML in line"),
+        ("parameters:\n\t- group: a\n", "is not YAML in line 2"),
+        ("parameters:\n - group: a\n   items: [1, 2]\n", "has no object that can be taken: row 1: is not an item"),
         ("parameters:\n - group: a\n   items: []\n", "has no object that can be a row of a list"),
         (
             "parameters:\n - {group: a, items: [{name: b, rule: 1, registers: [99999999999]}]}\n",
             "cannot be read as decimal",
         ),
-        ("parameters: " + "[" * 3000, "is no YAML in line 1"),
+        ("parameters: " + "[" * 3000, "is not YAML in line 1"),
         ("sensors:\n  - name: Speed\n    address: 100\n", "is YAML"),
     ],
 )

@@ -1,4 +1,4 @@
-"""A file that is no list is refused with one line that says what to do and exit code 2; nothing is written."""
+"""A file that is not a list is refused with one line that says what to do and exit code 2; nothing is written."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ BAD: dict[str, tuple[bytes, str]] = {
     "columns parted by blanks": (b"Address Name\n0x10 a\n", "use tabs, commas or bars instead"),
     "words": (
         b"Address,Name\nfour,a\n",
-        "has no address under Address: `four` in row 2, which is no address; name the column",
+        "has no address under Address: `four` in row 2, which is not an address; name the column",
     ),
     "fractions": (b"Address,Name\n1.6.5,a\n", "has no address under Address: `1.6.5` in row 2"),
     "huge numbers": (b"Address,Name\n99999999999999,a\n", "has no address under Address"),
@@ -123,7 +123,7 @@ def test_a_bad_file_is_refused_in_one_line(
         (("--encoding", "klingon"), "there is no encoding klingon"),
         (("--encoding", "base64"), "there is no encoding base64"),
         (("--encoding", "ascii"), "is not in the encoding ascii"),
-        (("--address", "Wo"), "has no column Wo; there are 地址, 名称, or give a letter or a number"),
+        (("--address", "Wo"), "has no column Wo; choose from 地址, 名称, or give a letter or a number"),
         (("--address", "Z"), "has no column Z"),
         (("--name", "Wo"), "has no column Wo"),
         (("--sheet", "1"), "is not a workbook, so --sheet has no effect"),
@@ -258,8 +258,8 @@ def test_formulas_and_merged_cells_that_are_not_used_do_no_harm(run: CommandLine
     ("change", "text"),
     [
         (cell("A3", "=A2+1"), "3    A3    is a formula whose value the file does not have"),
-        (cell("A2", 2e10), "2    20000000000  is no address"),
-        (cell("A2", "2024-01-01"), "2    2024-01-01  is no address"),
+        (cell("A2", 2e10), "2    20000000000  is not an address"),
+        (cell("A2", "2024-01-01"), "2    2024-01-01  is not an address"),
     ],
 )
 def test_a_row_that_cannot_be_read_is_a_difference_and_hides_no_other(

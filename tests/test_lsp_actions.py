@@ -48,7 +48,7 @@ SLIPS = {
     "an unknown key that is like one": (ROW.replace("unit:", "unti:"), "Write `unit`"),
     "a word of other tools for a key": (ROW.replace("type:", "data_type:"), "Write `type`"),
     "an unknown word": (ROW.replace("access: ro", "access: or"), "Write `ro`"),
-    "an unknown word behind Chinese texts": (ROW.replace("access: ro", "label: 速度𝄞, access: or"), "Write `ro`"),
+    "an unknown word after Chinese texts": (ROW.replace("access: ro", "label: 速度𝄞, access: or"), "Write `ro`"),
     "an unknown type within quotation marks": (ROW.replace("type: i16", 'type: "i61"'), "Write `i16`"),
     "a number within quotation marks": (ROW.replace("at: 0", 'at: "0"'), "Write `0`"),
     "a comma within braces": (ROW.replace("source:", "doc: Slow, steady, source:"), "Quote the text"),
@@ -58,7 +58,7 @@ SLIPS = {
         ROW.replace("at: 0", "at: 0, decimal: 7"),
         "Correct `decimal` to 0",
     ),
-    "a command that is no trigger": (
+    "a command that is not a trigger": (
         ROW.replace("access: ro", "access: wo, roles: [alarm_reset]"),
         "Add `trigger: true`",
     ),
@@ -87,7 +87,7 @@ async def test_the_help_of_a_finding_is_done_where_it_is_mechanical(tmp_path: Pa
 BLOCK = "      - at: 0\n        name: speed\n        type: i16\n        access: ro  # x\n"
 ROWS = {
     "in braces": ROW,
-    "behind an anchor": ROW.replace("{at", "&row {at"),
+    "after an anchor": ROW.replace("{at", "&row {at"),
     "of lines": BLOCK,
     "of lines that end with braces": f"{BLOCK}        inferred: {{type: So.}}\n",
     "of lines that end with brackets": f"{BLOCK}        restated: [{{source: L11, at: 0}}]\n",

@@ -165,12 +165,12 @@ async def offered(session: Editor, name: str, text: str, mark: str = "|") -> dic
 
 TYPED = {
     "a key within braces that are open": ("      - {at: 0, name: speed, |", "access"),
-    "a key behind Chinese texts": ("      - {at: 0, label: 速度𝄞, acc|", "access"),
+    "a key after Chinese texts": ("      - {at: 0, label: 速度𝄞, acc|", "access"),
     "a key on a line of its own": ("      - at: 0\n        name: speed\n        acc|\n", "access"),
     "a value that is empty": ("      - {at: 0, name: speed, access: |, type: i16}\n", "wo"),
     "a value within quotation marks": ('      - {at: 0, name: speed, access: "|", type: i16}\n', "wo"),
-    "a value behind an anchor": ("      - &row {at: 0, name: speed, type: |}\n      - *row\n", "u16"),
-    "a value behind tabs": ("      - {at: 0,\t\tname: speed,\ttype: |}\n", "u16"),
+    "a value after an anchor": ("      - &row {at: 0, name: speed, type: |}\n      - *row\n", "u16"),
+    "a value after tabs": ("      - {at: 0,\t\tname: speed,\ttype: |}\n", "u16"),
     "a unit": ("      - {at: 0, name: speed, unit: m|}\n", "mm/s"),
     "a rule that may be broken": ("      - {at: 0, name: speed, allow: {addr|}}\n", "addresses_disjoint"),
     "a role": ("      - {at: 0, name: speed, roles: [act|]}\n", "actual_speed"),

@@ -118,7 +118,7 @@ LEADS = {
         ("tasks", r"wait: links/serial/response/status/(servo_off)"),
         ("device", r"name: (servo_off)"),
     ),
-    "a bit on a path behind an anchor": (
+    "a bit on a path after an anchor": (
         ("behaviour", r"mark: &wrong links/serial/response/status/(command_error)"),
         ("device", r"name: (command_error)"),
     ),

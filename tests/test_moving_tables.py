@@ -214,7 +214,7 @@ def test_a_table_in_javascript_takes_its_base(tmp_path: Path) -> None:
     message = "events begins where event_address says: use atBase"
     assert json.loads(run.stdout) == [
         *(True, True, 0x0100, message, message),
-        *("events does not fit behind the address 65525", "events does not fit behind the address -1"),
+        *("events does not fit after the address 65525", "events does not fit after the address -1"),
         *(0x0329, [0x0321, 0x0325], None, "holding_registers"),
     ]
 

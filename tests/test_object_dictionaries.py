@@ -136,7 +136,7 @@ AccessType=rw
 """
 REFUSED = {
     "1F50": "has the data type 0x000F, whose size such a file does not have",
-    "2002": "is no access of an object",
+    "2002": "is not an access of an object",
     "7000": "has no section [7000]",
 }
 NAMES = {

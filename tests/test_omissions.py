@@ -222,7 +222,7 @@ def test_a_dissector_is_a_program_of_lua(tmp_path: Path) -> None:
     subprocess.run([require_tool("luac5.2"), "-p", str(path)], check=True)
     head = path.read_text("utf-8").partition("local device")[0]
     assert "Not decoded, and shown as bytes:" in head
-    assert "-- data of the response of message read_log: events has fields behind it" in head
+    assert "-- data of the response of message read_log: events has fields after it" in head
 
 
 PORTS = {("mixer", "rtu", ""): FIRST_PORT, ("mixer", "tcp", ""): FIRST_PORT + 1}
@@ -235,7 +235,7 @@ def frame(link: str, direction: str, message: str, **values: Any) -> bytes:
 
 
 def conversation(link: str, request: bytes, response: bytes) -> list[Item]:
-    """What tshark shows of a response behind its request."""
+    """What tshark shows of a response after its request."""
     port = PORTS["mixer", link, ""]
     packets = [Packet(40000, port, "request", request), Packet(40000, port, "response", response)]
     return dissected([MIXER], packets, port_options(MIXER, PORTS))[1]

@@ -87,7 +87,7 @@ def builds(monkeypatch: pytest.MonkeyPatch) -> Builds:
 CHANGES = {
     "a range": ("range: 0..7", "range: 0..9", 1),
     "the address of the last one": ("at: 24", "at: 30", 1),
-    "a comment behind the links": ("enums:", "# a comment\nenums:", 0),
+    "a comment after the links": ("enums:", "# a comment\nenums:", 0),
     "a member of an enum": ("name: on}", "name: running}", 3),
     "a bit": ("name: ready", "name: steady", 2),
 }

@@ -27,7 +27,7 @@ links:
       - {name: sum, role: checksum, algorithm: sum8}
     response: *whole
   - name: marked
-    title: The sum covers the bytes behind the mark.
+    title: The sum covers the bytes after the mark.
     source: 1 L2
     encoding: binary
     byte_order: big

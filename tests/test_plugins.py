@@ -83,7 +83,7 @@ def test_a_check_of_an_installed_package_finds_and_is_explained_and_allowed(site
         answer = site.run("show", "pump")
         assert (answer.code, "the spec of pump has 1 error; see them with" in answer.err) == (2, True)
     rule = site.run("rule", "writable_ranges_present")
-    assert (rule.code, "Cure: Look the limits up in the manual" in rule.out) == (0, True)
+    assert (rule.code, "Fix: Look the limits up in the manual" in rule.out) == (0, True)
     assert "writable_ranges_present" in site.run("rule").out
     allowed = UNLIMITED.replace("name: speed", 'name: speed, allow: {writable_ranges_present: "the manual has none"}')
     site.write("specs/pump/device.yaml", allowed)

@@ -71,7 +71,7 @@ def test_quantities_make_the_record_that_their_setters_make(
         is_absent = amount is None or (isinstance(amount, list) and None in amount)
         if not is_absent and data.draw(st.booleans()):
             if outcome(partial(setattr, expected, quantity, amount))[0]:
-                continue  # a raw value out of range is no quantity, either
+                continue  # a raw value out of range is not a quantity, either
             del arguments[field_of(type(expected), quantity)]
             arguments[quantity] = amount
     assert repr(type(expected)(**arguments)) == repr(expected)

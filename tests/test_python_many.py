@@ -39,7 +39,7 @@ EACH = pytest.mark.parametrize("name", LAYOUTS)
 
 
 def of_record(value: Any, path: tuple[int, ...] = ()) -> dict[tuple[int, ...], list[Any]]:
-    """The numbers and bytes of one record by the places of their fields; those of lists one behind the other."""
+    """The numbers and bytes of one record by the places of their fields; those of lists one after the other."""
     values: dict[tuple[int, ...], list[Any]] = {}
     if isinstance(value, dict):
         for place, field in enumerate(value.values()):
@@ -189,7 +189,7 @@ def test_counts_become_values_in_the_unit() -> None:
         FRAME.replace(b"\x10\0\0\0\0\0\0\0\0\0", b"\x10\0\x20\0\0\0\0\0\0\0")
     ).speed_actual_b_percent
     assert MANY.in_unit(TELEGRAM, "speed_actual_b", columns["speed_actual_b"]).tolist() == [expected, expected]
-    with pytest.raises(KeyError, match="fault_code is no field"):
+    with pytest.raises(KeyError, match="fault_code is not a field"):
         MANY.in_unit(TELEGRAM, "fault_code", columns["fault_code"])
 
 

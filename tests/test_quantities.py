@@ -105,7 +105,7 @@ def test_a_count_has_no_unit_and_a_quantity_needs_one() -> None:
 def test_a_floating_point_number_is_written_in_plain_digits(text: str, number: float | None) -> None:
     value = replace(DISTANCE, type=PRIMITIVES["f32"], scale=Decimal(1), unit="")
     if number is None:
-        with pytest.raises(MeaningError, match="is no number; write it as"):
+        with pytest.raises(MeaningError, match="is not a number; write it as"):
             raw_value(DEVICE, "ratio", value, text)
     else:
         assert raw_value(DEVICE, "ratio", value, text) == number
@@ -154,7 +154,7 @@ def test_a_scaled_number_between_two_counts_gets_the_help_of_its_neighbours() ->
 def test_a_point_alone_makes_no_quantity_of_a_count_or_of_a_value_with_a_unit(scale: Decimal) -> None:
     value = replace(DISTANCE, scale=scale, unit="" if scale == 1 else "mm")
     assert in_counts(DEVICE, value, "2.0") is None
-    with pytest.raises(MeaningError, match="is no number"):
+    with pytest.raises(MeaningError, match="is not a number"):
         raw_value(DEVICE, "ratio", value, "2.0")
 
 

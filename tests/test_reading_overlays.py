@@ -202,7 +202,7 @@ ORDERS: dict[str, tuple[dict[str, str], list[str]]] = {
     ),
     "declared too": ({"v2_0": overlay("", "2.0", "1.0")}, ["version_twice"]),
     "other file": ({"v2_1": overlay("", "2.2", "2.0")}, ["id_matches_path"]),
-    "two behind one": ({"v2_1": overlay("", "2.1", "2.0"), "v2_2": overlay("", "2.2", "2.0")}, ["version_twice"]),
+    "two after one": ({"v2_1": overlay("", "2.1", "2.0"), "v2_2": overlay("", "2.2", "2.0")}, ["version_twice"]),
     "no line": ({"v2_1": 'overlay: {id: "2.1", line: software, based_on: "2.0"}'}, ["version_unknown"]),
     "other line": ({"v2_1": 'overlay: {id: "2.1", line: hardware, based_on: "2.0"}'}, ["version_unknown"]),
     "not a version": ({"v2_1": "limits: []"}, ["missing_key"]),

@@ -157,7 +157,7 @@ FINDINGS = {
 }
 WIDE = {
     "plain": ("", ""),
-    "behind wide characters": ("limits: [{name: wide, label: 伺服ＯＮ, doc: e\u0301}]\n", ""),
+    "after wide characters": ("limits: [{name: wide, label: 伺服ＯＮ, doc: e\u0301}]\n", ""),
     "in a line with wide characters": ("", "label: 伺服ＯＮ, "),
 }
 

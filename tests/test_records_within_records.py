@@ -1,4 +1,4 @@
-"""Records of no fixed size within others, and lists with fields behind them: all codecs read and refuse them alike."""
+"""Records of no fixed size within others, and lists with fields after them: all codecs read and refuse them alike."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ TRUCK = {"front": {"weights": [1], "lane": 1}, "pallets": [PALLET], "gate": 9}
 PALLET_BYTES = "0201 02 0300 02 000A 0100 02 00 01 03 0007 02 01 4142 2D 37"
 TRUCK_BYTES = f"02 01 0001 01 {PALLET_BYTES} 09"
 MQTT = "82 0E 00 0A 00 03 61 2F 62 01 00 03 63 2F 64 02"
-"""The example of SUBSCRIBE in MQTT 3.1.1, figures 3.21 and 3.23: two topics, each with a quality behind it."""
+"""The example of SUBSCRIBE in MQTT 3.1.1, figures 3.21 and 3.23: two topics, each with a quality after it."""
 
 REQUESTS = {
     f"05 {TRUCK_BYTES} 00 00 2D 0D0A": {"dock": 5, "truck": TRUCK, "driver": {"letters": "", "digits": ""}},

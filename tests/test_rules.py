@@ -91,7 +91,7 @@ def test_every_module_that_documents_a_check_is_in_the_table() -> None:
     documented = set()
     for path in (PACKAGE / "language" / "checks").glob("*.py"):
         text = ast.get_docstring(ast.parse(path.read_text("utf-8")))
-        if text is not None and "Cure: " in text:
+        if text is not None and "Fix: " in text:
             documented.add(f"fieldspec.language.checks.{path.stem}")
     assert documented == in_table
 
@@ -113,5 +113,5 @@ def test_page_of_rules_is_fresh(accept: bool) -> None:
 
 def test_rules_say_something_in_every_part() -> None:
     for rule in rules.all_rules():
-        assert min(map(len, (rule.what, rule.why, rule.example, rule.cure))) > 5, rule.code
+        assert min(map(len, (rule.what, rule.why, rule.example, rule.fix))) > 5, rule.code
         assert rule.what.endswith("."), rule.code

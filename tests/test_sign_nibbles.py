@@ -64,9 +64,9 @@ def test_all_codecs_read_a_frame_of_them_and_write_it_again(frame: str) -> None:
 
 
 WRONG = {
-    "a nibble that is no digit": "05 A4 13 F0 00 07 01 12 3D 3F 12 00 00",
+    "a nibble that is not a digit": "05 A4 13 F0 00 07 01 12 3D 3F 12 00 00",
     "a sign that is no first nibble": "05 F4 F3 F0 00 07 01 12 3D 3F 12 00 00",
-    "a last nibble that is no sign": "05 F4 13 F0 00 07 01 12 3F 3F 12 00 00",
+    "a last nibble that is not a sign": "05 F4 13 F0 00 07 01 12 3F 3F 12 00 00",
     "a sign where there is none": "05 F4 13 F0 00 07 01 12 3D 3C 12 00 00",
 }
 

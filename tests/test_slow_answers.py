@@ -1,4 +1,4 @@
-"""Clients wait for the rest of an answer that comes slowly, and find an answer behind garbage."""
+"""Clients wait for the rest of an answer that comes slowly, and find an answer after garbage."""
 
 from __future__ import annotations
 

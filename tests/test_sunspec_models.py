@@ -43,7 +43,7 @@ def import_text(run: CommandLine, text: str, *options: str) -> str:
 
 
 def model_of(number: int, data: bytes) -> Any:
-    """The model as the library reads it, with data behind its number and its length."""
+    """The model as the library reads it, with data after its number and its length."""
     head = number.to_bytes(2, "big") + (len(data) // 2).to_bytes(2, "big")
     return Model(model_id=number, model_len=len(data) // 2, data=head + data)
 
@@ -104,7 +104,7 @@ def test_points_behind_a_group_whose_number_is_open_are_named(run: CommandLine) 
     }
     report = import_text(run, json.dumps(model))
     assert re.findall(r"^not used: row (\d+): (.*)$", report, re.MULTILINE) == [
-        ("4", "stands behind a, which repeats as often as the device has it")
+        ("4", "follows a, which repeats as often as the device has it")
     ]
 
 
@@ -129,11 +129,11 @@ def test_values_bits_and_exponents_of_a_model_have_their_names(run: CommandLine)
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ('{"group": {"points": [{"name": "a"}]}}', "has a point a whose size is no number of registers"),
-        ('{"group": {"points": [1]}}', "has a point that is no object"),
+        ('{"group": {"points": [{"name": "a"}]}}', "has a point a whose size is not a number of registers"),
+        ('{"group": {"points": [1]}}', "has a point that is not an object"),
         ('{"group": {"points": [{"name": "a", "size": 1, "type": "int7"}]}}', "has the type int7, which is none"),
         ('{"group": {"points": []}}', "has no object that can be a row of a list"),
-        ('{"group": {"points": [{"name": "a", "size": 99999999, "type": "int16"}]}}', "is no number of registers"),
+        ('{"group": {"points": [{"name": "a", "size": 99999999, "type": "int16"}]}}', "is not a number of registers"),
         ('{"group": ' + '{"points": [], "groups": [' * 40, "is JSON that is nested more than 16 levels deep"),
         ('{"group": {"points": [', "begins like JSON but is not JSON"),
     ],

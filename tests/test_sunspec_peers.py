@@ -78,7 +78,7 @@ class Point:
 
 
 def points(peer: Any, group: str) -> list[Point]:
-    """The registers of a group, and the fields of the modules behind it."""
+    """The registers of a group, and the fields of the modules after it."""
     model = peer.models[MODELS[group]][0]
     rows = [
         Point(

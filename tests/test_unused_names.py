@@ -14,10 +14,10 @@ PACKAGE = Path(fieldspec.__file__).parent
 # Python that is copied into an output is used by what is generated.
 MODULES = sorted(path for path in PACKAGE.rglob("*.py") if "runtime" not in path.parts)
 USED_ELSEWHERE = {
-    "add_live": "cli.py joins the name of each verb behind `add_`",
-    "add_mcp": "cli.py joins the name of each verb behind `add_`",
-    "add_redact": "cli.py joins the name of each verb behind `add_`",
-    "add_simulate": "cli.py joins the name of each verb behind `add_`",
+    "add_live": "cli.py joins the name of each verb after `add_`",
+    "add_mcp": "cli.py joins the name of each verb after `add_`",
+    "add_redact": "cli.py joins the name of each verb after `add_`",
+    "add_simulate": "cli.py joins the name of each verb after `add_`",
     **dict.fromkeys(
         ("Framing", "count_of_quantity", "printed_number", "special_number", "state_name"),
         "the judges of random devices ask the reference",

@@ -45,7 +45,7 @@ CASES: dict[str, tuple[dict[str, str], str, str]] = {
         "version_twice",
         "versions/2.0.yaml:1:15",
     ),
-    "two versions behind the same one": (
+    "two versions after the same one": (
         {"2.1": HEAD, "2.2": NEXT.replace('based_on: "2.1"', 'based_on: "2.0"')},
         "version_twice",
         "versions/2.",

@@ -1,6 +1,6 @@
 """The command line: parses the arguments and runs a verb. Each verb is a module of `command.verbs`.
 
-Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input, 141 where nobody read the output to its end.
+Exit codes: 0 success, 1 findings, 2 wrong use or unreadable input, 141 if the reader of the output stopped early.
 """
 
 from __future__ import annotations
@@ -53,33 +53,38 @@ def _parser() -> argparse.ArgumentParser:
         return inner
 
     build = verb("build", "generate code and documentation")
-    build.add_argument("devices", nargs="*", default=[], metavar="DEVICE[@VERSION]", help="default: all devices")
+    build.add_argument("devices", nargs="*", default=[], metavar="DEVICE[@VERSION]", help="the devices (default: all)")
     build.late_help = ("fieldspec.command.packages.plugin_loading", "outputs_help")
-    build.add_argument(
-        "--to", metavar="NAME,...", help="the outputs to write, by commas (default: by fieldspec.yaml, or all)"
-    )
-    build.add_argument("--out", metavar="DIR", help="the folder to write to (default: by fieldspec.yaml, or generated)")
+    to_help = "the outputs to write, separated by commas (default: from fieldspec.yaml, or all)"
+    build.add_argument("--to", metavar="NAME,...", help=to_help)
+    out_help = "the folder to write to (default: from fieldspec.yaml, or generated)"
+    build.add_argument("--out", metavar="DIR", help=out_help)
     build.add_argument("--check", action="store_true", help="write nothing; list the files that are out of date")
     build.add_argument("--no-cache", action="store_true", help="rebuild everything and cache nothing")
     build.add_argument("--watch", action="store_true", help="rebuild whenever a spec is saved, until interrupted")
 
     docs = verb("docs", "build the documentation, serve it on this machine, and open it in a browser")
-    docs.add_argument("--out", metavar="DIR", help="where to build (default: by fieldspec.yaml, or generated)")
+    docs.add_argument("--out", metavar="DIR", help="where to build (default: from fieldspec.yaml, or generated)")
     docs.add_argument(
         "--port", type=int, default=8080, metavar="NUMBER", help="the port (default: 8080; 0: a free one)"
     )
     docs.add_argument("--no-open", action="store_true", help="do not open a browser")
 
     check = verb("check", "check the specs")
-    check.add_argument("devices", nargs="*", default=[], metavar="DEVICE", help="default: all devices")
-    check.add_argument("--format", choices=("text", "json", "sarif", "github", "junit"), default="text")
+    check.add_argument("devices", nargs="*", default=[], metavar="DEVICE", help="the devices (default: all)")
+    check.add_argument(
+        "--format",
+        choices=("text", "json", "sarif", "github", "junit"),
+        default="text",
+        help="the output format (default: text)",
+    )
 
     show = verb("show", "show a device or one of its items", compiled=True)
     show.add_argument("device", metavar="DEVICE[@VERSION]")
     item = "a name, a name as printed in the manual, an address or a code"
     show.add_argument("item", nargs="?", metavar="ITEM", help=item)
 
-    placed = verb("layout", "show where a controller places the members of a record in memory", compiled=True)
+    placed = verb("layout", "show where a PLC places the members of a record in memory", compiled=True)
     placed.add_argument("device", metavar="DEVICE[@VERSION]")
     placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message (by name or number)")
     memories = ImportedNames("fieldspec.targets.controllers.layout.memory", "MEMORIES")
@@ -87,7 +92,7 @@ def _parser() -> argparse.ArgumentParser:
 
     facts = verb("facts", "list all facts of a device", compiled=True)
     facts.add_argument("device", metavar="DEVICE[@VERSION]")
-    facts.add_argument("--format", choices=("csv", "json"), default="csv")
+    facts.add_argument("--format", choices=("csv", "json"), default="csv", help="the output format (default: csv)")
 
     def add_frame_options(inner: VerbParser, direction: str, message: str) -> None:
         """The options that say how a frame is sent."""
@@ -108,8 +113,8 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-|FILE", help=frames)
     add_frame_options(decode, direction_names, "the message, if the frame does not identify it")
     decode.add_argument("--request", metavar="HEX", help="the request that the response answers")
-    decode.add_argument("--format", choices=("text", "json"), default="text")
-    strict = "exit code 1 also for doubtful values, which are outside of what the manual prints, and not refused"
+    decode.add_argument("--format", choices=("text", "json"), default="text", help="the output format (default: text)")
+    strict = "also exit with 1 for doubtful values, which the manual does not list but no decoder rejects"
     decode.add_argument("--strict", action="store_true", help=strict)
     all_errata = "also print errata about other links, and about the message and the link as a whole"
     decode.add_argument("--errata", action="store_true", help=all_errata)
@@ -118,7 +123,7 @@ def _parser() -> argparse.ArgumentParser:
     out_help = "with --to: the folder for the tables; a repeated run continues where the last run stopped"
     decode.add_argument("--out", metavar="FOLDER", help=out_help)
     decode.add_argument("--port", metavar="NUMBERS", help="with --to: TCP and UDP ports of the devices, such as 502")
-    decode.add_argument("--units", metavar="NUMBERS", help="with --to: values of these unit addresses only: 1,3-5")
+    decode.add_argument("--units", metavar="NUMBERS", help="with --to: only these unit addresses, such as 1,3-5")
     rows = "with --to: the frames in one file of each table (default: 1000000)"
     decode.add_argument("--part-frames", type=int, metavar="NUMBER", help=rows)
 
@@ -134,13 +139,15 @@ def _parser() -> argparse.ArgumentParser:
         "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
     )
     add_frame_options(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")
-    encode.add_argument("--format", choices=("text", "hex", "json"), default="text")
+    encode.add_argument(
+        "--format", choices=("text", "hex", "json"), default="text", help="the output format (default: text)"
+    )
 
     forms = ("csv", "xlsx", "json")
     export = verb("export", "export the registers and parameters of a device as a list", compiled=True)
     export.add_argument("device", metavar="DEVICE[@VERSION]")
-    export.add_argument("--to", choices=forms, default="csv")
-    export.add_argument("--messages", action="store_true", help="the fields of messages too, which no import takes")
+    export.add_argument("--to", choices=forms, default="csv", help="the output format (default: csv)")
+    export.add_argument("--messages", action="store_true", help="also export the fields of messages")
     export.add_argument("--out", metavar="FILE", help="the file to write (default: standard output)")
 
     def list_options(inner: argparse.ArgumentParser) -> None:
@@ -157,16 +164,16 @@ def _parser() -> argparse.ArgumentParser:
         inner.add_argument("--base", choices=("hex", "decimal", "4xxxx"), help=bases)
         roles = "the column of any role, such as scale=F; repeat it for further columns"
         inner.add_argument("--column", action="append", metavar="ROLE=COLUMN", help=roles)
-        inner.add_argument("--decimal", choices=("comma", "point"), help="the sign before the fraction of a number")
-        gains = "how the factors of the list are used: quantity = count \u00d7 factor, or count ÷ factor"
+        inner.add_argument("--decimal", choices=("comma", "point"), help="the decimal separator")
+        gains = "how to apply the factors of the list: quantity = count \u00d7 factor, or count ÷ factor"
         inner.add_argument("--gain", choices=("multiply", "divide"), help=gains)
         inner.add_argument(
-            "--bounds", choices=("counts", "unit"), help="what bounds and defaults beside a scale are in"
+            "--bounds", choices=("counts", "unit"), help="whether bounds and defaults are raw counts or in the unit"
         )
-        inner.add_argument("--length", choices=("words", "bytes", "bits"), help="what lengths count")
-        orders = "the order of the bytes of two words, where the list does not say it"
+        inner.add_argument("--length", choices=("words", "bytes", "bits"), help="the unit of lengths")
+        orders = "the byte order of two words, if the list does not state it"
         inner.add_argument("--order", choices=("ABCD", "CDAB", "BADC", "DCBA"), help=orders)
-        inner.add_argument("--node", metavar="NAME", help="the node that the device is, of a database of messages")
+        inner.add_argument("--node", metavar="NAME", help="the node of the device in a CAN database")
         higher = "the difference between addresses in the list and on the wire: 1 if the list counts from 1"
         inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
 
@@ -175,8 +182,10 @@ def _parser() -> argparse.ArgumentParser:
     kinds = "CSV, XLSX, JSON, EDS, DBC, YAML, or a table separated by tabs or bars (-: standard input)"
     compare.add_argument("file", metavar="FILE", help=kinds)
     list_options(compare)
-    compare.add_argument("--ignore", metavar="WHAT,...", help="what not to compare, such as name or unit")
-    compare.add_argument("--format", choices=("text", "json", "csv"), default="text")
+    compare.add_argument("--ignore", metavar="WHAT,...", help="the keys to ignore, such as name or unit")
+    compare.add_argument(
+        "--format", choices=("text", "json", "csv"), default="text", help="the output format (default: text)"
+    )
 
     into = verb("import", "write a first spec of a device from a register list, marked as unverified")
     into.add_argument("file", metavar="FILE", help=kinds)
@@ -185,25 +194,25 @@ def _parser() -> argparse.ArgumentParser:
     list_options(into)
     frames = "the protocol that carries the registers (default: the only one that reads words), or none"
     into.add_argument("--protocol", metavar="NAME", help=frames)
-    into.add_argument("--strict", action="store_true", help="refuse a list of which anything is not used")
-    rows = "print the first rows as they were understood (default: 10)"
+    into.add_argument("--strict", action="store_true", help="reject a list with unused content")
+    rows = "print the first rows as interpreted (default: 10)"
     into.add_argument("--preview", type=int, nargs="?", const=10, metavar="NUMBER", help=rows)
     into.set_defaults(verb="importing")
 
-    audit = verb("audit", "report the evidence that the spec of a device is right, and where it is missing")
+    audit = verb("audit", "report the evidence for the spec of a device, and its gaps")
     audit.late_arguments = ("fieldspec.command.audit_inputs.audit_options", "add_audit")
 
     for name, help in (
-        ("simulate", "serve a device that is simulated from its spec"),
+        ("simulate", "simulate a device from its spec"),
         ("live", "read, write, watch, scan, back up or restore a device"),
-        ("scan", "find the addresses of a device that answer, and compare them with all versions"),
+        ("scan", "find the addresses that respond, and compare them with all versions"),
         ("redact", "copy captures, dumps and scans of a unit with identifying data removed"),
-        ("mcp", "serve decode, show, audit and reads to programs by the Model Context Protocol"),
+        ("mcp", "run a Model Context Protocol (MCP) server for decode, show, audit and reads"),
     ):
         verb(name, help).late_arguments = ("fieldspec.command.console.device_options", f"add_{name}")
     for name, help in (
-        ("versions", "list the versions of a device and what depends on them"),
-        ("resolve", "print the complete spec of a version, with the place of each value"),
+        ("versions", "list the versions of a device and the facts that depend on them"),
+        ("resolve", "print the complete spec of a version, with the file and line of each value"),
     ):
         verb(name, help).add_argument("device", metavar="DEVICE[@VERSION]")
 
@@ -223,20 +232,27 @@ def _parser() -> argparse.ArgumentParser:
     matrix = verb("matrix", "compare the facts of all versions")
     matrix.add_argument("device", metavar="DEVICE")
     matrix.add_argument("--all", action="store_true", help="include facts that are the same in all versions")
-    matrix.add_argument("--format", choices=("text", "csv", "html"), default="text")
+    matrix.add_argument(
+        "--format", choices=("text", "csv", "html"), default="text", help="the output format (default: text)"
+    )
 
-    lsp = verb("lsp", "serve an editor: findings while typing, and what names mean, by the Language Server Protocol")
+    lsp = verb("lsp", "run a Language Server Protocol (LSP) server: findings, completion and hover texts in an editor")
     lsp.add_argument("--manuals", metavar="DIR", help="the texts of the manuals; default: manuals beside the specs")
 
     rule = verbs.add_parser("rule", help="explain a rule")
-    rule.add_argument("code", nargs="?", metavar="CODE", help="default: list all rules")
+    rule.add_argument("code", nargs="?", metavar="CODE", help="the rule (default: list all)")
 
     diff = verb("diff", "list the differences between two versions and whom they affect")
     side = "DEVICE@VERSION, a folder of specs, or a git revision such as HEAD~3 or main:specs"
     diff.add_argument("old", metavar="A", help=side)
     diff.add_argument("new", metavar="B", help="the same")
-    diff.add_argument("--format", choices=("text", "json", "markdown", "html", "sarif", "github"), default="text")
-    fails = "exit with 1 if there is such a change; breaking are the classes wire and source"
+    diff.add_argument(
+        "--format",
+        choices=("text", "json", "markdown", "html", "sarif", "github"),
+        default="text",
+        help="the output format (default: text)",
+    )
+    fails = "exit with 1 on such a change; breaking: the classes wire and source"
     diff.add_argument("--fail-on", choices=("breaking", "behaviour", "any"), help=fails)
 
     verb("devices", "list the devices and their versions")
@@ -272,7 +288,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def command() -> NoReturn:
-    """What a shell calls. Ends the process at once: freeing the objects of a run would take longer than a verb."""
+    """The entry point of a shell. Ends the process at once: freeing the objects of a run would take
+    longer than a verb.
+    """
     os._exit(streams.finished(main()))
 
 

@@ -97,7 +97,7 @@ def simulation(
 
 
 def simulated(device: str, **options: Any) -> Callable[[], Iterator[SimulatedDevice]]:
-    """A pytest fixture with a simulated device; the options are those of `simulation`."""
+    """A pytest fixture with a simulated device; the options are the options of `simulation`."""
     import pytest
 
     @pytest.fixture

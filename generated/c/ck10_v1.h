@@ -6527,43 +6527,43 @@ static inline const ck10_code_text *ck10_alarm_code_text(int64_t code)
 
 /* ---- Values that stand for a state ---- */
 
-/** Whether point.command is no quantity: ignored. */
+/** Whether point.command is not a quantity: ignored. */
 static inline bool ck10_point_command_is_absent(uint16_t value)
 {
     return value == 65535u;
 }
 
-/** Whether point.jump_point is no quantity: ignored. */
+/** Whether point.jump_point is not a quantity: ignored. */
 static inline bool ck10_point_jump_point_is_absent(uint16_t value)
 {
     return value == 65535u;
 }
 
-/** Whether point.jump_point_of_input_0 is no quantity: ignored. */
+/** Whether point.jump_point_of_input_0 is not a quantity: ignored. */
 static inline bool ck10_point_jump_point_of_input_0_is_absent(uint16_t value)
 {
     return value == 65535u;
 }
 
-/** Whether point.jump_point_of_input_1 is no quantity: ignored. */
+/** Whether point.jump_point_of_input_1 is not a quantity: ignored. */
 static inline bool ck10_point_jump_point_of_input_1_is_absent(uint16_t value)
 {
     return value == 65535u;
 }
 
-/** Whether point.jump_point_of_input_2 is no quantity: ignored. */
+/** Whether point.jump_point_of_input_2 is not a quantity: ignored. */
 static inline bool ck10_point_jump_point_of_input_2_is_absent(uint16_t value)
 {
     return value == 65535u;
 }
 
-/** Whether point.clear_loop_counter_of is no quantity: ignored. */
+/** Whether point.clear_loop_counter_of is not a quantity: ignored. */
 static inline bool ck10_point_clear_loop_counter_of_is_absent(uint16_t value)
 {
     return value == 65535u;
 }
 
-/** Whether point.push_mode is no quantity: stop_mode. */
+/** Whether point.push_mode is not a quantity: stop_mode. */
 static inline bool ck10_point_push_mode_is_absent(uint16_t value)
 {
     return value == 0u;

@@ -6106,13 +6106,13 @@ static inline const hiwin_e_code_text *hiwin_e_warning_code_text(int64_t code)
 
 /* ---- Values that stand for a state ---- */
 
-/** Whether servo_parameters.negative_fixed_stop_tolerance is no quantity: as_positive. */
+/** Whether servo_parameters.negative_fixed_stop_tolerance is not a quantity: as_positive. */
 static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_tolerance_is_absent(uint32_t value)
 {
     return value == 0u;
 }
 
-/** Whether servo_parameters.negative_fixed_stop_torque is no quantity: as_positive. */
+/** Whether servo_parameters.negative_fixed_stop_torque is not a quantity: as_positive. */
 static inline bool hiwin_e_par_servo_parameters_negative_fixed_stop_torque_is_absent(uint32_t value)
 {
     return value == 0u;

@@ -3598,235 +3598,235 @@ static inline const tc100_code_text *tc100_fault_code_text(int64_t code)
 
 /* ---- Values that stand for a state ---- */
 
-/** Whether point.speed is no quantity: start_speed. */
+/** Whether point.speed is not a quantity: start_speed. */
 static inline bool tc100_point_speed_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point.next_point is no quantity: end. */
+/** Whether point.next_point is not a quantity: end. */
 static inline bool tc100_point_next_point_is_absent(int16_t value)
 {
     return value == (-1);
 }
 
-/** Whether jog_positive_input is no quantity: not_used. */
+/** Whether jog_positive_input is not a quantity: not_used. */
 static inline bool tc100_reg_jog_positive_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether jog_negative_input is no quantity: not_used. */
+/** Whether jog_negative_input is not a quantity: not_used. */
 static inline bool tc100_reg_jog_negative_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether manual_mode_input is no quantity: not_used. */
+/** Whether manual_mode_input is not a quantity: not_used. */
 static inline bool tc100_reg_manual_mode_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether teach_input is no quantity: not_used. */
+/** Whether teach_input is not a quantity: not_used. */
 static inline bool tc100_reg_teach_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether lock_input is no quantity: not_used. */
+/** Whether lock_input is not a quantity: not_used. */
 static inline bool tc100_reg_lock_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_4_input is no quantity: not_used. */
+/** Whether point_select_bit_4_input is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_4_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_5_input is no quantity: not_used. */
+/** Whether point_select_bit_5_input is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_5_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_6_input is no quantity: not_used. */
+/** Whether point_select_bit_6_input is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_6_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether homing_sensor_input is no quantity: not_used. */
+/** Whether homing_sensor_input is not a quantity: not_used. */
 static inline bool tc100_reg_homing_sensor_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether brake_input is no quantity: not_used. */
+/** Whether brake_input is not a quantity: not_used. */
 static inline bool tc100_reg_brake_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether full_count_input is no quantity: not_used. */
+/** Whether full_count_input is not a quantity: not_used. */
 static inline bool tc100_reg_full_count_input_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether in_position_output is no quantity: not_used. */
+/** Whether in_position_output is not a quantity: not_used. */
 static inline bool tc100_reg_in_position_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether alarm_output is no quantity: not_used. */
+/** Whether alarm_output is not a quantity: not_used. */
 static inline bool tc100_reg_alarm_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether ready_output is no quantity: not_used. */
+/** Whether ready_output is not a quantity: not_used. */
 static inline bool tc100_reg_ready_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether moving_output is no quantity: not_used. */
+/** Whether moving_output is not a quantity: not_used. */
 static inline bool tc100_reg_moving_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether servo_on_output is no quantity: not_used. */
+/** Whether servo_on_output is not a quantity: not_used. */
 static inline bool tc100_reg_servo_on_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_0_output is no quantity: not_used. */
+/** Whether point_select_bit_0_output is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_0_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_1_output is no quantity: not_used. */
+/** Whether point_select_bit_1_output is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_1_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_2_output is no quantity: not_used. */
+/** Whether point_select_bit_2_output is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_2_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_3_output is no quantity: not_used. */
+/** Whether point_select_bit_3_output is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_3_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_4_output is no quantity: not_used. */
+/** Whether point_select_bit_4_output is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_4_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_5_output is no quantity: not_used. */
+/** Whether point_select_bit_5_output is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_5_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether point_select_bit_6_output is no quantity: not_used. */
+/** Whether point_select_bit_6_output is not a quantity: not_used. */
 static inline bool tc100_reg_point_select_bit_6_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether torque_limit_output is no quantity: not_used. */
+/** Whether torque_limit_output is not a quantity: not_used. */
 static inline bool tc100_reg_torque_limit_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether error_bit_0_output is no quantity: not_used. */
+/** Whether error_bit_0_output is not a quantity: not_used. */
 static inline bool tc100_reg_error_bit_0_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether error_bit_1_output is no quantity: not_used. */
+/** Whether error_bit_1_output is not a quantity: not_used. */
 static inline bool tc100_reg_error_bit_1_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether error_bit_2_output is no quantity: not_used. */
+/** Whether error_bit_2_output is not a quantity: not_used. */
 static inline bool tc100_reg_error_bit_2_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether error_bit_3_output is no quantity: not_used. */
+/** Whether error_bit_3_output is not a quantity: not_used. */
 static inline bool tc100_reg_error_bit_3_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether zone_output is no quantity: not_used. */
+/** Whether zone_output is not a quantity: not_used. */
 static inline bool tc100_reg_zone_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether near_output is no quantity: not_used. */
+/** Whether near_output is not a quantity: not_used. */
 static inline bool tc100_reg_near_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether soft_limit_output is no quantity: not_used. */
+/** Whether soft_limit_output is not a quantity: not_used. */
 static inline bool tc100_reg_soft_limit_output_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether motion_speed is no quantity: start_speed. */
+/** Whether motion_speed is not a quantity: start_speed. */
 static inline bool tc100_reg_motion_speed_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether soft_limit_positive is no quantity: no_limit. */
+/** Whether soft_limit_positive is not a quantity: no_limit. */
 static inline bool tc100_reg_soft_limit_positive_is_absent(int32_t value)
 {
     return value == 0;
 }
 
-/** Whether soft_limit_negative is no quantity: no_limit. */
+/** Whether soft_limit_negative is not a quantity: no_limit. */
 static inline bool tc100_reg_soft_limit_negative_is_absent(int32_t value)
 {
     return value == 0;
 }
 
-/** Whether homing_speed is no quantity: start_speed. */
+/** Whether homing_speed is not a quantity: start_speed. */
 static inline bool tc100_reg_homing_speed_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether homing_offset_speed is no quantity: start_speed. */
+/** Whether homing_offset_speed is not a quantity: start_speed. */
 static inline bool tc100_reg_homing_offset_speed_is_absent(uint16_t value)
 {
     return value == 0u;
 }
 
-/** Whether executed_point is no quantity: none. */
+/** Whether executed_point is not a quantity: none. */
 static inline bool tc100_reg_executed_point_is_absent(int16_t value)
 {
     return value == (-1);

@@ -1010,7 +1010,7 @@ typedef uint16_t tc100_input_word;
  * Read and write.
  * One count is 1 pulse. Range: 1..100000.
  * Note: 5.1 prints no range; it is taken from the two screens of chapter 9. They show 100 and 200 as values,
- * which depend on the actuator and are no defaults.
+ * which depend on the actuator and are not defaults.
  * Source: 5.1 L1160
  */
 #define TC100_REG_FULL_COUNT_LIMIT_ADDRESS 0x0108u

@@ -107,7 +107,7 @@ function fletcherOf({ width, initial, modulus, unitSize, order }) {
   };
 }
 
-/** A function that computes a checksum of the bytes from `start` to `stop`, and of more bytes behind them. */
+/** A function that computes a checksum of the bytes from `start` to `stop`, and of more bytes after them. */
 function followedBy(algorithm, suffix) {
   return (bytes, start, stop) => {
     const data = [...bytes.subarray(start, stop), ...suffix];
@@ -175,7 +175,7 @@ function wrongSize(name, least, most, size, offset) {
 
 /** The error of data that end within an element of a list. */
 function brokenList(name, left, end) {
-  return new CodecError("wrong_length", `${left} bytes are no whole number of ${name}`, end);
+  return new CodecError("wrong_length", `${left} bytes are not a whole number of ${name}`, end);
 }
 
 /** The error of a number that was received. */
@@ -199,7 +199,7 @@ function refusedMember(name, value, enumName, wide) {
   return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
 }
 
-/** The error of a value that is no whole number, or null. */
+/** The error of a value that is not a whole number, or null. */
 function wrongType(name, value, wide) {
   if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
   if (wide ? typeof value === "bigint" : Number.isInteger(value)) return null;
@@ -287,7 +287,7 @@ function inserting(pattern, inserted) {
           continue;
         }
         for (const byte of pattern) give(byte, at++);
-        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing behind the pattern`, at);
+        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing after the pattern`, at);
         at++;
       }
     },
@@ -377,7 +377,7 @@ function canIdentifier(bits, fields) {
       if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
       return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
     },
-    // The first part is in the place of the whole header, and the others of the identifier are behind it.
+    // The first part is in the place of the whole header, and the others of the identifier are after it.
     walk(data, give) {
       const wrong = wrongCanHeader(bits, data);
       if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong), wrong);
@@ -389,7 +389,7 @@ function canIdentifier(bits, fields) {
   };
 }
 
-/** The offset at which bytes are no CAN frame with an identifier of some bits; -1 where they are. */
+/** The offset at which bytes are not a CAN frame with an identifier of some bits; -1 where they are. */
 function wrongCanHeader(bits, data) {
   const flags = bits > 11 ? EXTENDED : 0;
   const identifier = numberIn(data.subarray(0, 4), false);
@@ -403,8 +403,8 @@ function canHeaderFault(bits, data, at) {
   const size = data.length - 8;
   if (at === 4 && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
   if (at === 4) return `a CAN frame has at most 8 bytes of data, not ${data[4]}`;
-  if (at === 5) return "the three bytes behind the number of the data are not zero";
-  return `it is no CAN frame with an identifier of ${bits} bits`;
+  if (at === 5) return "the three bytes after the data length are not zero";
+  return `it is not a CAN frame with an identifier of ${bits} bits`;
 }
 
 /** The bytes of the parts of the identifier of a CAN frame. */
@@ -508,7 +508,7 @@ function unitsOfText({ encoding }, text) {
 
 /**
  * The characters of the bytes of a text in a form, in UTF-16 with the low byte first where `little`; null for bytes
- * that are none. Without a form, a text is ASCII that is filled up with zeros behind it.
+ * that are none. Without a form, a text is ASCII that is filled up with zeros after it.
  */
 function decodedText(form, bytes, little) {
   const { padding = 0, isRight = false, terminator } = form ?? USUAL;
@@ -643,7 +643,7 @@ function halfBits(number) {
   VIEW.setFloat64(0, number);
   const sign = (VIEW.getUint8(0) >> 7) << 15;
   const exponent = Math.max(((VIEW.getUint16(0) >> 4) & 0x7ff) - 1023, -14);
-  // No number has places behind the point once 2 ** 52 is added to it.
+  // No number has places after the point once 2 ** 52 is added to it.
   const steps = Math.abs(number) / 2 ** (exponent - 10) + 2 ** 52 - 2 ** 52;
   return sign | Math.min((exponent + 14) * 1024 + steps, 0x7c00);
 }
@@ -866,7 +866,7 @@ function readAround(inner, read, bytes, offset, end) {
   const { extents, fault } = extentsIn(inner, data);
   if (fault) {
     const { name } = inner.lists[extents.length];
-    throw new CodecError(fault.reason, `${name} has another number of bytes`, offset + fault.at);
+    throw new CodecError(fault.reason, `${name} has a different number of bytes`, offset + fault.at);
   }
   const image = imageOf(inner, data, extents);
   try {
@@ -943,8 +943,8 @@ function widenedBytes(field, bytes) {
   if (whole === "" || (point >= 0 && fraction === "") || fraction.length > places) return null;
   if (!DIGITS_OF[form].test(whole + fraction)) return null;
   const room = most - (places ? places + 1 : 0);
-  const behind = places ? `.${fraction.padEnd(places, "0")}` : "";
-  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + behind);
+  const after = places ? `.${fraction.padEnd(places, "0")}` : "";
+  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + after);
   return narrowedBytes(field, image).length <= most ? image : null;
 }
 
@@ -1003,7 +1003,7 @@ function readImage(fields, read, bytes, offset, end) {
   if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
   const { count } = fields[extents.length] ?? {};
   if (count !== undefined && countedText(fields[extents.length], data, extents) === undefined) {
-    throw new CodecError("wrong_measure", `${fields[count].name} is no number of bytes`, offset + extents[count].start);
+    throw new CodecError("wrong_measure", `${fields[count].name} is not a number of bytes`, offset + extents[count].start);
   }
   if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
   const stop = extents.at(-1).stop;
@@ -1141,7 +1141,7 @@ function resolvingPlaces(count) {
 }
 
 /**
- * A number without an exponent: in full if it is short, else rounded behind the point. The last digit is worth less
+ * A number without an exponent: in full if it is short, else rounded after the point. The last digit is worth less
  * than a count. If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
  */
 function decimalText(number, count = "1") {
@@ -1248,7 +1248,7 @@ function intervalsText(ranges) {
   return ranges.map(([low, high]) => (low == high ? boundText(low) : `${boundText(low)}..${boundText(high)}`)).join(", ");
 }
 
-/** A bound with all its digits, of which a spec has at most 20 behind the point, and never with an exponent. */
+/** A bound with all its digits, of which a spec has at most 20 after the point, and never with an exponent. */
 function boundText(bound) {
   const text = String(bound);
   return text.includes("e-") ? bound.toFixed(20).replace(/0+$/, "") : text;
@@ -1264,7 +1264,7 @@ function enumeration(names, last) {
   return names.length > 1 ? `${names.slice(0, -1).join(", ")} ${last} ${names.at(-1)}` : names.join("");
 }
 
-/** The bytes up to which a whole number is no bigint. */
+/** The bytes up to which a whole number is not a bigint. */
 const WIDE = 6;
 
 /** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
@@ -1589,7 +1589,7 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
-/** A value with the scale that the number of its exponent makes; unchanged for a number that is no exponent. */
+/** A value with the scale that the number of its exponent makes; unchanged for a number that is not an exponent. */
 function exponentApplied(value, exponent, number) {
   const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
   return isExponent ? scaledBy(value, Number(number)) : value;
@@ -1787,8 +1787,8 @@ function repeatedValue(value, should, floatSize = 0) {
 
 /**
  * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
- * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
- * for them, and of the end. `gap` is the place of the first byte behind an escape of nothing, which is sent between that
+ * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets after `start` of what is sent
+ * for them, and of the end. `gap` is the place of the first byte after an escape of nothing, which is sent between that
  * byte and the one before.
  */
 class Spot {
@@ -1816,9 +1816,9 @@ class Spot {
     if (this.places) {
       const end = this.places.length - 1;
       const first = this.places[Math.min(at, end)];
-      const behind = length && at + length === this.gap ? this.gap : this.places[Math.min(at + length, end)];
+      const after = length && at + length === this.gap ? this.gap : this.places[Math.min(at + length, end)];
       const offset = this.start + first;
-      const sent = this.frame.subarray(offset, offset + behind - first);
+      const sent = this.frame.subarray(offset, offset + after - first);
       const isSame = sameBytes(sent, this.originals.subarray(at, at + length));
       return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " "), canPlace: this.canPlace(at) };
     }
@@ -1884,7 +1884,7 @@ function wrongRow(spot, at, raw, reason, detail, path = "", fact = "") {
   return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: `wrong: ${detail}`, reason });
 }
 
-/** The row of bytes behind the end. */
+/** The row of bytes after the end. */
 function surplusRow(spot, at, raw) {
   return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
 }
@@ -1963,8 +1963,8 @@ const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => ch
 function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
   const start = markOf(frame, marks[0], link.encoding);
-  const behind = frame.subarray(start.length);
-  const end = markOf(behind.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
+  const after = frame.subarray(start.length);
+  const end = markOf(after.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
   if (link.encoding === "binary") {
     return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
@@ -2090,9 +2090,9 @@ function parameterNumbered(words, number) {
 /** A number as the manual writes it. */
 function numberText(words, number) {
   if (!words.digits) return String(number);
-  const [least, base, upper, behind] = words.digits;
+  const [least, base, upper, after] = words.digits;
   const digits = BigInt(number).toString(base).padStart(least, "0");
-  return `${words.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${behind}`;
+  return `${words.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${after}`;
 }
 
 /** The set, named or in a space, that has a number on the wire, and the number in it. */
@@ -2133,7 +2133,7 @@ function elementOf(words, number, parameter, at) {
   return new ParameterElement(words, number, parameter, at, subindex);
 }
 
-/** The parameter and its number at a place among the values of all numbers of a set; nothing behind the last. */
+/** The parameter and its number at a place among the values of all numbers of a set; nothing after the last. */
 function placedParameter({ parameters }, place) {
   let rest = place;
   for (const parameter of parameters) {
@@ -2171,7 +2171,7 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
   const element = elementOf(words, number, parameterNumbered(words, number), at);
   if (part === "value") {
     const size = statedSize(field, known);
-    // Its bytes are no value.
+    // Its bytes are not a value.
     if (size === undefined) return { ...row, meanings: [element.meaning, ...row.meanings] };
     return readAs(device, row, field, element, isRequest, size);
   }
@@ -2271,7 +2271,7 @@ class AddressSpan {
   }
 
   /**
-   * The bytes in the parts that are `skip` bytes behind an address, and those of the value that they carry; undefined
+   * The bytes in the parts that are `skip` bytes after an address, and those of the value that they carry; undefined
    * unless all are there.
    */
   piece(address, size, skip = 0) {
@@ -2367,9 +2367,9 @@ function baseOf(device, table, span) {
 function unknownBases(device, span, first, end) {
   return device.data.tables.flatMap((table) => {
     if (!table.baseBy || (table.space ?? "") !== span.space || baseOf(device, table, span) !== null) return [];
-    const behind = (table.count - 1) * table.stride + table.words;
+    const after = (table.count - 1) * table.stride + table.words;
     const { ranges } = device.data.registers.find(({ name }) => name === table.baseBy).value;
-    const isNear = ranges.some(([low, high]) => low < end && first < high + behind);
+    const isNear = ranges.some(([low, high]) => low < end && first < high + after);
     return isNear ? [`Elements of ${table.name} may be here: ${table.baseBy} has the address of the first one.`] : [];
   });
 }
@@ -2422,7 +2422,7 @@ function addFields(occupants, device, table, span) {
   }
 }
 
-/** The numbers of the first element that may share words with a span, and of the one behind the last. */
+/** The numbers of the first element that may share words with a span, and of the one after the last. */
 function nearElements(base, { stride, words, count }, span) {
   const first = Math.max(0, Math.floor((span.address - base - words) / stride) + 1);
   return [first, Math.max(first, Math.min(count, Math.ceil((span.end - base) / stride)))];
@@ -2509,7 +2509,7 @@ class ExplainedBody {
     this.beside = new Map();
     const { inner, spans } = this.record;
     Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    // A scale may be behind the value that it applies to, so all bytes are read before any row is written.
+    // A scale may be after the value that it applies to, so all bytes are read before any row is written.
     const traced = [...(spans ? this.tracedVarying() : inner ? this.tracedAround(inner) : this.traced())];
     this.rows = this.explained(traced);
   }
@@ -2543,7 +2543,7 @@ class ExplainedBody {
     if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  /** The parts of a record with fields behind a list, in the order of the wire. */
+  /** The parts of a record with fields after a list, in the order of the wire. */
   *tracedAround(inner) {
     const sent = inner.sent.map((name) => this.record.named.get(name));
     let at = this.start;
@@ -2578,7 +2578,7 @@ class ExplainedBody {
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
     if (this.hasWrongCount(list)) {
-      const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
+      const text = `${list.countName} is not a number of ${name}, so it is unknown where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
     if (list.parts) {
@@ -2589,7 +2589,7 @@ class ExplainedBody {
     return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
   }
 
-  /** How many elements of a list of a record with fields behind a list there are. */
+  /** How many elements of a list of a record with fields after a list there are. */
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
     const { size, elements } = this.extents[number];
@@ -2626,7 +2626,7 @@ class ExplainedBody {
     if (number >= 0 && number <= span.most) {
       return ["incomplete", `${span.name} has ${number} bytes, but only ${this.end - at} follow`];
     }
-    return ["wrong_measure", `${name} is no number of bytes of ${span.name}`];
+    return ["wrong_measure", `${name} is not a number of bytes of ${span.name}`];
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -2708,7 +2708,7 @@ class ExplainedBody {
     return judged(read, Math.ceil(Number(read.number) / 8) === size, should, "wrong_measure");
   }
 
-  /** The value of a field that measures a list of a record with fields behind a list. */
+  /** The value of a field that measures a list of a record with fields after a list. */
   measuredList(field, other, read) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
     if (number < this.extents.length) {
@@ -2742,7 +2742,7 @@ function reasonsOf({ rows }) {
 }
 
 /**
- * A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them, and
+ * A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those after them, and
  * `emptyEscape` those that an escape sends for no bytes at all.
  */
 class ExplainedFrame {
@@ -2863,7 +2863,7 @@ class ExplainedFrame {
     return this.shape.escape && !part.beforeEscape ? this.sentData : this.data;
   }
 
-  /** The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier. */
+  /** The bytes of the parts and those after them: length and checksum may show that the frame ends earlier. */
   withoutSurplus(data) {
     const nothing = data.subarray(data.length);
     const ofSent = (part) => !this.shape.escape || !part.beforeEscape;
@@ -2950,7 +2950,7 @@ class ExplainedFrame {
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
       if (isAmbiguous(link, direction, code)) {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
-        return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
+        return judged(read, false, `that of ${names}; only the request distinguishes them`, "unknown_code");
       }
       const known = Object.values(link.codes[direction]).join(", ");
       const several = known ? `one of ${known}` : `that of a message, and none has a ${direction} here`;
@@ -3033,7 +3033,7 @@ class ExplainedFrame {
   unknownRows(start, end) {
     const data = this.data.subarray(start, end);
     if (!this.shape.code) {
-      const text = "the frame carries no code, and nothing else says which message it is";
+      const text = "the frame carries no code, so its message is unknown";
       return [wrongRow(this.spot, start, data, "unknown_code", text)];
     }
     if (end <= start) return [];
@@ -3116,7 +3116,7 @@ function explanationData(device, explanation, readings, chosen, remarks, wrong) 
 const DIRECTIONS = ["request", "response"];
 
 const OF_VALUES = ["unknown_value", "wrong_const", "wrong_measure"];
-// The frame carries no code, so its message is a guess. That is no fault, but a broken frame needs better evidence.
+// The frame carries no code, so its message is a guess. That is not a fault, but a broken frame needs better evidence.
 const GUESSED = "guessed";
 // The faults that a reading may have. The readings of the first step that any of them passes are the result.
 const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));
@@ -3492,7 +3492,7 @@ const LAST = /(?:\\x(?<code>[0-9a-f]{2})|[<[]?(?<name>crlf|cr|lf|\\r|\\n)[>\]]?|
 const CHARACTERS = { "\\r": "\r", "\\n": "\n", cr: "\r", lf: "\n", crlf: "\r\n" };
 const CONTROLS = { 0x02: "STX", 0x03: "ETX", 0x0a: "LF", 0x0d: "CR" };
 
-// Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.
+// Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment after them.
 const WORDS = {
   request: ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"],
   response: ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"],
@@ -3658,7 +3658,7 @@ function logLine(text, links) {
 }
 
 /**
- * The direction that marks tell; empty if they tell none. Words count more than arrows, and an arrow behind a name tells
+ * The direction that marks tell; empty if they tell none. Words count more than arrows, and an arrow after a name tells
  * nothing, as it may point either way. A word that a link uses for the other direction tells nothing either: the log may
  * take either side's view.
  */
@@ -3683,7 +3683,7 @@ function unmarked(text, links) {
   return { ...read, direction: (enclosed && { "[": "request", "<": "response" }[start]) || "" };
 }
 
-/** The frame behind times, labels and words, and remarks on what the text lacks of it. */
+/** The frame after times, labels and words, and remarks on what the text lacks of it. */
 function frameBehind(text, links) {
   let rest = text.replace(/^[ \t]+/, "");
   while (rest) {
@@ -3897,7 +3897,7 @@ function floatEntry(name, value, text) {
     return Number(quantity);
   }
   if (text in LETTERS.float) return LETTERS.float[text];
-  if (!NUMBER.test(text)) throw new CodecError("wrong_type", `${name}: \`${text}\` is no number; write it as \`0.5\` or \`2.5e-3\``);
+  if (!NUMBER.test(text)) throw new CodecError("wrong_type", `${name}: \`${text}\` is not a number; write it as \`0.5\` or \`2.5e-3\``);
   return Number(text);
 }
 
@@ -3918,16 +3918,16 @@ function countEntry(device, name, value, text) {
   if (unit !== undefined && unit === value.unit) return quantityEntry(name, value, text, quantity);
   if (listing) {
     const names = listing.members.map((other) => other.name).join(", ");
-    throw new CodecError("unknown_value", `${name}: \`${text}\` is no member of ${value.enum}: ${names}`);
+    throw new CodecError("unknown_value", `${name}: \`${text}\` is not a member of ${value.enum}: ${names}`);
   }
   const more = value.unit ? `, or with its unit ${value.unit}` : "";
-  throw new CodecError("wrong_type", `${name}: \`${text}\` is no number; enter a count${more}`);
+  throw new CodecError("wrong_type", `${name}: \`${text}\` is not a number; enter a count${more}`);
 }
 
 function quantityEntry(name, value, text, quantity) {
   const exact = exactCount(value, quantity);
   if (!value.isShare && exact[0] % exact[1] !== 0n) {
-    throw new CodecError("wrong_type", `${name}: \`${text}\` is no whole number of counts of ${value.scale ?? 1} ${value.unit}`);
+    throw new CodecError("wrong_type", `${name}: \`${text}\` is not a whole number of counts of ${value.scale ?? 1} ${value.unit}`);
   }
   const count = narrowed(nearestCount(exact));
   const absent = sentinelOf(value, count);
@@ -3951,7 +3951,7 @@ function wordOf(device, name, value, text) {
     const bit = word.bits?.find((other) => other.name === bitName);
     if (!bit) {
       const names = (word.bits ?? []).filter(({ reserved }) => !reserved).map((other) => other.name).join(", ");
-      throw new CodecError("unknown_value", `${name}: \`${bitName}\` is no bit of ${value.flags}: ${names}`);
+      throw new CodecError("unknown_value", `${name}: \`${bitName}\` is not a bit of ${value.flags}: ${names}`);
     }
     if (named.has(bitName)) throw new CodecError("wrong_type", `${name}: \`${bitName}\` has two values`);
     named.add(bitName);
@@ -4183,7 +4183,7 @@ function frameOptions(device, { link, direction, message } = {}) {
   if (!link && !direction && !message) return new FrameOptions();
   let links = [...device.links.values()];
   if (link) links = links.filter(({ name }) => name === link);
-  if (!links.length) throw new RangeError(`${link} is no link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
+  if (!links.length) throw new RangeError(`${link} is not a link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
   if (message) {
     const others = links;
     links = links.filter(({ carriedMessages }) => DIRECTIONS.some((way) => carriedMessages[way].has(message)));
@@ -4192,7 +4192,7 @@ function frameOptions(device, { link, direction, message } = {}) {
   const places = links.flatMap(({ name, directionNames }) => DIRECTIONS
     .filter((way) => !direction || directionNames[way] === direction || (way === direction && !isName(directionNames, direction)))
     .map((way) => [name, way]));
-  if (!places.length) throw new RangeError(`${direction} is no direction of ${links.map(({ name }) => name).join(" or ")}`);
+  if (!places.length) throw new RangeError(`${direction} is not a direction of ${links.map(({ name }) => name).join(" or ")}`);
   return new FrameOptions(places, message ?? "");
 }
 
@@ -4209,8 +4209,8 @@ function inputFrame(device, input) {
 }
 
 /**
- * The request that a user names, null without one. Throws Unreadable for a text that is no frame, and RangeError for a
- * frame that is no request.
+ * The request that a user names, null without one. Throws Unreadable for a text that is not a frame, and RangeError for a
+ * frame that is not a request.
  */
 function namedRequest(device, input, options) {
   if (!input) return null;
@@ -4229,7 +4229,7 @@ function explainer(data) {
 
   /**
    * The explanation of a frame: bytes, or a text with its bytes in any usual spelling. Throws Unreadable for a text that
-   * is no frame, and RangeError for options that the device does not have; no bytes make it throw.
+   * is not a frame, and RangeError for options that the device does not have; no bytes make it throw.
    */
   function explain(input, options = {}) {
     const allowed = frameOptions(device, options);
@@ -4240,7 +4240,7 @@ function explainer(data) {
     return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, isWrong(reading));
   }
 
-  /** The explanations of the lines of a log; `error` says why a line is no frame. Throws like `explain` for options. */
+  /** The explanations of the lines of a log; `error` says why a line is not a frame. Throws like `explain` for options. */
   function* explainLog(text, options = {}) {
     const allowed = frameOptions(device, options);
     const reader = new LogReader(device, allowed, namedRequest(device, options.request, allowed));
@@ -5109,7 +5109,7 @@ class SocketCarrier {
     }
     return new Promise((resolve, reject) => {
       const socket = new WebSocket(address);
-      const fail = () => reject(new ConnectionFault("Nobody answers at this address. Is the simulator running, and is the key that of its last start?"));
+      const fail = () => reject(new ConnectionFault("No response from this address. Is the simulator running, and is the key from its last start?"));
       const timer = setTimeout(() => { socket.close(); fail(); }, OPENING);
       socket.binaryType = "arraybuffer";
       socket.addEventListener("open", () => {
@@ -5427,7 +5427,7 @@ class DevicePanel {
     this.update();
     const { data, milliseconds, lost } = await asking;
     if (data.length) this.note("RX", data);
-    const texts = [stray ? `${stray} bytes came before that nobody had asked for.` : "", lost];
+    const texts = [stray ? `${stray} unrequested bytes came before.` : "", lost];
     if (data.length) texts.push(this.show(readAnswer(data), data, patience));
     else if (!lost) texts.push(isAnswered ? `No answer within ${patience} ms.` : "");
     this.fault(texts.filter(Boolean).join(" "));

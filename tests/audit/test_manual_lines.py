@@ -82,7 +82,7 @@ HAS_NUMBERS = [
     ("so is what an ellipsis leaves out", "Bit0 = … - ... - Bit8 = …", 4),
     ("hexadecimal bounds", "0x0001~0x0080", 0x40),
     ("the number of a word", "PZD7", 7),
-    ("a number behind a prefix", "Pt53A", 0x53A),
+    ("a number after a prefix", "Pt53A", 0x53A),
     ("an alarm", "AL.EE0", 0xEE0),
     ("a voltage", "DC24V", 24),
     ("a bit of a word", "STW1.8 = 1", 8),

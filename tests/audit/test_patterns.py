@@ -37,7 +37,7 @@ NO_ROWS = [
     ("a cell holds more", ["{words}"], "1 word"),
     ("there are too few cells", ["{words}", "*"], "1"),
     ("four digits are not five", ["{address:hex4}"], "12345"),
-    ("a number is no range of two", ["{range:span}"], "5"),
+    ("a number is not a range of two", ["{range:span}"], "5"),
 ]
 
 
@@ -51,7 +51,7 @@ EACH = [
     ("not the number of a word", "{code:decimal} :", "Bit0 : OFF", []),
     ("a frame", "{frame}", "… : 07H+00H+12H+F5H", [["07H+00H+12H+F5H"]]),
     ("a frame in cells", "{frame}", "… | 01 | 06 | 20 | …", [["01 | 06 | 20"]]),
-    ("one byte is no frame", "{frame}", "01 H", []),
+    ("one byte is not a frame", "{frame}", "01 H", []),
     ("pairs of cells", "{name:text} | {bit:mask}", "Stop | 0x02 | Jog | 0x04", [["Stop", "0x02"], ["Jog", "0x04"]]),
 ]
 

@@ -62,7 +62,7 @@ def test_a_state_is_of_what_facts_say_and_not_of_the_lines() -> None:
 
 def test_a_section_that_was_signed_is_as_it_was(run: CommandLine) -> None:
     assert run("audit", "gadget", "--sign", "1", "--by", "second reader", "--on", "2026-05-03").code == 0
-    assert rows_since(run) == [("1", "as it was"), ("2", "nobody has compared it")]
+    assert rows_since(run) == [("1", "as it was"), ("2", "it is not compared with the manual")]
 
 
 def test_a_fact_that_changes_after_the_review_is_told(run: CommandLine) -> None:

@@ -1,4 +1,4 @@
-"""Values of closed enums have the types of these enums in C, and never a number that is no member."""
+"""Values of closed enums have the types of these enums in C, and never a number that is not a member."""
 
 from __future__ import annotations
 

@@ -160,7 +160,7 @@ static size_t tag_size(const uint8_t *in, size_t left)
 }
 """
 }
-"""What a program needs behind a file."""
+"""What a program needs after a file."""
 
 
 def test_every_file_has_a_program() -> None:

@@ -107,7 +107,7 @@ def turns(talk: Sequence[Exchange], frames: int, cuts: int, head: int, chance: r
 
 
 def pieces(frames: Sequence[bytes], cuts: int, head: int, chance: random.Random) -> list[bytes]:
-    """Frames one behind another, in pieces."""
+    """Frames one after another, in pieces."""
     data = b"".join(frames)
     starts = [sum(map(len, frames[:number])) for number in range(len(frames))]
     places = [start + at for start, frame in zip(starts, frames, strict=True) for at in range(head, len(frame))]
@@ -164,7 +164,7 @@ def out_of_order(segments: Sequence[Segment], chance: random.Random) -> list[Seg
 
 
 def late(segments: Sequence[Segment], _: random.Random) -> list[Segment]:
-    """The first segment of a run was lost before the capture, and comes again behind the others, seconds later."""
+    """The first segment of a run was lost before the capture, and comes again after the others, seconds later."""
     result: list[Segment] = []
     time = 0
     for run in runs_of_side(segments):

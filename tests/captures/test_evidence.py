@@ -245,4 +245,4 @@ def test_a_baseline_of_another_kind_is_refused(tmp_path: Path) -> None:
     saved.write_text('[{"fact": 1}]', "utf-8")
     code, _, error = run("audit", DEVICE, "--evidence", str(folder), "--baseline", str(saved))
     assert code == 2
-    assert "is no table of evidence" in error
+    assert "is not a table of evidence" in error

@@ -119,7 +119,7 @@ def test_points_follow_each_other(tc100: Unit) -> None:
     tc100.write(0x2040, 1 << 4 | 1 << 3)  # PRGSEL0 and START
     tc100.wait(0.4)
     assert (tc100.read(0x100E), tc100.read(0x100A, 2)) == ([1], [0, 4000])
-    tc100.wait(0.4)  # the move takes 0.26 s, and the point waits for 0.5 s behind it
+    tc100.wait(0.4)  # the move takes 0.26 s, and the point waits for 0.5 s after it
     assert (tc100.read(0x100E), tc100.read(0x1000)) == ([5], [1])
     tc100.wait(2)
     assert tc100.read(0x100A, 2) == [0, 9000]

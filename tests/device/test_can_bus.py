@@ -112,13 +112,13 @@ def test_live_reads_and_writes_objects_by_name_over_a_bus(
     [
         (["simulate", "axis"], "say on which bus sdo is: --port sdo=can://socketcan/can0"),
         (["simulate", "axis", "--port", "sdo=pty"], "sdo is a CAN bus; write where it is as can://INTERFACE/CHANNEL"),
-        (["simulate", "servo", "--port", "can://virtual/x"], "bus is no CAN bus; use a serial port"),
-        (["simulate", "axis", "--port", "can://virtual"], "can://virtual is no CAN bus"),
-        (["simulate", "axis", "--port", "can://virtual/x?fd=1"], "fd=1 is no option; write ?bitrate=500000"),
-        (["live", "axis", "read", "--link", "sdo", "--port", "can://virtual/x?bitrate="], "bitrate= is no option"),
+        (["simulate", "servo", "--port", "can://virtual/x"], "bus is not a CAN bus; use a serial port"),
+        (["simulate", "axis", "--port", "can://virtual"], "can://virtual is not a CAN bus"),
+        (["simulate", "axis", "--port", "can://virtual/x?fd=1"], "fd=1 is not an option; write ?bitrate=500000"),
+        (["live", "axis", "read", "--link", "sdo", "--port", "can://virtual/x?bitrate="], "bitrate= is not an option"),
         (["simulate", "axis", "--port", "can://nothing/x"], "cannot open can://nothing/x"),
         (["live", "axis", "read", "--link", "sdo", "--port", "tcp://127.0.0.1:1"], "sdo is a CAN bus"),
-        (["live", "servo", "read", "--port", "can://virtual/x"], "bus is no CAN bus"),
+        (["live", "servo", "read", "--port", "can://virtual/x"], "bus is not a CAN bus"),
         (
             ["live", "axis", "read", "read_hours", "--link", "vehicle", "--port", "can://virtual/x"],
             "says which priority",

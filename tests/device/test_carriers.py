@@ -323,7 +323,7 @@ def test_a_stuck_bit_and_a_value_out_of_range_stay() -> None:
         (["tc100@7"], "there is no version of tc100 7"),
         (["tc100", "--port", "usb=pty"], "there is no link usb"),
         (["tc100", "--port", "/dev/nothing-here"], "cannot open /dev/nothing-here"),
-        (["tc100", "--port", "tcp://nowhere"], "is no address"),
+        (["tc100", "--port", "tcp://nowhere"], "is not an address"),
         (["tc100", "--port", "udp://127.0.0.1:0"], "is a serial line"),
         (["tc100", "--unit", "17"], "17 is not in 1..16"),
         (["hiwin-e", "--unit", "3"], "frames of hiwin-e have no unit address; leave out --unit"),

@@ -78,7 +78,7 @@ DAMAGED = {
     "a damaged length": bytes.fromhex("FB 00 52 56"),
     "a request that ends in the middle": bytes.fromhex("14 00 60 03 41"),
     "a request with the beginning of another one": IO_STATUS + bytes.fromhex("14 00 60"),
-    "a request with a damaged one behind it": IO_STATUS + bytes.fromhex("FB 00 52 56"),
+    "a request with a damaged one after it": IO_STATUS + bytes.fromhex("FB 00 52 56"),
 }
 
 

@@ -208,7 +208,7 @@ def test_a_lost_answer_is_settled_by_reading_back(tc100: SimulatedDevice, tmp_pa
 @pytest.mark.parametrize(
     ("content", "expected"),
     [
-        ("speed\n", "is no journal; move it away"),
+        ("speed\n", "is not a journal; move it away"),
         (
             '{"journal": 1, "unit": {"device": "tc100", "unit": 2}, "digest": ""}\n',
             "an unfinished transfer to device tc100",

@@ -49,7 +49,7 @@ def test_specs_are_explained_and_no_device_is_offered_without_a_place() -> None:
     assert "esc11" in texts[0]
     assert "0x201E" in texts[1]
     assert "read_registers" in texts[2]
-    assert "`--help` is no name" in texts[4]
+    assert "`--help` is not a name" in texts[4]
     assert "there is no item of tc100 nonsense" in texts[5]
 
 
@@ -76,7 +76,7 @@ def test_a_device_is_read_and_written_only_where_that_is_permitted() -> None:
     ("options", "expected"),
     [
         (["--allow-writes"], "--allow-writes needs a device"),
-        (["--port", "tc100"], "`tc100` is no place"),
+        (["--port", "tc100"], "`tc100` is not a place"),
         (["--port", "tc999=x"], "there is no device tc999"),
     ],
 )

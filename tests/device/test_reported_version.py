@@ -52,7 +52,7 @@ FORMS = [
 
 
 def spec_of(fact: str, kind: str, keys: str, versions: Sequence[str]) -> DeviceSpec:
-    """A device whose version is in a value; a version may have the values that tell it behind a mark."""
+    """A device whose version is in a value; a version may have the values that tell it after a mark."""
     members = []
     for version in versions:
         name, mark, values = version.partition("=")

@@ -139,11 +139,11 @@ def test_all_findings_of_a_file_are_reported_at_once(
         f"{path}:A2: is for the device ck10, not tc100",
         f"{path}:B3: is for the version 1.0, not 2.0; --any-version takes it nevertheless",
         f"{path}:E3: out_of_range: points[2].speed is 101",
-        f"{path}:F3: points[2].wait_time: `fast` is no number",
+        f"{path}:F3: points[2].wait_time: `fast` is not a number",
         f"{path}:G2: there is no points[1].sped; did you mean points[1].speed?",
-        f"{path}:D4: there is no points[128]; there are 1..127",
+        f"{path}:D4: there is no points[128]; choose from 1..127",
         f"{path}:E6: points[3].speed stands in row 5 too",
-        f"{path}:C7: there is no table programs; there are points",
+        f"{path}:C7: there is no table programs; choose from points",
         "nothing was written",
     ):
         assert expected in error
@@ -184,7 +184,7 @@ def test_what_no_list_may_write_is_a_finding(
         (("restore", "a.csv"), "Index,speed\n1,5\n", "is a list for `points upload`, by its headings"),
         (("points", "upload", "a.csv"), "Name,Value\nmotion_speed,5\n", "is a list for `restore`, by its headings"),
         (("points", "download", "a.csv", "--table", "programs"), "", "there is no table programs"),
-        (("compare", "a.yaml"), "a: [1", "is no YAML"),
+        (("compare", "a.yaml"), "a: [1", "is not YAML"),
         (("compare", "a.yaml"), "a: 1", "is YAML but not a list of mappings"),
         (("compare", "a.csv"), " ", "is empty"),
         (("compare", "b.csv"), "", "cannot read"),

@@ -1,4 +1,4 @@
-"""The server of WebSockets says nothing of clients that leave or send what is no request, and goes on."""
+"""The server of WebSockets says nothing of clients that leave or send what is not a request, and goes on."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SENT = {
     "another protocol": bytes.fromhex("16 03 01 02 00 01 00"),
     "a request of a page": b"GET / HTTP/1.1\r\n\r\n",
     "another method": b"POST / HTTP/1.1\r\nHost: localhost\r\n\r\n",
-    "a target that is no address": HANDSHAKE.format(target="http://[").encode(),
+    "a target that is not an address": HANDSHAKE.format(target="http://[").encode(),
     "a target with a host that is none": HANDSHAKE.format(target="//[/rtu?key=x").encode(),
     "a key in other bytes": HANDSHAKE.format(target="/rtu?key=x").encode().replace(b"=x", b"=\xff"),
     "a link in other bytes": HANDSHAKE.format(target="/r?{key}").encode().replace(b"/r", b"/\xff"),

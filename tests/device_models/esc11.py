@@ -8,7 +8,7 @@ What is left open is drawn:
 - "number": the number of an error stays until a reset, or until the next command is accepted [9.3.8].
 - "busy command": refused as error 27H [10.4 L1320], or taken in place of the motion.
 - "excitation": on after power-on, or off [9.2.2 does not say].
-- "homing": a move needs a home, as error 23H says [10.4 L1316]; this is no choice.
+- "homing": a move needs a home, as error 23H says [10.4 L1316]; this is not a choice.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-// A serial port of the browser with a device behind it that answers each request in two pieces; `window.plug` is the test's.
+// A serial port of the browser with a device after it that answers each request in two pieces; `window.plug` is the test's.
 (() => {
   let controller;
   const plug = { answers: [], sent: [], opened: null };

@@ -20,7 +20,7 @@ from fieldspec.targets.docs.site import SCRIPTS
 from layouts import SPECS, TEST_SPECS, all_layouts, layouts, newest
 
 PAGES = with_ending(".html")
-# The scope of a module has all tests of a page run behind each other, and in one process, which parses it once.
+# The scope of a module has all tests of a page run after each other, and in one process, which parses it once.
 LAYOUTS = {f"{layout.device.id}/{layout.device.version}.html": layout for layout in all_layouts()}
 TEXTS = ("printed_name", "label", "doc", "title", "zero", "one", "when", "problem", "cause", "rule", "text")
 

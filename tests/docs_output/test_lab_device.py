@@ -203,7 +203,7 @@ def test_a_request_of_another_link_is_not_sent(browser: webdriver.Chrome, folder
     ("address", "text"),
     [
         ("ws://example.com/rtu", "The address begins with ws://127.0.0.1"),
-        ("ws://127.0.0.1:1/rtu?key=x", "Nobody answers at this address."),
+        ("ws://127.0.0.1:1/rtu?key=x", "No response from this address."),
     ],
 )
 def test_an_address_without_a_simulator_is_refused(
@@ -274,7 +274,7 @@ def test_a_serial_port_is_opened_as_the_manual_says_and_answers_in_pieces(
     WebDriverWait(browser, 40).until(lambda _: text_of(browser, "exchange-fault") == "On the line: a parity error")
     browser.execute_script("plug.stray([0, 255]); plug.answers.push(arguments[0])", ANSWER)
     send(browser)
-    assert text_of(browser, "exchange-fault") == "2 bytes came before that nobody had asked for."
+    assert text_of(browser, "exchange-fault") == "2 unrequested bytes came before."
     browser.execute_script("plug.remove()")
     WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connection") == "The serial port is gone.")
     click(browser, "connect")

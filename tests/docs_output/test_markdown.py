@@ -17,7 +17,7 @@ from fieldspec.targets.docs.markdown import escaped
 from layouts import TEST_SPECS, newest
 
 PAGES = with_ending(".md")
-# The scope of a module has all tests of a page run behind each other, and in one process, which parses it once.
+# The scope of a module has all tests of a page run after each other, and in one process, which parses it once.
 OWN = re.compile(r'<br>|<a id="[\w/.-]+">|</a>|<!-- Written by fieldspec .* -->')
 
 

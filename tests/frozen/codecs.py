@@ -66,7 +66,7 @@ def aspects(item: Input, answer: Answer) -> Aspects:
 
 
 def _each(answer: Callable[[Query], Answer], inputs: list[Input]) -> Iterator[Aspects]:
-    """The answers of a codec in Python. An exception that is no refusal is an answer too, by its name."""
+    """The answers of a codec in Python. An exception that is not a refusal is an answer too, by its name."""
     for item in inputs:
         if item.aspect == "access":
             yield {}
@@ -94,7 +94,7 @@ def _python(layout: DeviceLayout, folder: Path, inputs: list[Input]) -> list[Asp
 
 
 class _JavaScript(JavaScript):
-    """The answers of generated JavaScript; an exception that is no refusal is an answer, by its name."""
+    """The answers of generated JavaScript; an exception that is not a refusal is an answer, by its name."""
 
     def raised(self, result: dict[str, Any]) -> Answer:
         return Answer(f"raises {result['raises']}")
@@ -115,7 +115,7 @@ def _explained(layout: DeviceLayout, inputs: list[Input]) -> Iterator[Aspects]:
         query, result = item.query, {}
         if item.aspect == "decode" and query.kind == "frame" and item.number % EXPLAINED == 0:
             result = aspects(item, explainer.answer(query))
-            # It goes on behind the first fault, and is not asked about all frames, as the codecs are.
+            # It goes on after the first fault, and is not asked about all frames, as the codecs are.
             result = {f"explained_{aspect}": text for aspect, text in result.items()}
         elif item.aspect == "decode" and query.kind not in ("frame", "record") and len(query.data) == query.shape[4]:
             value, order, swapped, *_ = query.shape
@@ -144,7 +144,7 @@ def _rows(
 
 
 def _whole(data: Any) -> Any:
-    """Data of JSON in which whole numbers are no floats, as JavaScript has one type of numbers."""
+    """Data of JSON in which whole numbers are not floats, as JavaScript has one type of numbers."""
     if isinstance(data, dict):
         return {key: _whole(value) for key, value in data.items()}
     if isinstance(data, list):

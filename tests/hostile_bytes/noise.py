@@ -91,7 +91,7 @@ def _decoder(link: Any, vector: dict[str, Any], error: type[Exception]) -> Calla
 class FramedFlips:
     """What a framer makes of a frame with an inverted bit, when the right frame follows.
 
-    `returned` counts the damaged frames that it returns whole, `delayed` the right ones behind them that it does not
+    `returned` counts the damaged frames that it returns whole, `delayed` the right ones after them that it does not
     return because the damaged one seems to reach into them, and `lost` those that it does not return even if the line
     was silent in between.
     """
@@ -135,7 +135,7 @@ def noise(device: str, size: int, seed: int = 1) -> Iterator[Noise]:
         chance = random.Random(f"{seed} {device} {link} {direction}")
         frames = golden(device, link, direction)
         framer = make()
-        framer.feed(chance.randbytes(PIECE))  # what is set up once is no memory that grows
+        framer.feed(chance.randbytes(PIECE))  # what is set up once is not a memory that grows
         sent, taken = PIECE, 0
         tracemalloc.start()
         while sent < size:
@@ -157,14 +157,14 @@ def _piece(chance: random.Random, frames: list[bytes]) -> bytes:
 
 
 def main(size: int = BYTES) -> int:
-    """Prints the tables. Returns 1 if a frame is lost that comes behind a damaged one and silence."""
+    """Prints the tables. Returns 1 if a frame is lost that comes after a damaged one and silence."""
     print("| link | inverted bits | refused | the same values | other values |")
     print("|---|---|---|---|---|")
     for device in DEVICES:
         for result in flips(device):
             print(result.row())
     lost = 0
-    print("| device | inverted bits | damaged frames returned | frames behind them missed | after silence |")
+    print("| device | inverted bits | damaged frames returned | frames after them missed | after silence |")
     print("|---|---|---|---|---|")
     for device in DEVICES:
         framed = framed_flips(device)

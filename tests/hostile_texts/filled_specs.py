@@ -34,7 +34,7 @@ class Texts:
         self.chance, self.form, self.count = random.Random(seed), form, 0
 
     def next(self) -> str:
-        """The next text. Its number is in front of it or behind, in letters, so that either end is poison at times."""
+        """The next text. Its number is in front of it or after, in letters, so that either end is poison at times."""
         self.count += 1
         number = "".join(chr(ord("a") + int(digit)) for digit in str(self.count))
         text = self.form(poison(self.chance))

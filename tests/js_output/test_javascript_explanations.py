@@ -194,8 +194,8 @@ def test_logs_are_read_as_by_the_command_line(name: str, capsys: pytest.CaptureF
 @pytest.mark.parametrize(
     ("options", "why"),
     [
-        ({"link": "no_link"}, "no_link is no link of widget: rtu"),
-        ({"direction": "sideways"}, "sideways is no direction of"),
+        ({"link": "no_link"}, "no_link is not a link of widget: rtu"),
+        ({"direction": "sideways"}, "sideways is not a direction of"),
         ({"message": "no_message"}, "no_message is not sent on"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Records refuse what is no value of theirs, for the reason that the reference has."""
+"""Records refuse what is not a value of theirs, for the reason that the reference has."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ ENDS = ("Done", "CommandAborted", "Error", "Busy")
 class Bench:
     """Some blocks of a device, called in their order. `ports` are the structs and arrays that they are lent.
 
-    A name may have a number behind it, which makes it another instance. Blocks share what has one name and one type.
+    A name may have a number after it, which makes it another instance. Blocks share what has one name and one type.
     `lent` has the variable for each parameter of each block. A `program` has more blocks than are called, so that
     several benches have one program, which is compiled once. One that is `ordered` calls them in an order that each
     scan states.

@@ -97,7 +97,7 @@ class Compiled(Machine):
         )
 
     def call(self, name: str, **arguments: Any) -> tuple[Any, ...]:
-        """What a function returns, and behind it its outputs; what it is lent is changed."""
+        """What a function returns, and after it its outputs; what it is lent is changed."""
         function = self.unit.functions[name.lower()]
         arguments = {key.lower(): value for key, value in arguments.items()}
         sections = [

@@ -37,7 +37,7 @@ WAYS = [
 ]
 """Every device by both ways: Structured Text by our interpreter, and the standard's dialect by matiec and gcc.
 
-A run that is no whole proof compiles for a share of the devices.
+A run that is not a whole proof compiles for a share of the devices.
 """
 WAY_NAMES = [f"{device}-{way}" for _, device, way in WAYS]
 ROUNDINGS = ("even", "away", "cut")

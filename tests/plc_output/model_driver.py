@@ -5,7 +5,7 @@
     python tests/plc_output/model_driver.py tc100 seed 17      all violations of an episode, and what led to the first
     python tests/plc_output/model_driver.py tc100 seed 17 30   the same for the first that breaks rule 30
 
-The device is one of NAMES in model_rigs.py: "hiwin-e 111" has its telegram behind it. An episode is the same whenever
+The device is one of NAMES in model_rigs.py: "hiwin-e 111" has its telegram after it. An episode is the same whenever
 it is run with the same blocks.
 """
 

@@ -39,7 +39,7 @@ PERCENT = re.compile(r"override|acceleration|deceleration", re.IGNORECASE)
 
 
 def kinds(names: Iterable[str], telegram: int = 0) -> dict[str, str]:
-    """The blocks of one device, or of one of its telegrams, with their kinds; another instance has a number behind."""
+    """The blocks of one device, or of one of its telegrams, with their kinds; another instance has a number after."""
     result = {}
     for name in names:
         bare = re.sub(r"Telegram(\d+)", "", name).split()[0]
@@ -87,7 +87,7 @@ def invalid(device: str, kind: str, name: str, of: str, dice: random.Random) -> 
 
 
 def value_of(device: str, block: str, kind: str, inputs: Mapping[tuple[str, str], float]) -> float | None:
-    """The position or the distance that a block asks its device for, in counts; None where that is no number."""
+    """The position or the distance that a block asks its device for, in counts; None where that is not a number."""
     if kind == "point":
         return _point_of(block, inputs)
     pattern = {"absolute": POSITION, "relative": DISTANCE}.get(kind)

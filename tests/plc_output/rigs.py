@@ -95,7 +95,7 @@ class Rig:
 
 
 class Tc100Rig(Rig):
-    """A TC100 by frames: its blocks, and the client behind them."""
+    """A TC100 by frames: its blocks, and the client after them."""
 
     starting: ClassVar[dict[str, Sequence[str]]] = {
         "MoveAbsolute": ["move_absolute"],

@@ -64,20 +64,20 @@ def check_constant(unit: Unit, name: str, kind: Any, initial: Any) -> None:
         number = len(_CHARACTER.findall(text))
         wide = {"string": "text", "wstring": "wide"}
         if initial[0] != "string" or initial[2] != wide[kind[0]] or number > kind[1][1]:
-            raise StError(f"{name}: {initial[1]} is no {kind[0]} of {kind[1][1]}")
+            raise StError(f"{name}: {initial[1]} is not a valid {kind[0]} of {kind[1][1]}")
         if kind[0] == "string" and not text.isascii():
             raise StError(f"{name}: {initial[1]} needs WSTRING")
     elif kind in unit.structs:
         members = {member: of for member, of, _ in unit.structs[kind]}
         if initial[0] != "fields" or set(initial[1]) != set(members):
-            raise StError(f"{name}: {initial} is no {kind}")
+            raise StError(f"{name}: {initial} is not a valid {kind}")
         for member, value in initial[1].items():
             check_constant(unit, f"{name}.{member}", members[member], value)
     elif kind in REALS:
         if initial[0] != "number" or not isinstance(initial[1], float):
-            raise StError(f"{name}: {initial[1]} is no literal of {kind}")
+            raise StError(f"{name}: {initial[1]} is not a literal of {kind}")
     elif kind not in ELEMENTARY or kind == "bool":
-        raise StError(f"{name}: {kind} is no type of constants")
+        raise StError(f"{name}: {kind} is not a type of constants")
     else:
         low, high = bounds(kind)
         if initial[0] != "number" or not isinstance(initial[1], int) or not low <= initial[1] <= high:

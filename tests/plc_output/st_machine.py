@@ -76,7 +76,7 @@ class Machine:
     def constant(self, expression: Any) -> int:
         """A bound of an array: a number."""
         if expression[0] != "number":
-            raise StError(f"{expression} is no number")
+            raise StError(f"{expression} is not a number")
         return int(expression[1])
 
     def fresh(self, kind: Any) -> Any:
@@ -91,7 +91,7 @@ class Machine:
         return 0.0 if kind in REALS else False if kind == "bool" else 0
 
     def call(self, name: str, **arguments: Any) -> tuple[Any, ...]:
-        """What a function returns, and behind it its outputs in the order of their declaration."""
+        """What a function returns, and after it its outputs in the order of their declaration."""
         function = self.unit.functions[name.lower()]
         arguments = {key.lower(): value for key, value in arguments.items()}
         wanted = [variable for role, variable, _, _ in function.variables if role in ("VAR_INPUT", "VAR_IN_OUT")]
@@ -212,7 +212,7 @@ class Compiled:
             raise self._fail(line, f"the literal {value} {typed} where {kind} is expected")
         if kind in REALS:
             if not isinstance(value, float):
-                raise self._fail(line, f"{value} is no literal of {kind}")
+                raise self._fail(line, f"{value} is not a literal of {kind}")
             return repr(single(value) if kind == "real" else value)
         low, high = bounds(kind)
         if isinstance(value, float) or not low <= value <= high:
@@ -320,14 +320,14 @@ class Compiled:
             return repr(size_of(self.unit, self._kind(line, arguments[0][2]))[0])
         source, _, target = name.partition("_to_")
         if source not in ELEMENTARY or target not in ELEMENTARY or source == target or len(arguments) != 1:
-            raise self._fail(line, f"{name} is no function")
+            raise self._fail(line, f"{name} is not a function")
         self.machine.scope[f"_{name}"] = conversion(source, target, self.machine.rounding)
         return f"_{name}({self._of(line, arguments[0][2], source)})"
 
     def _function_call(self, line: int, name: str, value: list[Any]) -> str:
         """A call; what it returns is its first value, the others go to the places that are given for the outputs."""
         if self.unit.order.index(name) >= self.unit.order.index(self.function.name):
-            raise self._fail(line, f"{name} is declared behind its use")
+            raise self._fail(line, f"{name} is declared after its use")
         called = self.unit.functions[name]
         ways = {"VAR_INPUT": ":=", "VAR_IN_OUT": ":=", "VAR_OUTPUT": "=>"}
         wanted = {variable: (ways[role], role, kind) for role, variable, kind, _ in called.variables if role in ways}

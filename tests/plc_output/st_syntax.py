@@ -25,7 +25,7 @@ TOKEN = re.compile(
 
 
 class StError(Exception):
-    """Text that is no Structured Text of the subset, or that means nothing."""
+    """Text that is not Structured Text of the subset, or that means nothing."""
 
 
 @dataclass(frozen=True)
@@ -362,7 +362,7 @@ class Parser:
         if token.text.upper() in ("TRUE", "FALSE"):
             return "truth", token.text.upper() == "TRUE"
         if token.kind != "name":
-            raise StError(f"line {token.line}: {token.text!r} is no expression")
+            raise StError(f"line {token.line}: {token.text!r} is not an expression")
         if self.word != "(":
             return "name", token.text.lower()
         self.take("(")

@@ -54,9 +54,9 @@ FAULTS = {
     "two numbers": ("client", "Frames.error <> 0", "1 «<>» 0", "both sides of <> are numbers"),
     "a number that does not fit": (
         *("client", "    uiReason := 0;", "    uiReason := «70000»;"),
-        "70000 is no UINT, which has 0..65535",
+        "70000 is not a UINT, which has 0..65535",
     ),
-    "a time for a number": ("client", "iTry := 0;", "iTry := «T#5s»;", "T#5s is no number"),
+    "a time for a number": ("client", "iTry := 0;", "iTry := «T#5s»;", "T#5s is not a number"),
     "a missing THEN": (
         *("client", "IF iStep = STEP_IDLE THEN\n    IF Axis.state", "IF iStep = STEP_IDLE\n    «IF» Axis.state"),
         "expected THEN, not IF",
@@ -83,7 +83,7 @@ FAULTS = {
     ),
     "an unknown action": ("client", "{Take(single)}", "{«Taek»(single)}", "no action is called Taek: is it Take?"),
     "an action without its argument": ("client", "{Take(single)}", "{«Take»}", "Take has one argument"),
-    "an unknown type": ("client", "iTry : INT;", "iTry : «INTEGER»;", "INTEGER is no type: is it INT?"),
+    "an unknown type": ("client", "iTry : INT;", "iTry : «INTEGER»;", "INTEGER is not a type: is it INT?"),
     "a type of 64 bits": (
         "client",
         "iTry : INT;",
@@ -102,29 +102,34 @@ FAULTS = {
         "nothing uses iUnused",
     ),
     "an equals sign": ("client", "iTry := 0;", "iTry «=» 0;", "expected :=, not ="),
-    "an index of what is no array": ("client", "aWordsAnswered[iAt]", "udiTaken«[»iAt]", "udiTaken is no array"),
+    "an index of what is not an array": (
+        "client",
+        "aWordsAnswered[iAt]",
+        "udiTaken«[»iAt]",
+        "udiTaken is not an array",
+    ),
     "another character": ("client", "iTry := 0;", "iTry := 0 «?»;", "'?' is nothing of Structured Text"),
-    "another section": ("client", "VAR_OUTPUT", "«VAR_TEMP»", "VAR_TEMP is no section: there is VAR_INPUT"),
+    "another section": ("client", "VAR_OUTPUT", "«VAR_TEMP»", "VAR_TEMP is not a section: there is VAR_INPUT"),
     "a member of a number": ("exchange", "iTry := 0;", "iTry.«Q» := 0;", "iTry has no members"),
-    "a call of what is no function": (
+    "a call of what is not a function": (
         *("exchange", "{build}({asked}, iLength => SendLength)", "{«asked»}({asked}, iLength => SendLength)"),
-        "asked is no function",
+        "asked is not a function",
     ),
     "a timer without its time": (
         *("exchange", "fbTimeout(IN := iState = STEP_WAIT, PT := Timeout)", "«fbTimeout»(IN := iState = STEP_WAIT)"),
         "only a timer is called as a statement, with IN and PT",
     ),
-    "a list that is no declarations": (
+    "a list that is not declarations": (
         *("exchange", "    {inputs};", "    {«build»};"),
-        "this slot is no list of declarations",
+        "this slot is not a list of declarations",
     ),
     "no statements": ("exchange", "{taken};", "{«build»};", "build has no statements"),
     "two types": ("exchange", "iTry < Retries", "iTry < «Failed»", "INT < BOOL: convert one of them"),
     "a conversion of another type": ("exchange", "iTry + 1", "«UINT_TO_INT»(iTry) + 1", "the value is INT"),
     "what follows the end": ("exchange", "END_FUNCTION_BLOCK", "END_FUNCTION_BLOCK «x»", "expected end, not x"),
-    "an action in the place of branches that is no IF": (
+    "an action in the place of branches that is not an IF": (
         *("line", "    IF {Guards};", "    IF {«Tail»};"),
-        "Tail is no single IF without ELSE",
+        "Tail is not a single IF without ELSE",
     ),
     "a member that an axis does not have": (
         *("moving", "udiClaim <> Axis.claims", "udiClaim <> Axis.«claim»"),

@@ -55,7 +55,7 @@ def test_every_task_is_done_with_a_calm_device(name: str, make: Callable[..., An
     assert [rig.finish(rig.block(kind)) for kind in ("stop", "power_off")] == ["Done", "Done"]
 
 
-# An answer of another station is no answer.
+# An answer of another station is not an answer.
 
 
 @pytest.mark.parametrize("name", FRAMED)

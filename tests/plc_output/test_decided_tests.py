@@ -56,7 +56,7 @@ def outcome(expression: Expression, known: Known) -> int | None:
 
 
 def decided(body: Body, known: Known) -> Iterator[Statement]:
-    """The statements whose test, or whose BOOL, is known; `known` is what variables hold, before and then behind."""
+    """The statements whose test, or whose BOOL, is known; `known` is what variables hold, before and then after."""
     for statement in body:
         match statement:
             case Assignment():

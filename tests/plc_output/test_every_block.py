@@ -170,7 +170,7 @@ class Memory(Tc100):
 
 
 class TransferRig(Rig):
-    """The blocks that transfer registers, with one of the clients behind them."""
+    """The blocks that transfer registers, with one of the clients after them."""
 
     starting: ClassVar[dict[str, Sequence[str]]] = {}
 

@@ -121,7 +121,7 @@ class Line:
 
 
 def standard(functions: str, program: str) -> str:
-    """A program behind the functions whose types of arrays it uses by their names."""
+    """A program after the functions whose types of arrays it uses by their names."""
     for name, kind in re.findall(r"\nTYPE\n    (T_\w+) : (ARRAY [^;:]+?);\nEND_TYPE", functions):
         program = program.replace(f": {kind};", f": {name};")
     return functions + program

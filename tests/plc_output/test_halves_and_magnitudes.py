@@ -1,6 +1,6 @@
 """Numbers of half precision, and with sign and magnitude, in functions for controllers.
 
-NumPy and the standard judge the halves. A compass without special values that are no number has all other facts.
+NumPy and the standard judge the halves. A compass without special values that are not a number has all other facts.
 """
 
 from __future__ import annotations

@@ -118,7 +118,7 @@ def test_blark_parses_whole_functions_and_what_hostile_labels_are_in() -> None:
 def test_tree_sitter_parses_every_function_and_struct(root: Path, device: str) -> None:
     parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_iec61131_3_st.language()))
     for item in program_of(root, device).items:
-        # Its grammar has neither pragmas, nor enums with a base type behind them, nor global constants by themselves.
+        # Its grammar has neither pragmas, nor enums with a base type after them, nor global constants by themselves.
         lines = [line for line in item.lines if not line.startswith("{")]
         if item.kind in ("function", "block") or "STRUCT" in lines:
             tree = parser.parse("\n".join(lines).encode())

@@ -23,7 +23,7 @@ BARE = {
     "a state of an exchange": r"\b#?(?:iS|statS|s)tate (?::=|=|<>|&lt;&gt;) \d",
     "the code of a message": r"\b(?:usi|temp)Code (?::=|<>|&lt;&gt;) \d",
 }
-"""Numbers that stand where a name belongs; 0 is no error and no bit."""
+"""Numbers that stand where a name belongs; 0 is not an error and no bit."""
 MASK = r"\bD?WORD#16#0*[1-9A-F]\w*"
 """What blocks of tasks call by a name; functions that convert, and codes of vendors, have such numbers of their own."""
 

@@ -162,7 +162,7 @@ def test_compiled_scl_does_what_interpreted_scl_does(device: str, tmp_path_facto
         for _ in range(TRIES):
             values = [drawn(form, dice) for form in forms]
             expected = run(ours, name, values)
-            # What makes the interpreter fail, such as an index outside an array, is no call that a program makes.
+            # What makes the interpreter fail, such as an index outside an array, is not a call that a program makes.
             if expected[1] is not None:
                 succeeded += 1
                 assert run(theirs, name, values) == expected, (name, values)

@@ -145,7 +145,7 @@ NAMED = re.compile(r"TC100|CK10|ESC11")
 
 
 def printed() -> list[tuple[str, str, str]]:
-    """Every setting that a page prints: the page, the device that was named last before it, and the text behind it."""
+    """Every setting that a page prints: the page, the device that was named last before it, and the text after it."""
     settings = []
     for name in PAGES:
         text = page(name)

@@ -1,6 +1,6 @@
 """Stand-ins of the vendors' blocks: each keeps the rules of its documentation, and ends as the test says.
 
-`Answer` is the code with which a block ends, 0 where all is well; the other variables behind VAR are for the test too.
+`Answer` is the code with which a block ends, 0 where all is well; the other variables after VAR are for the test too.
 Buffers that a vendor takes by a pointer are lent. What arrives on a line lies in `Line`: of its bytes, `Arrived` have
 come and `Taken` are read.
 """

@@ -192,7 +192,7 @@ class Access(Python):
             assert same, f"{query.path}: the count {count} is {quantity} in its unit, not {exact}"
 
     def _assert_absent(self, query: Query) -> None:
-        """Each state has its name and its value, is no quantity, and is what becomes of None if there is no other."""
+        """Each state has its name and its value, is not a quantity, and is the one for None if there is no other."""
         value: Value = query.shape[0]
         holder = self._holder(query)
         if value.const is not None or (getattr(holder, "subindices", ()) and holder.subindex(0) is not None):

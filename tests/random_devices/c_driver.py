@@ -216,7 +216,7 @@ class Driver:
             accessed_type(self.naming, self.layout.device, content) for content in (value.as_answer(trigger), value)
         )
         if decoded_type != encoded_type:
-            # An answer that is no number of the type is no member either.
+            # An answer that is not a number of the type is not a member either.
             other = f"if (({encoded_type})content != content) {{ second = {REASONS.index('unknown_value')}; }} else "
         if value.const is not None:
             argument, other = (

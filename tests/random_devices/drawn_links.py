@@ -79,7 +79,7 @@ def _delimiters(draft: Draft) -> Spec:
 
 
 def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
-    """The parts of one direction: those before the body in any order, the body, those behind it."""
+    """The parts of one direction: those before the body in any order, the body, those after it."""
     before: list[Spec] = []
     behind: list[Spec] = []
     kind = code.get("type") or f"u{draft.code_bits}"

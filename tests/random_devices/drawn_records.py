@@ -36,7 +36,7 @@ def _differing_record(draft: Draft) -> Spec:
 
 
 def _behind(draft: Draft) -> list[Spec]:
-    """Fields of fixed size behind what has none, now and then."""
+    """Fields of fixed size after what has none, now and then."""
     return [fixed_field(draft)[0] for _ in range(draft.number(1, 2))] if draft.chance(40) else []
 
 
@@ -186,7 +186,7 @@ def _line(draft: Draft) -> list[Spec]:
 
 
 def _texts_with_sizes(draft: Draft) -> list[Spec]:
-    """Texts, each behind the field with its number of bytes; now and then a value with an end of its own is last."""
+    """Texts, each after the field with its number of bytes; now and then a value with an end of its own is last."""
     counts: list[Spec] = []
     rest: list[Spec] = []
     for _ in range(draft.number(1, 3)):
@@ -244,7 +244,7 @@ def _measure(draft: Draft, field: Spec) -> Spec:
 
 
 def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
-    """Several lists, each behind the field that counts it; the last one may be counted by nothing."""
+    """Several lists, each after the field that counts it; the last one may be counted by nothing."""
     for number in range(draft.number(2, 3)):
         repeated = _repeated(draft, fields)
         if number and draft.chance(15):
@@ -257,7 +257,7 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
 
 
 def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
-    """The size of a field whose size is fixed, before or behind it."""
+    """The size of a field whose size is fixed, before or after it."""
     countable = [field for field in fields if not ({"reserved", "const", "measures"} | BOUNDS) & set(field)]
     if not countable:
         return fields

@@ -112,7 +112,7 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
 
 
 def _repeat_block(draft: Draft, group: Spec, at: int) -> None:
-    """Adds a block to a group that repeats all of its registers behind it."""
+    """Adds a block to a group that repeats all of its registers after it."""
     stated: Spec = {"group": draft.name(), "prefix": f"stored_{draft.names}", "base": at, "source": draft.source()}
     if draft.chance(50) and not any({"write_range", "const", "trigger"} & set(row) for row in group["rows"]):
         stated["access"] = "ro"
@@ -154,7 +154,7 @@ def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
 
 
 def tables(draft: Draft) -> list[Spec]:
-    """Tables of the records that consist of whole registers, behind all registers; later ones may have earlier ones."""
+    """Tables of the records that consist of whole registers, after all registers; later ones may have earlier ones."""
     drawn = []
     at = 0x4000
     spaces_of_words = [s["name"] for s in draft.spec.get("spaces", []) if s.get("unit", "word") == "word"]

@@ -23,7 +23,7 @@ class Explainer:
         ]
 
     def answer(self, query: Query) -> Answer:
-        """The answer to one query; the reasons are joined, as the explainer goes on behind the first one."""
+        """The answer to one query; the reasons are joined, as the explainer goes on after the first one."""
         link, direction, message = query.path
         explanation = explained(self.layout, link, direction, query.data, message)
         shape = self.layout.links[link].frame(direction)

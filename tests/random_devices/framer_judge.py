@@ -118,7 +118,7 @@ def _assert_promised(stream: Stream, cut: Cut, text: str) -> None:
 
 
 def _assert_cut(layout: DeviceLayout, stream: Stream, cut: Cut, text: str) -> None:
-    """The frames of each block of a stream, and those that the silence behind it shows, are those of the reference."""
+    """The frames of each block of a stream, and those that the silence after it shows, are those of the reference."""
     framing = Framing(layout, stream.link, stream.direction)
     assert framing.ending, f"the reference does not know what ends the frames of {text}"
     blocks = [b""]
@@ -142,7 +142,7 @@ def _list(frames: Iterable[bytes]) -> str:
 
 
 def _text(stream: Stream) -> str:
-    """`12 34|56|*`: a bar behind each piece, and a star for a silence."""
+    """`12 34|56|*`: a bar after each piece, and a star for a silence."""
     return "|".join("*" if piece is None else piece.hex(" ") for piece in stream.pieces)
 
 

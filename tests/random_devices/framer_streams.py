@@ -1,7 +1,7 @@
 """Random streams of bytes for framers, and the frames that the documentation promises for them.
 
 A stream of right frames says which frames come out of it: those that went in. Where an end delimiter ends frames, and
-a part of one is a right frame itself, the shorter one comes out; what comes behind it is open.
+a part of one is a right frame itself, the shorter one comes out; what comes after it is open.
 """
 
 from __future__ import annotations
@@ -236,7 +236,7 @@ def _right_streams(line: Line, choices: list[RightFrame], is_silent: bool, dice:
 def _expected(line: Line, frames: list[bytes]) -> tuple[list[bytes], bool]:
     """The frames that come out of right ones: at each end delimiter, the first one with which the link decodes them.
 
-    Also whether other frames may come behind these, since the last one is only a part of that which went in.
+    Also whether other frames may come after these, since the last one is only a part of that which went in.
     """
     if line.ending != "end":
         return frames, False
@@ -253,14 +253,14 @@ def _expected(line: Line, frames: list[bytes]) -> tuple[list[bytes], bool]:
 
 
 def _noise(line: Line) -> list[bytes]:
-    """Noise with which no frame begins, and behind which frames are recognized; empty where there is none."""
+    """Noise with which no frame begins, and after which frames are recognized; empty where there is none."""
     frame = line.frame
     if frame.start:
         return [bytes([byte]) for byte in range(256) if byte != frame.start[0]]
     if line.ending == "delimiters":
         return [] if line.decodes(frame.end) else [frame.end]  # an empty frame is one where data may be empty
     if line.ending == "length" and frame.header[0].role == "code":
-        return []  # a length is no sign of a code that no message has
+        return []  # a length is not a sign of a code that no message has
     known = first_bytes(line.link, line.direction).get(0)
     return [] if known is None else [bytes([byte]) for byte in range(256) if byte not in known]
 

@@ -118,7 +118,7 @@ class JavaScript:
         ]
 
     def raised(self, result: dict[str, Any]) -> Answer:
-        """The answer where an exception is no refusal, which is a mistake of the codec or of a judge. Raises it."""
+        """The answer where an exception is not a refusal, which is a mistake of the codec or of a judge. Raises it."""
         raise RuntimeError(result["stack"])
 
     def _answer(self, query: Query, result: dict[str, Any]) -> Answer:

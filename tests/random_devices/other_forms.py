@@ -170,7 +170,7 @@ def overlaid(spec: Spec, dice: random.Random) -> tuple[Files, Spec] | None:
                 entries["removes"].append({"fact": path, **why})
             if is_now and not was:
                 if not has_order and not is_known:
-                    return None  # an overlay puts a fact behind one of the base
+                    return None  # an overlay puts a fact after one of the base
                 added = {key: inner for key, inner in item.items() if key not in BOUNDS}
                 behind = {} if has_order else {"after": last.rpartition("/")[2]}
                 entries["adds"].append({"in": place, "item": flat_item(added, second), **behind, **why})

@@ -20,7 +20,7 @@ from python_package import built, class_of, codec_error, link_of, raw, raws, rec
 from random_devices.queries import EXPONENT, Answer, Query, flat, flat_value, has_quantity, quantity_text, refused
 
 _TAKEN = frozenset({"frame", "message", "request", "self", "unit_address"})
-"""The parameters of the generated functions that are no parts of a header."""
+"""The parameters of the generated functions that are not parts of a header."""
 
 
 def part_name(part: PartLayout) -> str:

@@ -116,7 +116,7 @@ def _flat_element(field: FieldLayout, value: Any) -> str:
 
 
 def flat_value(value: Value, raw: Any) -> str:
-    """A value as a text, with a semicolon behind it. Numbers of half precision are written as doubles."""
+    """A value as a text, with a semicolon after it. Numbers of half precision are written as doubles."""
     encoding = value.encoding
     if is_real(encoding):
         return "nan;" if math.isnan(raw) else struct.pack(">f" if value.size == 4 else ">d", raw).hex() + ";"

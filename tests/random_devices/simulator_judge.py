@@ -13,7 +13,7 @@ from random_devices.queries import Answer, Query
 
 
 class Simulator:
-    """Says nothing about queries; raises AssertionError where an answer is no response to its request."""
+    """Says nothing about queries; raises AssertionError where an answer is not a response to its request."""
 
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout

@@ -25,7 +25,7 @@ CHEAP = 8 if IS_WHOLE else 1
 MOST = 2000
 """Devices that are drawn until each key of the language is in enough of them."""
 RICH = (43, 49, 36, 1, 28, 4, 18, 27, 0, 2)
-"""Seeds whose devices have all keys together. Where what is drawn has changed, the others follow behind them."""
+"""Seeds whose devices have all keys together. Where what is drawn has changed, the others follow after them."""
 LEAST = 1
 """Devices without findings that have a key."""
 

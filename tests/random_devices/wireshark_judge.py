@@ -1,7 +1,7 @@
 """The dissector as a judge: tshark shows of right frames what the explanation says, and of others that they are wrong.
 
 A dissector cuts frames out of packets, so of a damaged frame it may show another mistake than codecs do, and take the
-bytes behind a frame for the next one.
+bytes after a frame for the next one.
 """
 
 from __future__ import annotations

@@ -45,7 +45,7 @@ def layouts(spec: DeviceSpec, ran: Outcome | None = None) -> list[DeviceLayout]:
 
 
 def findings(spec: DeviceSpec) -> list[Diagnostic]:
-    """The findings of one device at all its versions, beyond those of its files."""
+    """The findings of one device at all its versions, beyond the findings of its files."""
     return proven(spec)
 
 
@@ -76,12 +76,12 @@ def _refused(device: str, by_output: Mapping[str, Sequence[Diagnostic]]) -> Iter
             refusing.setdefault(key, []).append(name)
     all_refusing = {name for outputs in refusing.values() for name in outputs}
     remaining = ",".join(name for name in by_output if name not in all_refusing)
-    cure = f"build the others: `fieldspec build {device} --to {remaining}`" if remaining else LEAVE_OUT
+    fix = f"build the others: `fieldspec build {device} --to {remaining}`" if remaining else LEAVE_OUT
     for name, findings in by_output.items():
         for finding in findings:
             outputs = refusing.get(_key(finding), [name])
             if finding.severity is Severity.ERROR and name == outputs[0]:
-                help = f"{', '.join(outputs)} cannot express it; {cure}" if finding.help == LEAVE_OUT else finding.help
+                help = f"{', '.join(outputs)} cannot express it; {fix}" if finding.help == LEAVE_OUT else finding.help
                 yield replace(finding, help=help)
 
 
@@ -134,7 +134,7 @@ def outputs(devices: Iterable[list[DeviceLayout]], names: Iterable[str] = tuple(
 
 
 def overview(name: str, paths: Iterable[str], content: Callable[[str], bytes]) -> dict[str, bytes]:
-    """The files of one output that are made of those of all devices, by path.
+    """The files of one output that summarize all devices, by path.
 
     `paths` are the latter below the folder of all outputs, and `content` has the bytes of one of them.
     """

@@ -1,4 +1,4 @@
-"""Every rule by its code, with its documentation: those of findings, and those of changes between versions."""
+"""Every rule of findings and of changes between versions by its code, with its documentation."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from fieldspec.targets.rules import RULES as OF_OUTPUTS
 from fieldspec.tools.audit.rules import RULES as OF_AUDITS
 from fieldspec.tools.proofs.rules import RULES as OF_PROOFS
 
-_PARTS = ("Why: ", "Example: ", "Cure: ")
+_PARTS = ("Why: ", "Example: ", "Fix: ")
 _TITLES = {
     "reading": "Rules for files",
     "checks": "Rules for a device",
@@ -47,9 +47,9 @@ rule CODE` shows the entry of a rule. A and B are versions (`drive@1.5`), folder
 `main:specs/drive`). Folders and revisions are compared version by version. A version that only B has is compared with
 the one that it is based on. The class of a change says whom it affects:
 
-- `wire`: bytes mean something else. Programs read and write wrong values without noticing.
+- `wire`: bytes have a different meaning. Programs read and write wrong values without an error.
 - `source`: generated names or types change. Programs must be changed.
-- `behaviour`: limits, defaults or access change, or something is new.
+- `behaviour`: limits, defaults or access change, or a fact is new.
 - `docs`: only the documentation changes.
 
 `wire` and `source` are breaking. If a rule has several classes, a change has the most serious one that applies.
@@ -62,14 +62,16 @@ cannot be read. The formats `sarif` and `github` omit the class `docs`.
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule's documentation. `stage` is one of the keys of `_TITLES`, or `changes`; `classes` are those of changes."""
+    """A rule's documentation. `stage` is one of the keys of `_TITLES`, or `changes`; `classes` are the classes of
+    changes.
+    """
 
     code: str
     stage: str
     what: str
     why: str
     example: str
-    cure: str
+    fix: str
     classes: tuple[str, ...] = ()
 
 
@@ -121,7 +123,7 @@ def _entry(rule: Rule, heading: str = "###") -> Iterator[str]:
     yield f"{heading} {rule.code}\n"
     if rule.classes:
         yield f"**Class:** {', '.join(f'`{name}`' for name in rule.classes)}\n"
-    texts = (rule.what, f"**Why:** {rule.why}", f"**Example:** {rule.example}", f"**Cure:** {rule.cure}")
+    texts = (rule.what, f"**Why:** {rule.why}", f"**Example:** {rule.example}", f"**Fix:** {rule.fix}")
     for text in texts:
         yield textwrap.fill(text, 118, break_long_words=False, break_on_hyphens=False) + "\n"
 
@@ -152,5 +154,5 @@ def _parsed(code: str, stage: str, text: str) -> Rule:
     statement, *parts = (" ".join(paragraph.split()) for paragraph in text.strip().split("\n\n"))
     if len(parts) != len(_PARTS) or not all(map(str.startswith, parts, _PARTS)):
         raise ValueError(f"the text of the rule {code} has not the parts {', '.join(_PARTS)}")
-    reason, example, cure = (part.removeprefix(start) for part, start in zip(parts, _PARTS, strict=True))
-    return Rule(code, stage, statement, reason, example, cure)
+    reason, example, fix = (part.removeprefix(start) for part, start in zip(parts, _PARTS, strict=True))
+    return Rule(code, stage, statement, reason, example, fix)

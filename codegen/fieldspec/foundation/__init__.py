@@ -1,1 +1,1 @@
-"""What every other room stands on: classes of data, caches, files and places in them, names, cells."""
+"""The basis of all other packages: data classes, caches, files and places in them, names, cells."""

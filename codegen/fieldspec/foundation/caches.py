@@ -1,8 +1,8 @@
 """Caches by the identity of objects in memory.
 
 Versions of a device share the objects that do not differ. Two objects may be equal and still belong to different places
-of a spec, and comparing large ones takes longer than computing anew; so what is computed from an object is stored by
-its identity.
+of a spec, and comparing large ones takes longer than computing again; so the result computed from an object is stored
+by its identity.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class ByIdentity(Generic[Key, Value]):
     """Values by objects, where only the same object is the same key.
 
     The cache keeps its keys alive: as long as an object is there, no other one gets its identity. With a `limit`, only
-    so many of the newest entries stay.
+    that number of the newest entries stays.
     """
 
     __slots__ = ("_entries", "_most")

@@ -25,8 +25,8 @@ BIDIRECTIONAL = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u206
 def _is_forbidden(char: str) -> bool:
     """Whether a page must not have a character.
 
-    HTML forbids control characters, half a character, and code points that are no characters. What changes the order of
-    letters could make a page show another fact than it has.
+    HTML forbids control characters, half a character, and code points that are not characters. A change of the order of
+    letters could make a page show a wrong fact.
     """
     code = ord(char)
     is_no_character = code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF

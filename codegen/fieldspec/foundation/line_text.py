@@ -10,7 +10,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _COMMAND = re.compile(r"^( *)::(?=[A-Za-z].*::)|##(?=\[[A-Za-z-])")
-"""What the runner of GitHub takes for a command: `::error ...::` at the start of a line, `##[error]` anywhere in it."""
+"""A text that the GitHub runner reads as a command: `::error ...::` at the start of a line, `##[error]` anywhere in it.
+"""
 
 
 def visible_text(text: str) -> str:

@@ -50,7 +50,7 @@ class Name:
 
 
 def folded(path: str) -> str:
-    """A path without what some file systems do not tell apart: small and capital letters, and forms of accents."""
+    """A path without the distinctions that some file systems ignore: capital letters and forms of accents."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", path).casefold())
 
 

@@ -9,7 +9,7 @@ from fieldspec.foundation.classes import dataclass
 _DEVICES = frozenset({"con", "prn", "aux", "nul", "conin$", "conout$", "clock$"}) | {
     f"{port}{number}" for port in ("com", "lpt") for number in "0123456789\u00b9\u00b2\u00b3"
 }
-"""The names of devices in Windows, which no file can have, whatever follows behind a point."""
+"""The names of devices in Windows, which no file can have, whatever follows after a point."""
 _LONGEST_FILE_NAME = 255
 """Bytes of the name of a file or a folder, on the usual file systems of Linux and macOS."""
 
@@ -82,7 +82,7 @@ SIEMENS = IEC | _words(
     s5time variant void dtl ltime nil ok region end_region pragma_begin pragma_end
     """
 )
-"""The words of SCL, with those of IEC 61131-3."""
+"""The words of SCL and of IEC 61131-3."""
 
 
 @dataclass(frozen=True, slots=True)

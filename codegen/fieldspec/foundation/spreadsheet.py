@@ -14,7 +14,7 @@ from fieldspec.foundation.classes import dataclass, field
 Cell: TypeAlias = int | str | None
 
 FORMULA_SIGNS = tuple("=+-@\t\r\n")
-"""What a text begins with that a spreadsheet takes for a formula."""
+"""The first characters of a text that a spreadsheet reads as a formula."""
 
 BYTE_ORDER_MARK = "\ufeff"
 """What tells spreadsheets and engineering tools that a text is UTF-8."""

@@ -1,1 +1,1 @@
-"""What a spec says: the schema, its reading, the model that it becomes, and what is judged and compared there."""
+"""The spec language: the schema, reading, the model, and the checks and comparisons of the model."""

@@ -1,4 +1,4 @@
-"""What is found in a spec, as data. Nothing here prints."""
+"""The findings in a spec, as data. Nothing here prints."""
 
 from __future__ import annotations
 

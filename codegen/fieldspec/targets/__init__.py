@@ -30,10 +30,10 @@ class PageLink:
 class Output:
     """An output by the name of its folder here and below `generated/`.
 
-    Its module is imported when it is first used, so that nobody pays for outputs that are not asked for. Outputs of one
-    `family` are made of the same declarations: one process makes them for less than two. `backend` takes the place of
-    the module where an installed package brings the output. `test_endings` are those of files that test a version;
-    `has_blocks` says that a project can choose blocks of it.
+    Its module is imported when it is first used, so that unused outputs take no time. Outputs of one `family` are made
+    of the same declarations: one process makes them for less than two. `backend` takes the place of the module where an
+    installed package brings the output. `test_endings` are the endings of files that test a version; `has_blocks` says
+    that a project can choose blocks of it.
     """
 
     name: str
@@ -56,7 +56,7 @@ class Output:
         return cast("Callable[[], Files]", self._backend("shared"))()
 
     def overview(self, paths: Iterable[str], content: Callable[[str], str]) -> dict[str, str]:
-        """The files that are made of those of all devices, by path; none of most outputs.
+        """The files that summarize all devices, by path; most outputs have none.
 
         `paths` are the files of all devices below the folder of the output, and `content` is the text of one of them.
         """
@@ -114,7 +114,7 @@ OUTPUTS = {
         Output("iec", "Structured Text of IEC 61131-3 for Beremiz and OpenPLC", "structured", has_blocks=True),
     )
 }
-"""All outputs by name. `build` adds those of installed packages."""
+"""All outputs by name. `build` adds the outputs of installed packages."""
 
 BUILT_IN = frozenset(OUTPUTS)
 """The names of fieldspec's own outputs."""

@@ -52,13 +52,13 @@ def described(head: str, fact: Fact, *paragraphs: str) -> list[str]:
     first = f"{head} {printed(fact)}".strip()
     notes = [f"Note: {sentence(note)}" for note in fact.notes]
     inferred = [f"Inferred ({key}): {sentence(reason)}" for key, reason in fact.inferred.items()]
-    doubt = "Nobody has compared it with the manual yet." if fact.unverified else ""
+    doubt = "Not compared with the manual yet." if fact.unverified else ""
     caveats = (availability(fact), doubt, *notes, *inferred)
     return [sentence(first), sentence(fact.doc), *paragraphs, *caveats, cited(fact.sources)]
 
 
 def detection_text(detection: Detection) -> str:
-    """Which value tells the version of a device, and how a number in it is read."""
+    """The value that identifies the version of a device, and the interpretation of its number."""
     return f"The device tells its version in `{detection.fact}`. {number_text(detection)}".strip()
 
 

@@ -23,13 +23,13 @@ MOST = 100_000
 
 
 class Names(Protocol):
-    """The names of an output, which are given in the order in which they are asked for. They begin alike for a key."""
+    """The names of an output, which are assigned in the order of the requests. They begin alike for a key."""
 
     key: str
 
     @contextmanager
     def noting(self) -> Iterator[RequestedNames]:
-        """Meanwhile, notes what is asked for, and the names that are given."""
+        """Meanwhile, records the requests and the names."""
 
     def gives(self, requested_names: RequestedNames) -> bool:
         """Gives the same names again, all or none."""
@@ -94,8 +94,8 @@ def piece(
     make: Callable[[], Result],
     names: Names | None = None,
 ) -> Result:
-    """What `make` gives, which depends on nothing but these facts and words, and on `names` that it asks for.
+    """The result of `make`, which depends only on these facts and words, and on the `names` that it requests.
 
-    Nobody changes the result.
+    The result must not be changed.
     """
     return _at_hand[0].taken(kind, facts, words, names, make) if _at_hand else make()

@@ -88,7 +88,7 @@ def from_stored(content: bytes) -> dict[str, Rows]:
         templates, versions = json.loads(content)
         return {version: tuple(_stored_row(row, templates) for row in rows) for version, rows in versions.items()}
     except (TypeError, AttributeError, IndexError, RecursionError):
-        raise ValueError("the content has another shape") from None
+        raise ValueError("the content has a different shape") from None
 
 
 def _stored_row(row: Any, templates: list[str]) -> Usage:

@@ -506,6 +506,6 @@ fieldspecLab.add({
  },
  "hazards": {
   "read": {},
-  "write": {"writing it starts something": ["registers/start_move", "registers/start_jog", "registers/start_push_motion", "registers/start_homing", "registers/stop", "registers/clear_position", "registers/reset_alarm", "registers/save_point_table", "registers/run_point_table", "registers/save_all_parameters", "registers/clear_alarm_history"], "it energizes the motor, or releases what the motor holds": ["registers/servo"], "it resets the alarm, after which the device may go on": ["registers/reset_alarm"], "it is stored for good": ["registers/save_point_table", "registers/save_all_parameters"], "it takes effect after a restart": ["registers/operation_mode", "registers/baud_rate"]},
+  "write": {"writing it starts something": ["registers/start_move", "registers/start_jog", "registers/start_push_motion", "registers/start_homing", "registers/stop", "registers/clear_position", "registers/reset_alarm", "registers/save_point_table", "registers/run_point_table", "registers/save_all_parameters", "registers/clear_alarm_history"], "it energizes the motor, or releases what the motor holds": ["registers/servo"], "it resets the alarm, after which the device may go on": ["registers/reset_alarm"], "it is stored permanently": ["registers/save_point_table", "registers/save_all_parameters"], "it takes effect after a restart": ["registers/operation_mode", "registers/baud_rate"]},
  },
 });

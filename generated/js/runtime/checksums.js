@@ -102,7 +102,7 @@ export function fletcherOf({ width, initial, modulus, unitSize, order }) {
   };
 }
 
-/** A function that computes a checksum of the bytes from `start` to `stop`, and of more bytes behind them. */
+/** A function that computes a checksum of the bytes from `start` to `stop`, and of more bytes after them. */
 export function followedBy(algorithm, suffix) {
   return (bytes, start, stop) => {
     const data = [...bytes.subarray(start, stop), ...suffix];

@@ -31,7 +31,7 @@ export function withoutDelimiters({ hex }, { start, end }, bytes) {
   }
   if (!hex) return bytes.subarray(start.length, last);
   for (let at = start.length; at < last; at++) {
-    if (!isHex(bytes[at])) throw new CodecError("not_hex", `byte ${bytes[at]} is no hexadecimal character`, at);
+    if (!isHex(bytes[at])) throw new CodecError("not_hex", `byte ${bytes[at]} is not a hexadecimal character`, at);
   }
   if ((last - start.length) % 2) throw new CodecError("wrong_length", "an odd number of characters", last);
   const data = new Uint8Array((last - start.length) / 2);

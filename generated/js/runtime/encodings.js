@@ -71,7 +71,7 @@ function unitsOfText({ encoding }, text) {
 
 /**
  * The characters of the bytes of a text in a form, in UTF-16 with the low byte first where `little`; null for bytes
- * that are none. Without a form, a text is ASCII that is filled up with zeros behind it.
+ * that are none. Without a form, a text is ASCII that is filled up with zeros after it.
  */
 export function decodedText(form, bytes, little) {
   const { padding = 0, isRight = false, terminator } = form ?? USUAL;

@@ -18,7 +18,7 @@ export function wrongSize(name, least, most, size, offset) {
 
 /** The error of data that end within an element of a list. */
 export function brokenList(name, left, end) {
-  return new CodecError("wrong_length", `${left} bytes are no whole number of ${name}`, end);
+  return new CodecError("wrong_length", `${left} bytes are not a whole number of ${name}`, end);
 }
 
 /** The error of a number that was received. */
@@ -42,7 +42,7 @@ export function refusedMember(name, value, enumName, wide) {
   return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
 }
 
-/** The error of a value that is no whole number, or null. */
+/** The error of a value that is not a whole number, or null. */
 function wrongType(name, value, wide) {
   if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
   if (wide ? typeof value === "bigint" : Number.isInteger(value)) return null;

@@ -20,7 +20,7 @@ function halfBits(number) {
   VIEW.setFloat64(0, number);
   const sign = (VIEW.getUint8(0) >> 7) << 15;
   const exponent = Math.max(((VIEW.getUint16(0) >> 4) & 0x7ff) - 1023, -14);
-  // No number has places behind the point once 2 ** 52 is added to it.
+  // No number has places after the point once 2 ** 52 is added to it.
   const steps = Math.abs(number) / 2 ** (exponent - 10) + 2 ** 52 - 2 ** 52;
   return sign | Math.min((exponent + 14) * 1024 + steps, 0x7c00);
 }

@@ -33,14 +33,14 @@ export function record({ name, least, most, read, write, size, keys, units, abse
         throw error;
       }
     },
-    /** Throws CodecError for what is no object, and for a field that the record does not have. */
+    /** Throws CodecError for what is not an object, and for a field that the record does not have. */
     check(value) {
       knownKeys(name, value, keys);
     },
   });
 }
 
-/** How many keys a value has; -1 for what is no object. */
+/** How many keys a value has; -1 for what is not an object. */
 function keyCount(value) {
   if (typeof value !== "object" || value === null) return -1;
   let count = 0;
@@ -48,7 +48,7 @@ function keyCount(value) {
   return count;
 }
 
-/** Throws CodecError for what is no object, and for a field that a record does not have. */
+/** Throws CodecError for what is not an object, and for a field that a record does not have. */
 export function knownKeys(name, value, keys) {
   if (typeof value !== "object" || value === null) {
     if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);

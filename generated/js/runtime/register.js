@@ -102,7 +102,7 @@ export function table(count, first, stride, name, address, access, record, more 
     atBase(base) {
       const start = Number(base);
       const last = 0x10000 - (count - 1) * stride - record.least / 2;
-      if (!Number.isInteger(start) || start < 0 || start > last) throw new RangeError(`${name} does not fit behind the address ${base}`);
+      if (!Number.isInteger(start) || start < 0 || start > last) throw new RangeError(`${name} does not fit after the address ${base}`);
       return table(count, first, stride, name, start, access, record, more, countBy);
     },
   });

@@ -2416,7 +2416,7 @@ export declare const WRITE_ENABLE_KEY: Register<bigint, null>;
  * Address 0x0108, 2 words. Read and write. 1..100000.
  *
  * Note: 5.1 prints no range; it is taken from the two screens of chapter 9. They show 100 and 200 as values,
- * which depend on the actuator and are no defaults.
+ * which depend on the actuator and are not defaults.
  *
  * Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and writes all
  * parameters.

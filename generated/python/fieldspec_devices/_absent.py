@@ -79,7 +79,7 @@ def absent_number(name: str, absent: Absent) -> Any:
         raise CodecError("wrong_type", f"{name} is a number, not None")
     if len(absent) > 1:
         states = " or ".join(f"{state} ({first_number(other)})" for state, other in absent)
-        raise CodecError("wrong_type", f"None is no single value of {name}: write {states}")
+        raise CodecError("wrong_type", f"None is not a single value of {name}: write {states}")
     return next(first_number(state) for _, state in absent)
 
 
@@ -104,7 +104,7 @@ def real_or_absent(
 ) -> float:
     """The number of `size` bytes that is nearest to a value in the unit; for None the only absent one.
 
-    Raises CodecError out of range, for a number that stands for a state, and for what is no number.
+    Raises CodecError out of range, for a number that stands for a state, and for what is not a number.
     """
     number: float
     if value is None:

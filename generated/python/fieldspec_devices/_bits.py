@@ -41,7 +41,7 @@ class Bits(Value["list[bool]"]):
         return self.struct.pack(*map(int, value))
 
     def refused(self, name: str, value: Any) -> CodecError | None:
-        """Why bits cannot be encoded; None where there are as many as there must be, and each is true or false."""
+        """Why bits cannot be encoded; None if the number is right, and each is true or false."""
         if not isinstance(value, (list, tuple)):
             return CodecError("wrong_type", f"{name} is a list of truth values, not {value!r}")
         if len(value) != self.count:

@@ -35,7 +35,7 @@ class RecordValue(Value[T]):
 
 
 class Unknown(Value["Any"]):
-    """A value of which the manual does not tell the type: what a message carries is passed on."""
+    """A value whose type the manual does not state: the carried bytes are passed on."""
 
     __slots__ = ()
 
@@ -51,7 +51,7 @@ class Unknown(Value["Any"]):
         raise CodecError("unknown_value", f"the type of {name} is not known")
 
     def of_carried(self, name: str, raw: Any) -> Any:
-        """What the message carries."""
+        """The carried value."""
         return raw
 
     def refused(self, name: str, value: Any) -> CodecError | None:

@@ -28,7 +28,7 @@ class AsyncBaseClient:
         return await carry_out_async(work, self.transport)
 
     async def send(self, request: Any, *, unit_address: int | None = None) -> None:
-        """Sends a request that nobody answers, such as one to the broadcast address.
+        """Sends a request without a response, such as a broadcast.
 
         Raises InvalidValueError and TransportError.
         """
@@ -62,7 +62,7 @@ class AsyncRegisterClient(AsyncBaseClient):
     async def write(self, register: Register[T], value: T) -> None:
         """Writes a register, or a record of a table. Raises DeviceError.
 
-        After NoAnswerError nobody knows whether the device has taken the value.
+        After NoAnswerError it is unknown whether the device has the value.
         """
         await self._run(self._registers.write(register, value))
 
@@ -91,7 +91,7 @@ class AsyncParameterClient(AsyncBaseClient):
     async def write_parameter(self, parameter: Parameter[T], value: T, subindex: int = 0) -> None:
         """Writes a parameter, or one element. Raises DeviceError.
 
-        After NoAnswerError nobody knows whether the device has taken the value.
+        After NoAnswerError it is unknown whether the device has the value.
         """
         await self._run(self._parameters.write(parameter, value, subindex))
 
@@ -103,7 +103,7 @@ class AsyncParameterClient(AsyncBaseClient):
 
 
 class AsyncMotion:
-    """A motion that goes on within `async with`, and is ended behind it, whatever happens."""
+    """A motion within an `async with` block, which always ends it."""
 
     def __init__(self, run: Callable[[Work[None]], Awaitable[None]], jog: Jog) -> None:
         self._run, self._jog = run, jog

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ._typing import Quantity
 
 Span = tuple[str, int, int]
-"""A space, the first address, and the address behind the last one."""
+"""A space, the first address, and the address after the last one."""
 
 
 class Group:
@@ -34,7 +34,9 @@ class Group:
         return f"<group {self.name}: {len(self.registers)} registers>"
 
     def blocks(self) -> Iterator[list[Register[Any]]]:
-        """The registers that one request each reads. What no span has is left out, such as what reading clears."""
+        """The registers that one request each reads. Values outside of all spans are left out, such as values that
+        reading clears.
+        """
         for space, start, end in self.spans:
             block = [
                 register

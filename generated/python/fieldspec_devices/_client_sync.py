@@ -30,7 +30,7 @@ class BlockingClient:
         return carry_out(work, self.transport)
 
     def send(self, request: Any, *, unit_address: int | None = None) -> None:
-        """Sends a request that nobody answers, such as one to the broadcast address.
+        """Sends a request without a response, such as a broadcast.
 
         Raises InvalidValueError and TransportError.
         """
@@ -64,7 +64,7 @@ class RegisterClient(BlockingClient):
     def write(self, register: Register[T], value: T) -> None:
         """Writes a register, or a record of a table. Raises DeviceError.
 
-        After NoAnswerError nobody knows whether the device has taken the value.
+        After NoAnswerError it is unknown whether the device has the value.
         """
         self._run(self._registers.write(register, value))
 
@@ -93,7 +93,7 @@ class ParameterClient(BlockingClient):
     def write_parameter(self, parameter: Parameter[T], value: T, subindex: int = 0) -> None:
         """Writes a parameter, or one element. Raises DeviceError.
 
-        After NoAnswerError nobody knows whether the device has taken the value.
+        After NoAnswerError it is unknown whether the device has the value.
         """
         self._run(self._parameters.write(parameter, value, subindex))
 
@@ -103,7 +103,7 @@ class ParameterClient(BlockingClient):
 
 
 class Motion:
-    """A motion that goes on within `with`, and is ended behind it, whatever happens."""
+    """A motion within a `with` block, which always ends it."""
 
     def __init__(self, run: Callable[[Work[None]], None], jog: Jog) -> None:
         self._run, self._jog = run, jog

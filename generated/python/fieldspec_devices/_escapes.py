@@ -23,7 +23,7 @@ class Replace:
         self.special = frozenset(self.pairs) | frozenset(pair[0] for pair in self.originals)
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         pairs = self.pairs
         return b"".join(pairs[byte] if byte in pairs else bytes((byte,)) for byte in data)
 
@@ -65,17 +65,17 @@ class Insert:
         self.stuffed = pattern + bytes((inserted,))
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         return bytes(data).replace(self.pattern, self.stuffed)
 
     def original(self, data: Data, offset: int) -> bytes:
         """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
         data, result, at = bytes(data), bytearray(), 0
-        # The inserted byte may itself begin the pattern, which is searched for behind it.
+        # The inserted byte may itself begin the pattern, which is searched for after it.
         while (begin := data.find(self.pattern, at)) >= 0:
             behind = begin + len(self.pattern)
             if data[behind : behind + 1] != self.stuffed[-1:]:
-                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing behind the pattern", offset + behind)
+                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing after the pattern", offset + behind)
             result += data[at:behind]
             at = behind + 1
         return bytes(result + data[at:])
@@ -95,7 +95,7 @@ class Add:
         self.taken = bytes((number - byte) & 0xFF for number in range(256))
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         return bytes(data).translate(self.added)
 
     def original(self, data: Data, offset: int) -> bytes:
@@ -113,7 +113,7 @@ class Cobs:
     __slots__ = ()
 
     def escaped(self, data: Data) -> bytes:
-        """What is sent for some bytes."""
+        """The sent form of some bytes."""
         result, block = bytearray(), bytearray()
         for byte in data:
             if len(block) == 254:
@@ -150,7 +150,7 @@ class Cobs:
 class EscapedFrames(PartFrames):
     """Frames whose parts are escaped from `first` to `last`, the bounds of a slice.
 
-    The lengths and checksums at the places `sent` are those of the bytes that are sent, those at `own` are not.
+    The lengths and checksums at the places `sent` apply to the sent bytes, those at `own` do not.
     """
 
     __slots__ = ("escape", "first", "last", "own", "sent")
@@ -262,7 +262,7 @@ class EscapeFramer(Framer):
                 frames.append(frame)
                 at = close + len(end)
             else:
-                # What ends bytes that are no frame may begin one, or the frame may begin later.
+                # What ends bytes that are not a frame may begin one, or the frame may begin later.
                 behind = at + 1 if start else close + len(end)
                 self.dropped += behind - at
                 at = behind

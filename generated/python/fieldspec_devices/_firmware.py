@@ -89,7 +89,7 @@ def _numbered(lines: tuple[Line, ...], text: str, nearest: bool) -> str | None:
 
 
 def _numbers(text: str) -> tuple[int, ...] | None:
-    """`v02.21` as (2, 21), without trailing zeros; None for a text that is no version number."""
+    """`v02.21` as (2, 21), without trailing zeros; None for a text that is not a version number."""
     parts = text[text[:1] in ("v", "V") :].split(".")
     if not all(part.isascii() and part.isdigit() and len(part) <= LONGEST for part in parts):
         return None

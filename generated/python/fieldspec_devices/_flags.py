@@ -36,7 +36,7 @@ class Flags:
     __slots__ = ("raw",)
     _BITS: ClassVar[dict[str, tuple[int, int]]] = {}
     _RUNS: ClassVar[dict[str, tuple[tuple[int, int, int], ...]]] = {}
-    """Of bits that lie apart: the first bit of each run, its greatest number, and the bit of the number that it is."""
+    """For bits that are not adjacent: the first bit of each run, its greatest number, and its bit in the number."""
     _SIGNED: ClassVar[frozenset[str]] = frozenset()
     _QUANTITIES: ClassVar[dict[str, tuple[str, tuple[int, int, int]]]] = {}
     """The field of bits of each name in a unit, and (a, b, c) of quantity = (count * a + b) / c."""

@@ -1,4 +1,4 @@
-"""Records with lists that have other fields behind them, and with records that differ in size.
+"""Records with lists that have other fields after them, and with records that differ in size.
 
 They are read and written as an image: first all other fields, then the lists.
 """
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class InnerList:
-    """A list behind `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
+    """A list after `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
 
     It has `least` to `most` elements of `size` bytes, which the Struct has as `letters`. The field that counts them is
     at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.
@@ -49,7 +49,7 @@ class InnerList:
         return (int.from_bytes(data[self.at : self.at + self.length], self.order) - self.plus) * self.unit
 
     def checked_size(self, data: bytes, at: int) -> int:
-        """The same, refused with the place of the count where there cannot be so many."""
+        """The same, refused at the count if the number is not possible."""
         size = self.count_size(data)
         if size not in self.sizes:
             limits = f"{self.sizes[0]} to {self.sizes[-1]} bytes in steps of {self.size}"
@@ -57,7 +57,9 @@ class InnerList:
         return size
 
     def elements(self, parts: Parts, data: bytes, size: int | None, start: int) -> list[int]:
-        """The bytes of each element: of as many as have `size` bytes in the image, or of all to the end of the data."""
+        """The bytes of each element: of the elements within `size` bytes of the image, or of all to the end of the
+        data.
+        """
         sizes: list[int] = []
         at, least, most = 0, self.sizes[0], self.sizes[-1]
         while at < len(data) if size is None else len(sizes) * self.size < size:
@@ -76,7 +78,7 @@ class InnerList:
         return sizes
 
     def sent(self, image: bytes) -> bytes:
-        """What is sent of the list in an image."""
+        """The sent form of the list in an image."""
         if self.parts is None:
             return image
         elements = [image[at : at + self.size] for at in range(0, len(image), self.size)]
@@ -126,7 +128,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         return struct
 
     def decoded(self, function: Callable[[bytes, tuple[int, ...]], Any], data: bytes) -> Any:
-        """What a function makes of the image of some data, and of the numbers of elements.
+        """The result of a function for the image of some data, and the numbers of elements.
 
         Raises CodecError with the place in the data.
         """
@@ -162,7 +164,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             raise CodecError(error.reason, error.detail, self._place(extents, error.offset)) from None
 
     def encoded(self, image: bytes) -> bytes:
-        """What is sent of an image."""
+        """The sent form of an image."""
         data, at, start = b"", 0, self.fixed
         for inner in self.lists:
             size = len(image) - start if inner is self.lists[-1] else inner.count_size(image)
@@ -171,12 +173,12 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         return data + image[at : self.fixed]
 
     def elements(self, number: int, images: Sequence[bytes]) -> list[bytes]:
-        """What is sent of the images of the elements of a list."""
+        """The sent form of the images of a list's elements."""
         inner = self.lists[number]
         return [inner.sent(image) for image in images]
 
     def _checked(self, inner: InnerList, size: int, at: int) -> int:
-        """The bytes of the list whose size the data decide, refused where there cannot be so many."""
+        """The bytes of the list whose size the data decide, refused if the number is not possible."""
         least, most = inner.sizes[0], inner.sizes[-1]
         if size < least:
             raise CodecError("incomplete", f"{self.name} ends in a list of {size} bytes, at least {least}", at + size)

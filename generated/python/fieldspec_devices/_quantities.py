@@ -30,7 +30,7 @@ class Conversion:
         self.name, self.full_scale, self.ranges, self.complement = name, full_scale, ranges, complement
 
     def quantity(self, raw: int, reference: Quantity) -> float:
-        """The quantity of a count, rounded once. Raises CodecError for a reference that is no number."""
+        """The quantity of a count, rounded once. Raises CodecError for a reference that is not a number."""
         a, b, c = self._ratio(reference)
         return (raw * a + b) / c
 
@@ -58,7 +58,7 @@ class Conversion:
 
 
 def power_of_ten(name: str, exponent_name: str, limits: tuple[tuple[int, int], ...], exponent: int | None) -> Ratio:
-    """The scale of a power of ten as a `Value` has it. Raises CodecError for an exponent that is none, or missing."""
+    """The scale of a power of ten as a `Value` has it. Raises CodecError for an invalid or missing exponent."""
     if exponent is None:
         raise CodecError("wrong_type", f"the scale of {name} has an exponent, which is the value of {exponent_name}")
     is_whole = isinstance(exponent, int) and not isinstance(exponent, bool)
@@ -90,7 +90,7 @@ class PowerUnit:
     def in_unit(self, count: int, exponent: int | None) -> float | None:
         """A count in the unit; None where the count or the exponent stands for an absent value.
 
-        Raises CodecError for an exponent that is none.
+        Raises CodecError for an invalid exponent.
         """
         if exponent is not None and is_among(exponent, self._exponents.others):
             return None
@@ -99,8 +99,8 @@ class PowerUnit:
     def from_unit(self, quantity: Quantity | None, exponent: int | None) -> int:
         """The count that is nearest to a quantity, of two the even one; for None the only absent value.
 
-        Raises CodecError out of range, where that count stands for an absent value, for None where several do, and for
-        an exponent that is none.
+        Raises CodecError out of range, where that count stands for an absent value, for None if several do, and for an
+        invalid exponent.
         """
         count: int = self._value.from_unit(self.name, quantity, self._power(exponent))
         return count

@@ -38,7 +38,7 @@ def refused_broadcast(name: str, value: Any, address: int, message: str) -> Code
 
 
 def refused_bits(name: str, number: int, of: str, size: int) -> CodecError | None:
-    """A number of bits that are packed into so many bytes."""
+    """A number of bits that are packed into that number of bytes."""
     return None if (number + 7) // 8 == size else wrong_bits(name, int(number), of, size)
 
 

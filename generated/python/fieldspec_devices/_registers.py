@@ -80,7 +80,7 @@ class Register(Generic[T]):
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
-        """The counts that may be written, as intervals with both ends; none where there is no limit but the type's."""
+        """The counts that may be written, as intervals with both ends; none if only the type limits them."""
         return self.value.ranges
 
     @property
@@ -90,7 +90,7 @@ class Register(Generic[T]):
 
     @property
     def absent(self) -> dict[str, float]:
-        """The values that stand for a state and are no quantity, by the names of their states."""
+        """The values that stand for a state and are not a quantity, by the names of their states."""
         return {state: first_number(number) for state, number in self.value.absent}
 
     def state_of(self, value: T | float) -> str | None:
@@ -127,7 +127,7 @@ class Register(Generic[T]):
         """A count in the unit; None for one that stands for an absent value.
 
         Where `scale_by` is a register, `exponent` is its value: the quantity is the count times 10 to its power, and
-        None where the exponent stands for an absent value. Raises CodecError for an exponent that is none, or missing.
+        None where the exponent stands for an absent value. Raises CodecError for an invalid or missing exponent.
         """
         if self.scale_by is None:
             if exponent is not None:
@@ -141,7 +141,7 @@ class Register(Generic[T]):
         """The count that is nearest to a value in the unit, of two the even one; for None the only absent value.
 
         Where `scale_by` is a register, `exponent` is its value. Raises CodecError out of range, where that count stands
-        for an absent value, for None where several do, and for an exponent that is none, or missing.
+        for an absent value, for None if several do, and for an invalid or missing exponent.
         """
         if self.scale_by is None:
             if exponent is not None:
@@ -276,11 +276,11 @@ class Table(Generic[T]):
         return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, **more)
 
     def at_base(self, base: int) -> Self:
-        """The table of a device that has its first record at `base`. Raises CodecError for what is no such address."""
+        """The table of a device that has its first record at `base`. Raises CodecError for other addresses."""
         if not isinstance(base, int) or isinstance(base, bool):
             raise CodecError("wrong_type", f"the address of {self.name} is a whole number, not {base!r}")
         if not 0 <= base <= 0x10000 - (self.count - 1) * self.stride - self.words:
-            raise CodecError("out_of_range", f"{self.name} does not fit behind the address {base}")
+            raise CodecError("out_of_range", f"{self.name} does not fit after the address {base}")
         return type(self)(
             self.name,
             self.record,

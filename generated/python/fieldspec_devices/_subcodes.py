@@ -21,7 +21,7 @@ class Subcodes:
         self.offset, self.size, self.classes = offset, size, classes
 
     def of(self, body: Data, head_size: int, code_offset: int, answer: Any) -> Any:
-        """The class of some data behind a header, which must be `answer`, if there is one. Raises CodecError.
+        """The class of some data after a header, which must be `answer`, if there is one. Raises CodecError.
 
         Data that are too short for the number are left to the first class, which refuses them.
         """
@@ -42,7 +42,7 @@ class Subcodes:
 
 
 class Answers:
-    """The classes of responses with one code that nothing in them tells apart: only their requests do."""
+    """The classes of responses with one code that only their requests identify."""
 
     __slots__ = ("classes",)
 
@@ -52,7 +52,7 @@ class Answers:
     def of(self, _body: Data, _head_size: int, code_offset: int, answer: Any) -> Any:
         """The class of the response to a request, `answer`. Raises CodecError for None, and for any other class."""
         if answer is None:
-            raise CodecError("unknown_code", "only the request tells which message this is: pass it", code_offset)
+            raise CodecError("unknown_code", "only the request identifies this message: pass it", code_offset)
         if answer not in self.classes:
             raise CodecError("unknown_code", "the code answers another request", code_offset)
         return answer

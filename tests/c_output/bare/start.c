@@ -75,7 +75,7 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[])(void) 
     (void (*)(void))(uintptr_t)stack_end, start, fault, fault, fault, fault, fault,
 };
 
-/* CCR.UNALIGN_TRP, in force behind the barrier. */
+/* CCR.UNALIGN_TRP, in force after the barrier. */
 static void enter(void)
 {
     *(volatile uint32_t *)0xE000ED14u |= 1u << 3;

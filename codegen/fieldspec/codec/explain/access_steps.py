@@ -21,8 +21,8 @@ def step_spans(
 ) -> Iterator[tuple[RegisterAccess, Span]]:
     """The steps of a message with the words that they access; a response has those that read.
 
-    `body` is where the data begin in the parts of a frame, and their bytes. `request_values` are those of the request
-    that a response answers, None for a request.
+    `body` is where the data begin in the parts of a frame, and their bytes. `request_values` are the values of the
+    request that a response answers, None for a request.
     """
     start, data = body
     for step in message.access_steps:

@@ -72,7 +72,7 @@ def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
 
 @dataclass(frozen=True, slots=True)
 class _TracedField:
-    """What the bytes of a field gave."""
+    """The result of reading the bytes of a field."""
 
     name: str
     rows: list[Row]
@@ -81,8 +81,8 @@ class _TracedField:
 class Body:
     """The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
 
-    `rows` and `values` go as far as the bytes do. `request_values` are those of the request that the frame answers.
-    `outer` is the message or the record; its sources stand in for fields without their own.
+    `rows` and `values` go as far as the bytes do. `request_values` are the values of the request that the frame
+    answers. `outer` is the message or the record; its sources stand in for fields without their own.
     """
 
     def __init__(
@@ -105,7 +105,7 @@ class Body:
         self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
         self._rows_by_name: dict[str, Row] = {}
         traced = self._traced() if inner is None else self._traced_around(inner)
-        # A scale may be behind the value that it applies to, so all bytes are read before any row is written.
+        # A scale may be after the value that it applies to, so all bytes are read before any row is written.
         self.rows = list(self._explained(list(self._traced_varying() if self.record.spans else traced)))
 
     def _explained(self, traced: list[_TracedField | ExplanationRow]) -> Iterator[ExplanationRow]:
@@ -139,7 +139,7 @@ class Body:
             yield surplus_row(self.spot, offset, self.data[offset : self.end])
 
     def _traced_around(self, inner: InnerLists) -> Iterator[_TracedField | ExplanationRow]:
-        """The parts of a record with fields behind a list, in the order of the wire."""
+        """The parts of a record with fields after a list, in the order of the wire."""
         fields = self.record.sent_fields
         offset, number_of_list = self.start, 0
         for number, field in enumerate(fields):
@@ -172,7 +172,7 @@ class Body:
         """The row from the first list on whose bytes are not known."""
         assert self.fault is not None
         if self._has_wrong_count(inner):
-            text = f"{inner.count} is no number of {fields[0].name}, so nobody knows where they end"
+            text = f"{inner.count} is not a number of {fields[0].name}, so it is unknown where they end"
             return self._wrong(fields[0], offset, "wrong_measure", text)
         if inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
@@ -193,7 +193,7 @@ class Body:
         )
 
     def _items(self, field: FieldLayout) -> int:
-        """How many elements of a list of a record with fields behind a list there are."""
+        """How many elements of a list of a record with fields after a list there are."""
         inner = self.record.inner_lists
         assert inner is not None
         number = next(number for number, own in enumerate(inner.lists) if own.name == field.name)
@@ -227,7 +227,7 @@ class Body:
         count = self.values[self.record.spans[span.count].name]
         if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
             return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - offset} follow"
-        return "wrong_measure", f"{self.record.spans[span.count].name} is no number of bytes of {span.name}"
+        return "wrong_measure", f"{self.record.spans[span.count].name} is not a number of bytes of {span.name}"
 
     def _measured_text(self, field: FieldLayout, read: DecodedValue) -> DecodedValue | None:
         """The value of a field with the number of bytes of a text, judged by what these may be; None for others."""
@@ -240,7 +240,7 @@ class Body:
         return read.judged(False, f"{span.plus} to {span.value.width + span.plus}", "wrong_measure")
 
     def _count(self, field: FieldLayout) -> int:
-        """How many elements the field should have: as many as fit if their number is free."""
+        """The number of elements that the field should have: all that fit if their number is free."""
         repeat = field.field.repeat
         if repeat is None:
             return field.count or 0
@@ -275,7 +275,9 @@ class Body:
         return replace(row, errata=errata_at(self.layout.device, path))
 
     def _field(self, field: FieldLayout, start: int, sizes: Sequence[int]) -> _TracedField:
-        """What the elements of one field gave, which have some sizes. Adds their values to `values`."""
+        """The result of reading the elements of one field, which have the given sizes. Adds their values
+        to `values`.
+        """
         rows: list[Row] = []
         program = field_program(self.layout.device, self.record, field)
         values = run_each(program, Place(self.data, start, self.end), sizes, rows, self._rows_by_name)
@@ -286,7 +288,7 @@ class Body:
         return _TracedField(field.name, rows)
 
     def _row(self, row: Row, known: Mapping[str, Raw]) -> ExplanationRow:
-        """The row of what some bytes gave; `known` are the values of the fields before it, and those of the request."""
+        """The row of what some bytes gave; `known` are the values of the fields before it and of the request."""
         device, field, value = self.layout.device, row.variable.field, row.variable.value
         assert field is not None
         exponent = row.rows_beside.get(row.variable.exponent)
@@ -328,7 +330,7 @@ class Body:
     def _measured_list(
         self, inner: InnerLists, field: FieldLayout, other: FieldLayout, read: DecodedValue
     ) -> DecodedValue:
-        """The value of a field that measures a list of a record with fields behind a list."""
+        """The value of a field that measures a list of a record with fields after a list."""
         measure = field.field.measures
         assert measure is not None
         number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)

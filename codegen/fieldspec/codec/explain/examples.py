@@ -50,7 +50,7 @@ class Printed:
 
 
 def printed(device: Device, example: Example) -> Printed:
-    """What the manual prints for an example: the misprint of its errata, or else the example itself."""
+    """The printed form of an example: the misprint of its errata, or else the example itself."""
     errata = tuple(erratum for erratum in device.errata if erratum.fact == example.place.path)
     frames = [erratum for erratum in errata if "frame" in erratum.printed]
     rows = [erratum for erratum in errata if "characters" in erratum.printed]

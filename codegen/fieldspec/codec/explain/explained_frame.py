@@ -17,10 +17,10 @@ class Explanation:
 
     `rows` cover every byte of the frame once, in order. `registers` are the registers that the frame reads or writes,
     by address; their bytes, if the frame carries them, are in `rows` too. `accessed` are the addresses of the first and
-    the last word or bit that a message with `accesses` reads or writes; None where the frame does not tell.
-    `message` is empty if nothing tells which one it is. `error` marks an exception response.
-    `values` are the raw values by name: those of the header without the length, and those of the fields in the body.
-    `errata` are the ids of those about the message and about the link as a whole.
+    the last word or bit that a message with `accesses` reads or writes; None where the frame does not tell. `message`
+    is empty if the message is unknown. `error` marks an exception response. `values` are the raw values of the header,
+    without the length, and of the fields in the body, by name. `errata` are the ids of those about the message and
+    about the link as a whole.
     """
 
     link: str
@@ -36,7 +36,7 @@ class Explanation:
 
     @property
     def registers(self) -> tuple[ExplanationRow, ...]:
-        """The rows of the registers. They are made when they are asked for, as most readings of a frame are dropped."""
+        """The rows of the registers. They are made on demand, because most readings of a frame are dropped."""
         return self.register_rows.rows
 
     @property

@@ -47,8 +47,8 @@ def explained(
     """The explanation of a whole frame. `direction` is `request` or `response`.
 
     `message` names the message of a frame that carries no code. `request` is the frame that a response answers: it
-    tells which message and which registers the response is about, if the response does not.
-    Raises KeyError for a link that the device does not have, and nothing for any bytes.
+    identifies the message and the registers of the response, if the response does not. Raises KeyError for a link that
+    the device does not have, and nothing for any bytes.
     """
     remembered = _EXPLAINED.get_or_compute(layout, lambda _: {})
     key = link, direction, frame, message, request
@@ -83,7 +83,7 @@ def is_damaged(layout: DeviceLayout, link: str, direction: str, frame: bytes) ->
 
 
 class _Frame:
-    """A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them.
+    """A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those after them.
 
     `empty_escape` are the bytes that an escape sends for no bytes at all.
     """
@@ -108,7 +108,7 @@ class _Frame:
         self.accessed: tuple[int, int] | None = None
 
     def explanation(self) -> Explanation:
-        """The whole explanation. The header comes first, as its code tells what the body is."""
+        """The whole explanation. The header comes first, because its code determines the body."""
         if self.unreadable is not None:
             return self._unreadable(self.unreadable)
         rows = [*start_rows(self.wrapped), *self._head()]
@@ -204,7 +204,7 @@ class _Frame:
         return self.sent_data if self.shape.escape is not None and not part.before_escape else self.data
 
     def _without_surplus(self, data: bytes) -> tuple[bytes, bytes]:
-        """The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier."""
+        """The bytes of the parts and those after them: length and checksum may show that the frame ends earlier."""
         lengths, checks = (
             tuple(part for part in parts if self.shape.escape is None or not part.before_escape)
             for parts in (self.shape.lengths, self.shape.checksums)
@@ -299,7 +299,7 @@ class _Frame:
             ambiguous = link.ambiguous_codes(self.direction).get(code)
             if ambiguous is not None:
                 names = ", ".join(message.name for message in ambiguous)
-                return read.judged(False, f"that of {names}, which only the request tells apart", "unknown_code")
+                return read.judged(False, f"that of {names}; only the request distinguishes them", "unknown_code")
             expected = self.sent.get(self.named)
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
             several_text = f"one of {known}" if known else f"that of a message, and none has a {self.direction} here"
@@ -340,7 +340,7 @@ class _Frame:
         return self.message.data(self.direction) if self.message else None
 
     def _body(self) -> tuple[list[ExplanationRow], RegisterRows]:
-        """The rows of the body, and those of the registers that it reads or writes."""
+        """The rows of the body, and of the registers that it reads or writes."""
         start, record = self.shape.header_size, self._record()
         end = max(start, len(self.data) - self.shape.trailer_size) if self.wrapped.whole else len(self.data)
         if record is None:
@@ -376,7 +376,7 @@ class _Frame:
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
         """The row of a body that nothing describes."""
         if self.shape.role("code") is None:
-            text = "the frame carries no code, and nothing else says which message it is"
+            text = "the frame carries no code, so its message is unknown"
             yield wrong_row(self.spot, start, self.data[start:end], "unknown_code", text)
         elif end > start:
             row = wrong_row(self.spot, start, self.data[start:end], "", "")

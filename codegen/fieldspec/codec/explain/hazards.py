@@ -1,4 +1,4 @@
-"""What a person should know before a request is sent: whether it only reads, and what a write does beside."""
+"""Warnings before a request is sent: whether it only reads, and the side effects of a write."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CLEARS = "reading it clears it"
 _STARTS = "writing it starts something"
 _GOES_ON = "it decides whether a move may go on"
 _ENERGIZES = "it energizes the motor, or releases what the motor holds"
-_STORED = "it is stored for good"
+_STORED = "it is stored permanently"
 
 COMMANDING = {
     **dict.fromkeys(("command", "homing_start", "move_start", "jog_positive", "jog_negative"), _STARTS),

@@ -110,7 +110,7 @@ def _split_end(body: bytes, end: bytes, mark: bytes) -> tuple[bytes, tuple[str, 
     return body + rest, (f"{missing} is missing at the end of the text and is assumed to have been sent",)
 
 
-# Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.
+# Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment after them.
 
 _WORDS = {
     "request": ("tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"),
@@ -179,7 +179,7 @@ def log_line(text: str, links: Collection[Link]) -> LogLine | None:
 
 
 def _hex_bytes(text: str) -> bytes:
-    """The bytes of a text that is nothing but hexadecimal digits; empty for any other text."""
+    """The bytes of a text of only hexadecimal digits; empty for any other text."""
     try:
         return bytes.fromhex(text)
     except ValueError:
@@ -203,8 +203,8 @@ class _NoBytes(Unreadable):
 def _direction(text: str, marks: list[re.Match[str]], links: Collection[Link]) -> str:
     """The direction that marks tell; empty if they tell none.
 
-    Words count more than arrows, and an arrow behind a name tells nothing, as it may point either way. A word that a
-    link uses for the other direction tells nothing either: the log may take either side's view.
+    Words count more than arrows, and an arrow after a name is ignored, because it may point either way. A word that a
+    link uses for the other direction is ignored too: the log may take either side's view.
     """
     words = [mark["word"].lower() for mark in marks if mark["word"]]
     if words:
@@ -225,7 +225,7 @@ def _unmarked(text: str, links: Collection[Link]) -> tuple[bytes, str, tuple[str
 
 
 def _frame(text: str, links: Collection[Link]) -> tuple[bytes, tuple[str, ...]]:
-    """The frame behind times, labels and words, and remarks on what the text lacks of it."""
+    """The frame after times, labels and words, and remarks on what the text lacks of it."""
     text = text.lstrip(" \t")
     while text:
         frame = in_characters(text, links)

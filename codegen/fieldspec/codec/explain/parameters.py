@@ -65,7 +65,7 @@ def with_parameter(
 ) -> ExplanationRow:
     """The row of element `index` of a field, with the name and the meaning that its parameter gives it.
 
-    `known` are the values of the frame so far and those of the request that it answers. `outer` is the message.
+    `known` are the values of the frame so far and of the request that it answers. `outer` is the message.
     """
     part = field.value.parameter if field.value else None
     if part is None:
@@ -97,7 +97,7 @@ def with_parameter(
         if part.sizes is not None:
             stated = known.get(part.sizes.by)
             if isinstance(stated, int) and stated not in field.sizes:
-                return replace(row, meanings=(element.meaning, *row.meanings))  # its bytes are no value
+                return replace(row, meanings=(element.meaning, *row.meanings))  # its bytes are not a value
             size = field.sizes.get(stated, 0) if isinstance(stated, int) else 0
         return _read_as(device, row, field, element, is_request, size)
     if part.part == "subindex" and element.index is None:

@@ -112,7 +112,9 @@ def read(
 
 
 def _unrepeated(answer: ChosenReading, reading: Reading) -> tuple[str, ...]:
-    """What a response does not repeat of the request before it, where nothing else shows that it answers another."""
+    """The parts of the request before it that a response does not repeat, unless the response clearly answers another
+    request.
+    """
     if answer.explanation.reasons or _reading(answer.explanation) != reading:
         return ()
     only = all(_NOT_REPEATED in text for text in answer.mismatches)
@@ -317,7 +319,7 @@ def _options(layout: DeviceLayout, own: Explanation, alternatives: Sequence[Read
 
 
 def _asks(layout: DeviceLayout, link: str) -> bool:
-    """Whether the request tells which message a response on a link is."""
+    """Whether the request identifies the message of a response on a link."""
     return layout.links[link].request.role("code") is not None
 
 
@@ -353,7 +355,7 @@ def _enumeration(names: Iterable[str], last: str) -> str:
 
 
 def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: FrameOptions) -> Iterator[str]:
-    """The lengths of the messages, if only the length could tell which one the frame is, and it tells none."""
+    """The lengths of the messages, if only the length could identify the message, and it matches none."""
     own = chosen.explanation
     link = layout.links[own.link]
     if _coded(layout, own.link) or not {"wrong_length", "incomplete", "unknown_code"} & set(own.reasons):
@@ -374,7 +376,7 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
 
 
 def _own_size(link: LinkLayout, own: Explanation) -> str:
-    """The size of a frame, counted as those of messages are: `without its delimiters, the frame has 4 bytes`."""
+    """The size of a frame, counted like the size of a message: `without its delimiters, the frame has 4 bytes`."""
     if link.link.is_can:
         return f"the data of the frame have {_byte_count(len(own.frame) - CAN_HEADER)}"
     rows = [row for row in own.rows if row.kind != "mark"]

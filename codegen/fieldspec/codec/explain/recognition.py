@@ -8,10 +8,10 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 
 Reading = tuple[str, str, str, bool]
-"""What a frame may be: its link, its direction, its message, and whether it is an exception response."""
+"""A possible interpretation of a frame: its link, direction and message, and whether it is an exception response."""
 
 _OF_VALUES = frozenset({"unknown_value", "wrong_const", "wrong_measure"})
-# The frame carries no code, so its message is a guess. That is no fault, but a broken frame needs better evidence.
+# The frame carries no code, so its message is a guess. That is not a fault, but a broken frame needs better evidence.
 _GUESSED = "guessed"
 # The faults that a reading may have. The readings of the first step that any of them passes are the result.
 _FITTING = (frozenset({_GUESSED}), _OF_VALUES | {_GUESSED})

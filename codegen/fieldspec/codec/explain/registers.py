@@ -30,7 +30,7 @@ FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be wri
 
 @dataclass(frozen=True, slots=True)
 class Occupant:
-    """What is at an address: a register, or a field in an element of a table. Its bytes begin after `skip` bytes.
+    """The occupant of an address: a register, or a field in an element of a table. Its bytes begin after `skip` bytes.
 
     `nested` is the field in the record of its table, or in a record in that one; None for a register.
     """
@@ -71,7 +71,7 @@ class Occupant:
 
 
 class RegisterRows:
-    """The rows of what some spans have, each with its operation; they are made once, when they are asked for."""
+    """The rows of some spans, each with its operation; they are made once, on demand."""
 
     __slots__ = ("_layout", "_rows", "_spans", "_spot")
 
@@ -149,7 +149,7 @@ def occupant_at(layout: DeviceLayout, space: str, address: int) -> Occupant | No
 def occupants(layout: DeviceLayout, span: Span) -> Iterator[Occupant]:
     """The registers, and the fields of tables, that share words with a span, in the order of the spec.
 
-    Of a table that begins where a register says, only a span with the value of that register has fields.
+    In a table with a variable base, only a span with the value of the base register has fields.
     """
     device = layout.device
     own = device.space_name(span.space)
@@ -297,7 +297,7 @@ def _occupant_row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Sp
 
 
 def exponent_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant | None:
-    """What has the exponent of the scale of a value: a field of the same record, or a register; None without one."""
+    """The fact with the exponent of a value's scale: a field of the same record, or a register; None without one."""
     name = occupant.value.scale_by
     if not name:
         return None
@@ -348,7 +348,7 @@ def _by_exponent(layout: DeviceLayout, span: Span, occupant: Occupant, value: Va
 
 
 def exponent_applied(value: Value, exponent: Value, number: Raw | None) -> Value:
-    """A value with the scale that the number of its exponent makes; unchanged for a number that is no exponent."""
+    """A value with the scale that the number of its exponent makes; unchanged for a number that is not an exponent."""
     if not isinstance(number, int) or exponent.ranges is None or number not in exponent.ranges:
         return value
     return value.scaled_by(number) if exponent.sentinel(number) is None else value

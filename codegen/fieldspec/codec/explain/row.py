@@ -87,8 +87,8 @@ class Spot:
     """Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each.
 
     `escape` is that of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were
-    escaped, and `places` the offsets behind `start` of what is sent for them, and of the end. `gap` is the place of the
-    first byte behind an escape of nothing, which is sent between that byte and the one before; None without one.
+    escaped, and `places` the offsets after `start` of what is sent for them, and of the end. `gap` is the place of the
+    first byte after an escape of nothing, which is sent between that byte and the one before; None without one.
     """
 
     frame: bytes
@@ -181,7 +181,7 @@ def _sections(link: Link) -> set[str]:
 
 
 def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
-    """The ids of the errata of a message, without those of its fields."""
+    """The ids of the errata of a message, without the errata of its fields."""
     path = message.place.path
     errata = errata_at(device, path)
     if not errata:
@@ -192,7 +192,9 @@ def errata_of_message(device: Device, message: Message) -> tuple[str, ...]:
 
 
 def errata_of_words(device: Device, facts: Collection[str]) -> tuple[str, ...]:
-    """The ids of the errata of enums, members and flags that gave a value its meaning, not those of other members."""
+    """The ids of the errata of enums, members and flags that gave a value its meaning, without errata of
+    other members.
+    """
     if not facts:
         return ()
     errata_by_fact = _errata(device).of
@@ -210,7 +212,9 @@ def fact_row(
     read: DecodedValue,
     outer: Fact,
 ) -> ExplanationRow:
-    """The row of a fact whose bytes are at `position` in the parts. A fact without sources has those of `outer`."""
+    """The row of a fact whose bytes are at `position` in the parts. A fact without sources has the
+    sources of `outer`.
+    """
     offset, length, characters = spot.place(position, len(raw))
     errata = (*errata_at(device, fact.place.path), *errata_of_words(device, read.facts))
     return ExplanationRow(
@@ -256,7 +260,7 @@ def wrong_row(
 
 
 def surplus_row(spot: Spot, position: int, raw: bytes) -> ExplanationRow:
-    """The row of bytes behind the end of a frame or of its body."""
+    """The row of bytes after the end of a frame or of its body."""
     return wrong_row(
         spot, position, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
     )

@@ -39,7 +39,7 @@ class Span:
 
     @property
     def end(self) -> int:
-        """The address behind the last word."""
+        """The address after the last word."""
         return self.address + self.words
 
     @property
@@ -48,7 +48,7 @@ class Span:
         return BIT if self.bits is not None else WORD if self.unit_size == 2 else BYTE
 
     def piece(self, address: int, size: int, skip: int = 0) -> Piece | None:
-        """The piece of the frame with a value of `size` bytes, `skip` bytes behind an address; None unless the frame
+        """The piece of the frame with a value of `size` bytes, `skip` bytes after an address; None unless the frame
         has all of it."""
         if self.bits is not None:
             return self._bit(address - self.address, self.bits)
@@ -79,7 +79,8 @@ def accessed(
     data: bytes,
     unit_size: int = 2,
 ) -> Span | None:
-    """The words that a message accesses, by its own values or those of the request that it answers; None if unknown.
+    """The words that a message accesses, by its own values or the values of the request that it answers; None if
+    unknown.
 
     `data` are the bytes of the words, at `offset` in the parts; empty if the message does not carry them. In a space of
     bytes, the `unit_size` is 1.

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
 _MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
-"""Numbers with at most so many places, or digits, are written in full; others are rounded to no fewer digits."""
+"""Numbers with at most this number of places, or digits, are written in full; others are rounded to it."""
 _EXACT = Context(prec=200)
 
 
@@ -93,7 +93,7 @@ def number_of(value: Value, data: bytes, order: str, swapped: bool) -> Raw:
 
 
 def decimal_text(number: Decimal, count: Decimal | Fraction) -> str:
-    """A number without an exponent: in full if it is short, else rounded behind the point.
+    """A number without an exponent: in full if it is short, else rounded after the point.
 
     The last digit is worth less than a `count`, so that no two multiples of it, from any offset, have the same text.
     If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
@@ -127,7 +127,7 @@ def _exponent(number: Decimal) -> int:
 def in_unit(value: Value, number: int) -> str:
     """The quantity of a raw value with its unit, as in `20.00 mm`, with the digits that `decimal_text` writes.
 
-    Empty for a value without unit and scale, and for a sentinel, which is no quantity.
+    Empty for a value without unit and scale, and for a sentinel, which is not a quantity.
     """
     if (not value.unit and not value.scaled) or value.sentinel(number) is not None:
         return ""
@@ -333,7 +333,7 @@ def _bit(device: Device, bit: Bit, number: int) -> Meaning:
 
 
 def bit_text(bit: Bit) -> str:
-    """What it means that a single bit is 1."""
+    """The meaning of a single bit that is 1."""
     text = bit.one or bit.doc
     if bit.edge:
         text = "; ".join(part for part in (text.removesuffix("."), f"acts at its {bit.edge} edge") if part)

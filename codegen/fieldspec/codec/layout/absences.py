@@ -58,7 +58,8 @@ class Absences:
 
 
 def absences(layout: DeviceLayout, refusals: Iterable[Refusal], reads_exceptions: bool = True) -> Absences:
-    """What has to be absent: each refused fact, whatever has it in it, and whatever is read by means of it.
+    """The facts that have to be absent: each refused fact, all facts that contain it, and all facts that are read with
+    it.
 
     An output that reads exception responses cannot do without their records.
     """

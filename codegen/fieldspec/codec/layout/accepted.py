@@ -59,7 +59,7 @@ class HasDigits:
 
 @dataclass(frozen=True, slots=True)
 class HasCharacters:
-    """The bytes, or the characters, are those of a text."""
+    """The bytes, or the characters, are a valid text."""
 
     text: Text
 
@@ -121,7 +121,8 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class AcceptedSet:
-    """What a value takes: the conditions of readers, those that readers remark alone, those of writers.
+    """The numbers that a value accepts: conditions that readers enforce, that readers only remark, and that writers
+    enforce.
 
     `sentinels` are the numbers that stand for a state.
     """
@@ -133,7 +134,7 @@ class AcceptedSet:
 
 
 def accepted(device: Device, value: Value) -> AcceptedSet:
-    """What a value takes. A condition that one before it implies is left out."""
+    """The numbers that a value accepts. A condition that one before it implies is left out."""
     encoding = value.encoding
     reading = _reading(device, value, encoding)
     writing = _writing(device, value, encoding)
@@ -141,13 +142,13 @@ def accepted(device: Device, value: Value) -> AcceptedSet:
 
 
 def _remarked_alone(device: Device, value: Value, reading: list[Condition]) -> tuple[Condition, ...]:
-    """What a reader remarks beyond what it refuses."""
+    """The conditions that a reader only remarks."""
     remarked = _remarked(device, value, value.encoding)
     return tuple(_needed([*reading, *remarked])[len(reading) :]) if remarked else ()
 
 
 def _reading(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
-    """What a reader refuses."""
+    """The conditions that a reader enforces."""
     match encoding:
         case Whole():
             return _needed([*_constant(value), *_enum(device, value)])
@@ -167,7 +168,7 @@ def _reading(device: Device, value: Value, encoding: Encoding) -> list[Condition
 
 
 def _remarked(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
-    """What a reader lets pass, and an explainer remarks."""
+    """The conditions that a reader ignores and an explainer remarks."""
     match encoding:
         case Whole() | Digits():
             tests: list[Test] = [*_parts(device, value)]
@@ -183,7 +184,7 @@ def _remarked(device: Device, value: Value, encoding: Encoding) -> list[Conditio
 
 
 def _writing(device: Device, value: Value, encoding: Encoding) -> list[Condition]:
-    """What a writer refuses."""
+    """The conditions that a writer enforces."""
     match encoding:
         case Whole() | Digits():
             writable = Condition(writable_numbers(value), "out_of_range")
@@ -203,8 +204,8 @@ def _writing(device: Device, value: Value, encoding: Encoding) -> list[Condition
 
 @dataclass(frozen=True, slots=True)
 class StatedNumbers:
-    """What a spec states that numbers are of which others are read too: in one of some intervals, with some parts of a
-    word in their ranges. Without intervals, every number is. Special values are beside them.
+    """The stated numbers of a value that may be read with other numbers too: some intervals, with ranges of parts of a
+    word. Without intervals, every number is. Special values are beside them.
     """
 
     intervals: tuple[tuple[float, float], ...]
@@ -214,7 +215,7 @@ class StatedNumbers:
 def range_conditions(device: Device, value: Value, trigger: bool = False) -> tuple[Condition, ...]:
     """The conditions without which a value that is read is out of range. A register or parameter is read as its answer.
 
-    What is read of a `trigger` is not what was written, so nothing is stated of it.
+    A `trigger` does not return the written number, so nothing is stated of it.
     """
     return () if trigger else _remarked_alone(device, value, _reading(device, value, value.encoding))
 
@@ -237,7 +238,7 @@ def stated_numbers(device: Device, value: Value, trigger: bool = False) -> State
 
 
 def passes(test: Test, content: float | str | bytes | None) -> bool:
-    """Whether a content passes a test; None stands for bytes that are no digits, or no characters, of a value."""
+    """Whether a content passes a test; None stands for bytes that are not digits, or no characters, of a value."""
     match test:
         case HasDigits() | HasCharacters():
             return content is not None
@@ -288,7 +289,9 @@ def _enum(device: Device, value: Value) -> list[Condition]:
 
 
 def writable_numbers(value: Value) -> Within:
-    """The whole numbers that may be written: those of the range of writing; without one, all of the encoding."""
+    """The whole numbers that may be written: the numbers of the range for writing; without it, all numbers of the
+    encoding.
+    """
     ranges = value.writable_ranges
     if ranges is None:
         return Within((bounds_of(value.encoding),))
@@ -344,7 +347,7 @@ def _fits(number: float, precision: Precision) -> bool:
 
 
 def _intervals(test: Test) -> list[tuple[int, int]] | None:
-    """The whole numbers that pass a test; None where it is none of whole numbers alone."""
+    """The whole numbers that pass a test; None if the value is not a whole number."""
     match test:
         case Equals():
             return [(test.number, test.number)]

@@ -43,7 +43,7 @@ def _of_digits(fact: Fact, reader: str, for_controllers: bool) -> Refusal:
 
 def _of_text(fact: Fact, value: Value, reader: str, for_controllers: bool) -> Refusal:
     key = next((key for key in _TEXT_KEYS if key in fact.place), "name")
-    text = f"{fact.name} is not ASCII filled up with zeros behind it, and {reader} converts no other text"
+    text = f"{fact.name} is not ASCII filled up with zeros after it, and {reader} converts no other text"
     if value.width:
         key, text = "varies", f"{fact.name} varies in length, and {reader} reads only texts of one length"
     finding = Diagnostic(

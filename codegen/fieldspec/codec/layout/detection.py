@@ -34,7 +34,7 @@ class VersionDetection:
 
 
 def version_detection(device: Device) -> VersionDetection | None:
-    """What tells the version of a device; None where no line states it."""
+    """The value that identifies the version of a device; None where no line states it."""
     detection = device.detection
     if detection is None:
         return None
@@ -58,12 +58,12 @@ def version_lines(device: Device, versions: Container[str]) -> list[list[str]]:
 
 
 def detecting_value(device: Device, detection: Detection) -> Value | None:
-    """The value of the fact that tells the version."""
+    """The value of the fact that identifies the version."""
     value = getattr(detecting_fact(device, detection), "value", None)
     return value if isinstance(value, Value) else None
 
 
 def detecting_fact(device: Device, detection: Detection) -> Fact | None:
-    """The fact that tells the version; None where the device has no such fact."""
+    """The fact that identifies the version; None where the device has no such fact."""
     paths = (fact for fact in descendants(device) if isinstance(fact, Fact))
     return next((fact for fact in paths if fact.place.path == detection.fact), None)

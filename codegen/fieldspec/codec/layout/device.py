@@ -112,7 +112,7 @@ def device_layout(device: Device) -> DeviceLayout:
 
 
 def _add_record(record: Record, device: Device, records: dict[str, RecordLayout], orders: Orders) -> None:
-    """Adds the layout of a record, after those of the records in it."""
+    """Adds the layout of a record, after the layouts of the records in it."""
     if record.name in records:
         return
     for field in record.fields:

@@ -70,7 +70,7 @@ def _of_blocks(data: bytes) -> list[tuple[int, int]]:
 
 
 def _of_identifier(escape: Escape, data: bytes) -> list[tuple[int, int]]:
-    """The first part is in the place of the whole header, and the others of the identifier are behind it."""
+    """The first part is in the place of the whole header, and the others of the identifier are after it."""
     wrong = escape.wrong_header(data)
     if wrong is not None:
         raise EscapeError(wrong)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ExceptionMark:
-    """The unsigned `number` of `size` bytes that exception responses have `offset` bytes behind the header."""
+    """The unsigned `number` of `size` bytes that exception responses have `offset` bytes after the header."""
 
     offset: int
     size: int
@@ -33,7 +33,7 @@ class ExceptionMark:
         return self.number.to_bytes(self.size, order)
 
     def is_in(self, data: bytes) -> bool:
-        """Whether some data are those of an exception response."""
+        """Whether some data belong to an exception response."""
         return data[self.offset : self.end] == self.pattern
 
 

@@ -15,7 +15,7 @@ _DIGITS = {
 
 
 def first_bytes(link: LinkLayout, direction: str) -> dict[int, bytes]:
-    """The possible values of bytes before the body, by their offset behind the start delimiter.
+    """The possible values of bytes before the body, by their offset after the start delimiter.
 
     Bytes that may have any value are not among them.
     """

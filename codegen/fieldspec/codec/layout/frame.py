@@ -143,7 +143,7 @@ class LinkLayout:
 
     @property
     def has_response_codes(self) -> bool:
-        """Whether some response has another code than its request."""
+        """Whether the code of some response differs from its request's code."""
         return any(message.message.response_code is not None for message in self.carried("response").values())
 
     def message_with_code(
@@ -174,7 +174,7 @@ class LinkLayout:
     def ambiguous_codes(self, direction: str) -> dict[int, list[MessageLayout]]:
         """The messages by the code that they share where nothing in their data tells them apart.
 
-        These are responses: their requests tell which one a response is.
+        These are responses: their requests identify a response.
         """
         if self.frame(direction).role("code") is None:
             return {}
@@ -280,7 +280,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - parts_size
 
     def stop_of(last: int) -> int | None:
-        """The bound behind a part, None for the end of the frame."""
+        """The bound after a part, None for the end of the frame."""
         return sum(sizes[: last + 1]) if last < body else sum(sizes[: last + 1]) - parts_size or None
 
     escaped = link.escaped_span(direction)

@@ -22,7 +22,7 @@ class FrameExtent:
     """How long a frame is, with its delimiters and all parts.
 
     A fixed one has `length` bytes. One by count has `length` bytes and `unit` more for each that a count says: this is
-    `offset` bytes behind the start delimiter and has `size` bytes and the `order`; `is_turned` if the bytes of its
+    `offset` bytes after the start delimiter and has `size` bytes and the `order`; `is_turned` if the bytes of its
     16-bit words have the opposite one. A delimited one has at least `length` bytes and ends with the next end
     delimiter. What ends an open one is in no single place of it: only decoding it shows whether an end delimiter is
     its own, and without one it ends with silence.
@@ -44,8 +44,8 @@ _OPEN = FrameExtent(OPEN)
 class FrameExtents:
     """The extents of all frames in one direction.
 
-    `by_code` has those of codes that determine them, `by_subcode` for other codes what tells their messages apart, and
-    the extents by its number. `refusal` is that of exception responses which a bit of the code marks.
+    `by_code` has the extents of codes that determine them, `by_subcode` for other codes the subcode of their messages,
+    and the extents by its number. `refusal` is that of exception responses which a bit of the code marks.
     """
 
     by_code: Mapping[int, FrameExtent]
@@ -79,7 +79,9 @@ def frame_extents(
     messages: Iterable[tuple[str, int | None, RecordLayout]],
     refusal: RecordLayout | None,
 ) -> FrameExtents:
-    """The extents of the frames of some messages: name, code and data; `refusal` are those of exception responses."""
+    """The extents of the frames of some messages: name, code and data; `refusal` are the extents of exception
+    responses.
+    """
     frame, error = link.frame(direction), link.link.exception_response
     code_extents: dict[int, set[FrameExtent]] = {}
     names: dict[str, FrameExtent] = {}
@@ -134,7 +136,7 @@ def _measures(count: FieldLayout, tail: FieldLayout) -> bool:
 
 
 def _may_contain(frame: FrameLayout, record: RecordLayout, byte: int) -> bool:
-    """Whether a byte may be in a frame behind those that precede the first value that varies in width."""
+    """Whether a byte may be in a frame after those that precede the first value that varies in width."""
     fields = {field.name: field for field in record.fields}
     varying = dropwhile(lambda span: span.value is None, record.spans)
     return any(_may_be_in(fields[span.name], byte) for span in varying) or any(

@@ -1,8 +1,7 @@
 """The hash of everything that a program must be told of a device, and of nothing else.
 
-That is what a comparison of two devices calls a change of more than documentation. What a spec may leave out, such as
-a range that is all of a type, counts as left out where it is stated, and lists that mean the same in any order as
-ordered.
+That is what a comparison of two devices calls a change of more than documentation. A key that equals its default, such
+as the whole range of a type, counts as left out, and lists whose order has no meaning are sorted.
 """
 
 from __future__ import annotations
@@ -106,7 +105,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
 
 
 def _span(part: PartLayout) -> Iterator[Words]:
-    """What a part counts, covers or repeats, and whether it is reserved; nothing for what most frames have."""
+    """The parts that a part counts, covers or repeats, and whether it is reserved; empty for the default."""
     usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
     if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
@@ -195,7 +194,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
 
 
 def _units(device: Device) -> Iterator[Words]:
-    """What the units that the spec declares are worth."""
+    """The factors of the units that the spec declares."""
     for declared in _by_name(device.units):
         yield "unit", declared.symbol, declared.quantity, declared.factor
 
@@ -334,13 +333,13 @@ _ASKED = ("trigger", "atomic", "applies_to", "messages", "supplements")
 
 
 def _operation(device: Device) -> Iterator[tuple[str, ...]]:
-    """What is to be known of facts and of the device besides its frames: limits, and when a value counts and stays."""
+    """The relevant data of facts and of the device besides its frames: limits, restarts and storage of values."""
     for item in descendants(device):
         yield from _USES.get_or_compute(item, lambda item: tuple(_uses(item)))
 
 
 _USES: ByIdentity[Any, tuple[tuple[str, ...], ...]] = ByIdentity(limit=50_000)
-"""What is to be known of objects of the model, which versions share, and most of them the next build too."""
+"""The relevant data of model objects, which versions share, and mostly the next build too."""
 
 
 def _uses(item: Any) -> Iterator[tuple[str, ...]]:

@@ -1,4 +1,4 @@
-"""What a value is, for identities: each word that programs must be told of, and nothing that a spec may leave out."""
+"""The words of a value for identities: each key that affects programs, without keys that equal their defaults."""
 
 from __future__ import annotations
 

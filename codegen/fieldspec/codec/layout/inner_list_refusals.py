@@ -9,7 +9,7 @@ from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 
 
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
-    """A refusal of each list with fields behind it; `reader` is what does not read it."""
+    """A refusal of each list with fields after it; `reader` is what does not read it."""
     lists = {
         field.field.place.path: (field.field, problem)
         for message in layout.messages.values()
@@ -37,7 +37,7 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
     if not field.varies:
         return ""
     if field is not body.sent_fields[-1]:
-        return "has fields behind it"
+        return "has fields after it"
     record = field.record
     if (
         record is None

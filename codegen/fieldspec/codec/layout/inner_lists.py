@@ -1,10 +1,10 @@
-"""Lists with other fields behind them, and records that differ in size, in lists and by themselves: where everything is
+"""Lists with other fields after them, and records that differ in size, in lists and by themselves: where everything is
 in some data.
 
-Codecs work on the image of such a record: first all other fields, then the lists. Each list but the last one has room
-there for as many elements as it may have. An element that differs in size is there as it is sent, with zeros behind it
-up to the most bytes that it may have, so that everything in the image has its place. The last list goes on to the end
-of the image. A record that differs in size and occurs a fixed number of times is a list of so many elements.
+Codecs work on the image of such a record: first all other fields, then the lists. Each list except the last has room
+there for its greatest number of elements. An element that differs in size is there as it is sent, with zeros after it
+up to the most bytes that it may have, so that everything in the image has its place. The last list extends to the end
+of the image. A record that differs in size and occurs a fixed number of times is a list of that number of elements.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class InnerList:
-    """The list `name` begins behind `first` bytes of other fields, not counting lists, and at `room` in the image.
+    """The list `name` begins after `first` bytes of other fields, not counting lists, and at `room` in the image.
 
     It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
     image and has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit`
     bytes. `count` is empty where the number is always the same, and where the data end with the list and the fields
-    behind it. `parts` tell the size of an element from its bytes; None where all have the same size.
+    after it. `parts` tell the size of an element from its bytes; None where all have the same size.
     """
 
     name: str
@@ -103,7 +103,7 @@ class InnerLists:
         return extents, None
 
     def _extent(self, inner: InnerList, image: bytes, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
-        """The bytes of a list in data that begin with it, less the fields behind it."""
+        """The bytes of a list in data that begin with it, less the fields after it."""
         start = inner.first + sum(extent.size for extent in extents)
         size = None
         if inner is not self.last:
@@ -139,7 +139,7 @@ class InnerLists:
         return self.fixed + before
 
     def image_of(self, data: bytes, extents: Sequence[ListExtent]) -> bytes:
-        """The image of data whose lists have some extents; it has zeros for fields behind a list without one."""
+        """The image of data whose lists have some extents; it has zeros for fields after a list without one."""
         lists, fields, before = b"", b"", 0
         for inner, extent in zip(self.lists, extents, strict=False):
             start = inner.first + before
@@ -175,7 +175,7 @@ class InnerLists:
         return b"".join(inner.parts.sent_bytes(element) for element in elements)
 
     def sent_bytes(self, element: bytes) -> bytes:
-        """What is sent of an element in an image."""
+        """The sent bytes of an element in an image."""
         size = self.sent_size(element)
         assert isinstance(size, int)
         return element[:size]
@@ -201,7 +201,7 @@ def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
 
 
 def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
-    """The elements of a list whose elements differ in size: as many as have `size` bytes in the image, or all."""
+    """The elements of a list whose elements differ in size: those within `size` bytes of the image, or all."""
     sizes: list[int] = []
     offset = 0
     while offset < len(data) if size is None else len(sizes) * inner.element < size:

@@ -1,4 +1,4 @@
-"""The fields of bits that nothing may leave out: their 0 is another quantity than 0, or is not permitted."""
+"""The fields of bits that must not be omitted: their 0 is not the quantity 0, or is not permitted."""
 
 from __future__ import annotations
 

@@ -26,7 +26,9 @@ class Omission:
 
 @dataclass(frozen=True, slots=True)
 class Expressed:
-    """What an output expresses of a device. `findings` are errors, which forbid it, or warnings of what is left out."""
+    """The part of a device that an output expresses. `findings` are errors, which forbid it, or warnings of what is
+    left out.
+    """
 
     layout: DeviceLayout
     omissions: tuple[Omission, ...]

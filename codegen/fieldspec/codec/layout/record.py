@@ -38,11 +38,11 @@ class FieldLayout:
     """A field at `offset` bytes from the start of its record.
 
     `size` is the size of one element in bytes. `count` is the number of elements, None if they go on to the end of the
-    data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case.
-    `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. Of a field with
-    the bytes of a parameter's value, `sizes` are the numbers of bytes that are the value, by the number in another
-    field, of equal ones the one to write first; it is empty where all are. Of the number of bits that a request writes,
-    `bits_of` is the list into whose bytes they are packed; other fields have an empty one.
+    data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case. `order`
+    is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. For a field with the
+    bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of equal sizes the
+    number to write first; it is empty if all bytes are the value. For the bit count of a write request, `bits_of` is
+    the list into whose bytes the bits are packed; it is empty for other fields.
     """
 
     field: Field
@@ -88,7 +88,7 @@ class FieldLayout:
 
     @property
     def end(self) -> int | None:
-        """The offset after the field, None if it goes on to the end of the data."""
+        """The offset after the field, None if it continues to the end of the data."""
         return None if self.count is None else self.offset + self.size * self.count
 
 
@@ -97,10 +97,10 @@ class RecordLayout:
     """Fields that follow each other. `size` is in bytes, None if it varies, between `least` and `most`.
 
     `most` is None if nothing bounds the size. If the last field has cases, another field, the `selector`, decides its
-    type, and `chosen` has the same record by the values of the selector, with the type that this value decides.
-    `spans` are those of all fields where some vary in width; offsets and sizes of fields are then those in the image.
-    `inner_lists` are the lists where one has fields behind it. In `fields` they come last, and offsets are those in the
-    image too. `rooms` are those lists of an image that have another one behind them.
+    type, and `chosen` has the same record by the values of the selector, with the type that this value decides. `spans`
+    are the spans of all fields if some vary in width; offsets and sizes of fields then refer to the image.
+    `inner_lists` are the lists where one has fields after it. In `fields` they come last, and offsets are those in the
+    image too. `rooms` are the lists of an image that another list follows.
     """
 
     record: Record
@@ -141,7 +141,7 @@ class RecordLayout:
 
     @property
     def stated_fields(self) -> tuple[FieldLayout, ...]:
-        """The fields that the spec states one by one: those of the record but its separators."""
+        """The fields that the spec states one by one: the fields of the record without its separators."""
         return tuple(field for field in self.fields if not field.field.is_separator)
 
     @property
@@ -181,7 +181,7 @@ class RecordLayout:
         return not self.has_differing and sum(field.count is None for field in self.fields) == 1
 
     def room_of(self, field: FieldLayout) -> InnerList | None:
-        """The room of a list in an image that has another list behind it, None for other fields."""
+        """The room of a list that another list follows in an image, None for other fields."""
         return next((room for room in self.rooms if room.name == field.name), None)
 
     def rooms_before(self, field: FieldLayout) -> int:

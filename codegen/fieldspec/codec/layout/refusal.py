@@ -1,4 +1,4 @@
-"""What an output cannot express: one fact, and the finding that says so."""
+"""A fact that an output cannot express, and its finding."""
 
 from __future__ import annotations
 

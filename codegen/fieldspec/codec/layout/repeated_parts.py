@@ -1,4 +1,4 @@
-"""What a response repeats of its request: that by which it belongs to one of several open requests."""
+"""The parts of its request that a response repeats, which assign it to one of several open requests."""
 
 from __future__ import annotations
 

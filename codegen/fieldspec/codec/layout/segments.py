@@ -88,13 +88,13 @@ class SegmentsLayout:
         return {self.size.name: size.to_bytes(self.size.size, _order(self.size)) if is_bytes else size}
 
     def request(self, count: int, piece: bytes = b"", is_last: bool = False) -> dict[str, Any]:
-        """The fields of the request with, or for, the piece behind `count` others."""
+        """The fields of the request with, or for, the piece after `count` others."""
         values = _initial(self.piece.request, self.flags)
         _place(values, self.asked, self.asked.number_behind(count) if self.asked is not None else 0)
         return values if self.reads else self._with_piece(values, piece, is_last)
 
     def response(self, count: int, piece: bytes = b"", is_last: bool = False) -> dict[str, Any]:
-        """The fields of the response with, or for, the piece behind `count` others."""
+        """The fields of the response with, or for, the piece after `count` others."""
         values = _initial(self.piece.response, self.flags)
         _place(values, self.answered, self.answered.number_behind(count) if self.answered is not None else 0)
         return self._with_piece(values, piece, is_last) if self.reads else values
@@ -106,7 +106,7 @@ class SegmentsLayout:
         return values
 
     def has_number(self, values: Mapping[str, Any], count: int, place: NumberPlace | None) -> bool:
-        """Whether a message counts as the piece behind `count` others."""
+        """Whether a message counts as the piece after `count` others."""
         return place is None or place.number(int(values[place.field.name])) == place.number_behind(count)
 
     def is_last(self, values: Mapping[str, Any]) -> bool:

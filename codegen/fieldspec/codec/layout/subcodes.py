@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Subcode:
-    """The field that tells messages of one code apart, `offset` bytes behind the header, and the messages by its value.
+    """The field that tells messages of one code apart, `offset` bytes after the header, and the messages by its value.
 
     It has `size` bytes. Its number is unsigned; a negative constant counts as the number with the same bits. A message
     has one number where the field is a constant, else all of its range.
@@ -52,7 +52,7 @@ class Subcode:
     def message(self, data: bytes) -> MessageLayout | None:
         """The message with some data, None where none has their number.
 
-        Data that are too short for the number count as those of the first message, whose decoder refuses them.
+        Data that are too short for the number count as data of the first message, whose decoder rejects them.
         """
         number = self.number(data)
         return next(iter(self.messages.values())) if number is None else self.messages.get(number)
@@ -61,7 +61,7 @@ class Subcode:
 def subcode(messages: Sequence[MessageLayout], direction: str) -> Subcode | None:
     """The place and the numbers that tell messages of one code apart in one direction.
 
-    None for a single message, and for responses that only their requests tell apart.
+    None for a single message, and for responses that only their requests identify.
     """
     if len(messages) < 2:
         return None

@@ -91,7 +91,7 @@ def raw_of(
             raw[name] = _field(device, name, known_fields[name], value)
         else:
             known_names = ", ".join([*known_parts, *known_fields])
-            raise MeaningError(name, f"there is no such field; there are {known_names}")
+            raise MeaningError(name, f"there is no such field; the fields are {known_names}")
     return raw
 
 
@@ -187,7 +187,7 @@ def _raw_real(device: Device, path: str, value: Value, precision: Precision, ent
         return float(entered)
     number = entered if isinstance(entered, float) else number_of(str(entered))
     if number is None:
-        raise MeaningError(path, f"`{entered}` is no number; write it as `0.5` or `2.5e-3`")
+        raise MeaningError(path, f"`{entered}` is not a number; write it as `0.5` or `2.5e-3`")
     return number
 
 
@@ -200,7 +200,7 @@ def _raw_count(device: Device, path: str, value: Value, entered: Any) -> int:
     if isinstance(entered, str):
         return _raw_of_text(device, path, value, entered)
     unit = "; with its unit it may be a fraction" if value.unit else ""
-    raise MeaningError(path, f"`{entered}` is no whole number of counts{unit}")
+    raise MeaningError(path, f"`{entered}` is not a whole number of counts{unit}")
 
 
 def number_of_sentinel(value: Value, sentinel: Sentinel) -> int | float:
@@ -232,7 +232,7 @@ def _sentinel_help(absent: Sentinel) -> str:
 
 
 def _nearest_text(value: Value, quantity: Fraction) -> str:
-    """The quantities of the counts beside one that has none; these counts, where they are no decimal numbers."""
+    """The quantities of the counts beside one that has none; these counts, where they are not decimal numbers."""
     from fractions import Fraction
 
     count = (quantity - Fraction(value.offset)) / Fraction(value.scale)
@@ -269,7 +269,7 @@ def _raw_of_text(device: Device, path: str, value: Value, entered: str) -> int:
     if quantity is not None:
         raw = value.from_unit(quantity)
         if raw is None:
-            text = f"`{entered}` is no whole number of counts of {value.scale_number} {value.unit}".rstrip()
+            text = f"`{entered}` is not a whole number of counts of {value.scale_number} {value.unit}".rstrip()
             raise MeaningError(path, f"{text}{_nearest_text(value, quantity)}")
         absent = value.sentinel(raw)
         if absent is not None:
@@ -281,13 +281,13 @@ def _raw_of_text(device: Device, path: str, value: Value, entered: str) -> int:
         names = [member.name for member in device.enums[value.enum].members]
         close = get_close_matches(entered, names, 1)
         known = f"did you mean {close[0]}?" if close else f"it has {', '.join(names)}"
-        raise MeaningError(path, f"`{entered}` is no member of {value.enum}; {known}")
+        raise MeaningError(path, f"`{entered}` is not a member of {value.enum}; {known}")
     if value.scale_by:
-        raise MeaningError(path, f"`{entered}` is no count; its scale is in {value.scale_by}, so give a count")
+        raise MeaningError(path, f"`{entered}` is not a count; its scale is in {value.scale_by}, so give a count")
     if _DIGITS.fullmatch(entered):
         raise MeaningError(path, f"`{entered}` has more than 64 bits, and no value has")
     unit = f", or with its unit {value.unit}" if value.unit else _example(value)
-    raise MeaningError(path, f"`{entered}` is no number; give a count{unit}")
+    raise MeaningError(path, f"`{entered}` is not a number; give a count{unit}")
 
 
 def _word(device: Device, path: str, value: Value, entered: list[object] | str) -> int:
@@ -305,7 +305,7 @@ def _word(device: Device, path: str, value: Value, entered: list[object] | str) 
         bit = flags.named(name)
         if bit is None:
             known = ", ".join(other.name for other in flags.bits if not other.reserved)
-            raise MeaningError(path, f"`{name}` is no bit of {value.flags}: {known}")
+            raise MeaningError(path, f"`{name}` is not a bit of {value.flags}: {known}")
         if name in names:
             raise MeaningError(path, f"`{name}` has two values")
         names.add(name)

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """The bytes of a field: `size` in the image. `value` is None where as many are sent.
+    """The bytes of a field: `size` in the image. `value` is None if the size is the number of sent bytes.
 
-    `end` is the byte that follows a value that varies in width; None where the record ends behind it, and where the
+    `end` is the byte that follows a value that varies in width; None where the record ends after it, and where the
     span number `count` has its bytes, plus `plus`, in the byte order `count_order`.
     """
 
@@ -39,7 +39,7 @@ class Span:
 
 
 class WidthError(ValueError):
-    """Bytes that are not those of a record: the reason, the field, and the place."""
+    """Bytes that are not a valid record: the reason, the field, and the offset."""
 
     def __init__(self, reason: str, name: str, offset: int) -> None:
         super().__init__(f"{reason}: {name} at byte {offset}")
@@ -48,7 +48,7 @@ class WidthError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Extent:
-    """Where a field is in some data, and its bytes in the image; None for bytes that are not those of its value."""
+    """Where a field is in some data, and its bytes in the image; None for bytes that are not a valid value."""
 
     start: int
     stop: int
@@ -151,7 +151,7 @@ def place_in_data(spans: tuple[Span, ...], fields: list[Extent], offset: int) ->
 
 
 def widened(value: Value, piece: bytes) -> bytes | None:
-    """The bytes in the image of a value that varies in width; None for bytes that are none of it."""
+    """The bytes in the image of a value that varies in width; None for bytes that are not valid."""
     if not value.digits:
         return None if len(piece) > value.size or 0 in piece else piece.ljust(value.size, b"\0")
     sign, text = b"", piece

@@ -25,8 +25,8 @@ Content = int | float | str | bytes
 class Row:
     """What some bytes gave: `raw` from `offset` on are the content of a variable, number `index` of its field.
 
-    The content is None where they are none of its digits or characters. `image` are the bytes of a value in the image
-    of its record; None for those of none. `rows_beside` are the rows of the same record by the names of their fields.
+    The content is None if the bytes are not valid digits or characters. `image` are the bytes of a value in the image
+    of its record; None for invalid digits. `rows_beside` are the rows of the same record by the names of their fields.
     `failed` is the first condition that the content does not meet.
     """
 
@@ -42,7 +42,7 @@ class Row:
 
     @property
     def number(self) -> Raw:
-        """What a reader gets: a truth value as such, and the bytes of what has no content."""
+        """The result for a reader: a truth value as such, and the bytes of values without content."""
         if self.content is None:
             return self.raw if self.image is None else self.image
         encoding = self.variable.value.encoding
@@ -77,7 +77,7 @@ def read_value(program: Program, data: bytes) -> Row:
 
 
 def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, Row]) -> dict[str, Raw]:
-    """The contents that a program gives, by name. Adds what gave them to `rows`, and to those of the same record."""
+    """The contents that a program gives, by name. Adds their origins to `rows`, and to the rows of the same record."""
     values: dict[str, Raw] = {}
     for operation in program:
         match operation:
@@ -155,7 +155,7 @@ def _loaded(operation: Load | LoadVarying, place: Place, rows_beside: dict[str, 
 
 
 def content_of(value: Value, data: bytes) -> Content | None:
-    """What all bytes of a value are, in the order of places; None for digits, or characters, that are none of its."""
+    """What all bytes of a value are, in the order of places; None for invalid digits or characters."""
     encoding = value.encoding
     match encoding:
         case Whole() | Real() | Truth() | Digits():

@@ -44,7 +44,7 @@ _PROGRAMS: ByIdentity[Device, _Programs] = ByIdentity(_MOST_DEVICES)
 
 
 def value_program(device: Device, value: Value, order: str, swapped: bool, is_reserved: bool) -> Program:
-    """The program of a value that is no field."""
+    """The program of a value that is not a field."""
     programs = _PROGRAMS.get_or_compute(device, lambda _: _Programs()).by_value.get_or_compute(value, lambda _: {})
     program = programs.get((order, swapped, is_reserved))
     if program is None:
@@ -70,7 +70,7 @@ def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Progra
         lists = inner_lists_of(inner, is_element=True) if inner.size is None else None
         return (Inner(field.name, tuple(field_program(device, inner, own) for own in inner.sent_fields), lists),)
     assert field.value is not None
-    # What varies in width moves what is behind it.
+    # What varies in width moves what is after it.
     exponent = field.value.scale_by if not record.spans and record.named(field.value.scale_by) is not None else ""
     variable = Variable(field.name, field, field.value, field.field.reserved, exponent)
     varies = bool(field.value.width)

@@ -17,9 +17,9 @@ Places = tuple[int, ...]
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """What gets a content: a value, which nobody judges or names if it `is_reserved`.
+    """A variable for content: a value, which is neither checked nor named if it `is_reserved`.
 
-    `field` is None for what is no field. `exponent` is the field of the same record with the exponent of its scale;
+    `field` is None for what is not a field. `exponent` is the field of the same record with the exponent of its scale;
     empty where no field has it.
     """
 
@@ -61,7 +61,7 @@ class Remark:
 
 @dataclass(frozen=True, slots=True)
 class Inner:
-    """A record as the content of a field; `lists` tell where everything is in one that differs in size."""
+    """A record as the content of a field; `lists` determine the offsets in a record that differs in size."""
 
     name: str
     program: Program
@@ -70,7 +70,7 @@ class Inner:
 
 @dataclass(frozen=True, slots=True)
 class Each:
-    """What a field of a record has: one element, or where it `is_list` as many as a count, or as there is room for.
+    """The elements of a field of a record: one, or if it `is_list`, a counted number or as many as fit.
 
     `size` is that of each element in bytes.
     """
@@ -84,7 +84,7 @@ class Each:
 
 
 Operation = Load | LoadVarying | Require | Remark | Inner | Each
-"""What a program consists of."""
+"""The operations of programs."""
 
 Program = tuple[Operation, ...]
 """What reading some bytes is."""

@@ -59,7 +59,7 @@ def _total(kind: Checksum, data: bytes, order: str) -> int:
 
 
 def checksum_digits(number: int, digits: str, size: int) -> bytes:
-    """A number as so many digits, the most significant first."""
+    """A number as that number of digits, the most significant first."""
     characters = b"0123456789abcdef" if digits == "lower_hex" else b"0123456789ABCDEF"
     places = []
     for _ in range(size):

@@ -24,7 +24,7 @@ def escaped(escape: Escape, data: bytes) -> bytes:
         blocks.append(bytes((rest + 1,)) + block[254 * full :])
     last = data.rpartition(b"\0")[2]
     if last and len(last) % 254 == 0:
-        blocks.pop()  # a full block at the end needs no other one behind it
+        blocks.pop()  # a full block at the end needs no other one after it
     return b"".join(blocks)
 
 
@@ -53,7 +53,7 @@ def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
             result += before + pattern
             if pattern and following[:1] != bytes((escape.inserted,)):
                 place += len(before) + len(pattern)
-                raise CodecError("wrong_mark", f"{escape.inserted:#04x} is missing behind the pattern", place)
+                raise CodecError("wrong_mark", f"{escape.inserted:#04x} is missing after the pattern", place)
             rest = following[1:]
         else:
             block = rest[1 : rest[0]]

@@ -12,12 +12,12 @@ from fieldspec.language.model.digits import NIBBLES
 from fieldspec.language.model.value import Value
 
 WAITS, OPEN, NONE = -2, -1, 0
-"""In place of a size: more bytes must come to tell it; nothing but silence, or an end delimiter, tells it; no frame."""
+"""In place of a size: more bytes are needed; only silence or an end delimiter ends the frame; not a frame."""
 
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """The number in a frame that counts what repeats, `offset` bytes behind its beginning."""
+    """The number in a frame that counts what repeats, `offset` bytes after its beginning."""
 
     offset: int
     size: int
@@ -30,7 +30,7 @@ class Count:
 class FrameSize:
     """A frame has `fixed` bytes, and `unit` more for each that its `count` says.
 
-    Without a count, one `with_end` goes on to the next end delimiter.
+    Without a count, a frame `with_end` continues to the next end delimiter.
     """
 
     fixed: int
@@ -93,7 +93,7 @@ _CHARACTERS = b"+-. 0123456789ABCDEFabcdef"
 
 
 def _is_apart(field: FieldLayout, end: int) -> bool:
-    """Whether a byte that is no character of a number is not in a field: a number as characters, or a separator."""
+    """Whether a byte that is not a character of a number is not in a field: a number as characters, or a separator."""
     value = field.value
     if value is None or field.cases:
         return False

@@ -65,7 +65,8 @@ class FrameCodec:
             return inner
         for index, char in enumerate(inner):
             if char not in b"0123456789ABCDEFabcdef":
-                raise CodecError("not_hex", f"byte {char:#04x} is no hexadecimal character", len(shape.start) + index)
+                text = f"byte {char:#04x} is not a hexadecimal character"
+                raise CodecError("not_hex", text, len(shape.start) + index)
         if len(inner) % 2:
             raise CodecError("wrong_length", "an odd number of characters", len(frame) - len(shape.end))
         return bytes.fromhex(inner.decode("ascii"))
@@ -73,7 +74,7 @@ class FrameCodec:
     def decode(self, frame: bytes, direction: str, message: str = "") -> Decoded:
         """The meaning of a whole frame.
 
-        `message` names the message where the frame does not tell which one it is. Raises CodecError.
+        `message` names the message if the frame does not identify it. Raises CodecError.
         """
         shape = self.link.frame(direction)
         head, data = self._around(frame, direction)
@@ -193,7 +194,7 @@ class FrameCodec:
             return self.link.refused_message(code & ~error.flag), self.layout.records[error.record], True
         announced = self.link.message_with_code(code, shape.direction, inner, message)
         if announced is None and code in self.link.ambiguous_codes(shape.direction):
-            text = f"several messages have the code {code:#04x}, and only the request tells which one this is"
+            text = f"several messages have the code {code:#04x}, and only the request identifies the message"
             raise CodecError("unknown_code", text, part.offset)
         if announced is None:
             shared = self.link.subcodes(shape.direction).get(code)
@@ -265,7 +266,7 @@ class FrameCodec:
         return self._marked(direction, self._joined(direction, numbers, inner, True))
 
     def _complete(self, direction: str, numbers: Values, inner: bytes, is_sent: bool) -> None:
-        """Fills in the lengths and the checksums of the bytes that are sent, or those of the bytes before."""
+        """Fills in the lengths and the checksums of the sent bytes, or of the bytes before escaping."""
         shape = self.link.frame(direction)
         for length in shape.lengths:
             if _is_sent(shape, length) == is_sent:

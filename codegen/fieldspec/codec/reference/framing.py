@@ -20,7 +20,7 @@ _UNBOUNDED = 0xFFFF
 """The bytes of data that nothing bounds."""
 
 Cut = tuple[list[bytes], int]
-"""The frames in some bytes, and how many bytes these and what is no frame have."""
+"""The frames in some bytes, and how many bytes these and what is not a frame have."""
 
 
 class Framing:
@@ -66,7 +66,7 @@ class Framing:
         return "code" if has_code else ""
 
     def cut(self, blocks: Iterable[bytes]) -> Iterator[tuple[list[bytes], list[bytes]]]:
-        """The frames of each block of bytes, and those that the silence behind it shows."""
+        """The frames of each block of bytes, and those that the silence after it shows."""
         cuts: dict[str, Callable[[bytes, bool], Cut]] = {
             "delimiters": self._between_marks,
             "escape": self._escaped,
@@ -127,7 +127,7 @@ class Framing:
     def _of_sizes(self, stream: bytes, is_silent: bool) -> Cut:
         """At each place, the bytes as far as their length, or the size of their message, goes are a frame, or none.
 
-        Silence ends a frame that nothing else does, and what waits for more bytes is no frame.
+        Silence ends a frame that nothing else does, and what waits for more bytes is not a frame.
         """
         frames: list[bytes] = []
         place = 0

@@ -25,7 +25,7 @@ def carries(field: FieldLayout, size: int) -> bool:
 
 
 def value_of_bytes(device: Device, field: FieldLayout, value: Value, values: Mapping[str, Any]) -> Raw:
-    """The raw value that a field of bytes has. Raises CodecError where its bytes are not as many as the value's."""
+    """The raw value that a field of bytes has. Raises CodecError if the number of bytes differs from the value's."""
     return value_of_data(value, stated_bytes(field, values), *orders_of(device, field, value))
 
 
@@ -54,12 +54,12 @@ def stated_bytes(field: FieldLayout, values: Mapping[str, Any]) -> bytes:
 
 
 def bytes_of_value(device: Device, field: FieldLayout, value: Value, raw: Any) -> dict[str, Any]:
-    """The fields that carry a raw value: its bytes with zeros behind them, and what says how many count."""
+    """The fields that carry a raw value: its bytes with zeros after them, and what says how many count."""
     return field_of_bytes(field, data_of_value(value, raw, *orders_of(device, field, value)))
 
 
 def field_of_bytes(field: FieldLayout, data: bytes) -> dict[str, Any]:
-    """The fields that carry the bytes of a value: the bytes with zeros behind them, and what says how many count."""
+    """The fields that carry the bytes of a value: the bytes with zeros after them, and what says how many count."""
     fields: dict[str, Any] = {field.name: data.ljust(field.size, b"\0")}
     part = field.value.parameter if field.value is not None else None
     if field.sizes and part is not None and part.sizes is not None:
@@ -77,8 +77,8 @@ def data_of_value(value: Value, raw: Any, order: str, swapped: bool) -> bytes:
 def number_in_field(own: Value | None, value: Value, raw: Any) -> Any:
     """The number that a field of the value `own` has for the bits of a parameter's raw value.
 
-    Both have as many bits, and only one of them has a sign: -2 of an `i16` is 65534 in a `u16`. Any other raw value is
-    returned as it is.
+    Both have the same number of bits, and only one of them has a sign: -2 of an `i16` is 65534 in a `u16`. Any other
+    raw value is returned as it is.
     """
     if own is None or isinstance(raw, bool) or not isinstance(raw, int):
         return raw

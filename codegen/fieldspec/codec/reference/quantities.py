@@ -59,17 +59,17 @@ def special_number(value: Value, name: str) -> int | float:
 
 
 def quantity(value: Value, raw: float, power: int | None = None) -> Fraction | None:
-    """The number in the unit; None for a special value, and for what is no finite number."""
+    """The number in the unit; None for a special value, and for what is not a finite number."""
     if special_name(value, raw) or not math.isfinite(raw):
         return None
     return Fraction(raw) * scale_of(value, power) + Fraction(value.offset)
 
 
 def count_of_quantity(value: Value, number: Fraction, power: int | None = None) -> int:
-    """The count of a quantity. Raises NoQuantityError where it is none, or that of a special value."""
+    """The count of a quantity. Raises NoQuantityError if it is not a quantity, or is a special value."""
     count = (number - Fraction(value.offset)) / scale_of(value, power)
     if count.denominator != 1:
-        raise NoQuantityError(f"{number} is no whole number of counts")
+        raise NoQuantityError(f"{number} is not a whole number of counts")
     state = special_name(value, count.numerator)
     if state:
         raise NoQuantityError(f"{number} is the count {count.numerator}, which stands for {state}", state)

@@ -86,11 +86,11 @@ def _decoded_image(record: RecordLayout, data: bytes, device: Device, offset: in
 
 
 def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, device: Device, offset: int) -> Values:
-    """The values of a record with fields behind a list. Raises CodecError with the place in the data."""
+    """The values of a record with fields after a list. Raises CodecError with the place in the data."""
     extents, fault = inner.extents_in(data)
     if fault is not None:
         raise CodecError(
-            fault.reason, f"{inner.lists[len(extents)].name} has another number of bytes", offset + fault.at
+            fault.reason, f"{inner.lists[len(extents)].name} has a different number of bytes", offset + fault.at
         )
     try:
         values = decoded(record.image, inner.image_of(data, extents), device)
@@ -107,7 +107,7 @@ def _width_text(record: RecordLayout, error: WidthError) -> str:
     texts = {
         "incomplete": "has no end",
         "wrong_length": "is followed by more bytes",
-        "wrong_measure": "is no number of bytes",
+        "wrong_measure": "is not a number of bytes",
     }
     return f"{error.name} {texts.get(error.reason, 'is not in its form')}"
 
@@ -123,7 +123,7 @@ def _check_length(record: RecordLayout, length: int, offset: int) -> None:
     last = record.fields[-1] if record.fields else None
     if last is not None and last.count is None and not last.cases and (length - last.offset) % last.size:
         raise CodecError(
-            "wrong_length", f"{length - last.offset} bytes are no whole number of {last.name}", offset + length
+            "wrong_length", f"{length - last.offset} bytes are not a whole number of {last.name}", offset + length
         )
 
 
@@ -181,7 +181,7 @@ def _decoded_text(name: str, value: Value, raw: str | bytes | None, offset: int 
     text = text_of_bytes(value, "big", raw) if isinstance(raw, bytes) else raw
     if text is None:
         raise CodecError(
-            "unknown_value", f"{name} is no text in {text_form_title(value) or encoding_title(value)}", offset
+            "unknown_value", f"{name} is not a text in {text_form_title(value) or encoding_title(value)}", offset
         )
     return text
 
@@ -325,7 +325,7 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
 
 
 def _encoded_text(name: str, value: Value, text: Any) -> Any:
-    """A text as its construct takes it: as characters, or filled up, where ASCII has zeros behind it."""
+    """A text as its construct takes it: as characters, or filled up, where ASCII has zeros after it."""
     if isinstance(text, str):
         fault = text_refusal(value, "big", text)
         if fault is not None:

@@ -24,7 +24,7 @@ def record_struct(record: RecordLayout) -> construct.Struct:
 
 
 def is_sequence(record: RecordLayout) -> bool:
-    """Whether a struct can read a record: nothing in it differs in size, and no end is told by the data alone."""
+    """Whether a struct can read a record: all fields have fixed sizes, and no end depends only on the data."""
     measured = {other.field.measures.field for other in record.fields if other.field.measures is not None}
     has_ends = all(not field.varies or field.name in measured for field in record.sent_fields[:-1])
     return has_ends and not record.has_differing
@@ -35,7 +35,7 @@ def _struct(record: RecordLayout) -> construct.Struct:
 
 
 def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
-    """A list with something behind it: as many elements as another field says, in its room in an image."""
+    """A list with fields after it: the number of elements in another field, in its room in an image."""
     measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
     name = next(other.name for other in record.fields if other.field.measures is measure)
     unit = field.size if measure.of == "bytes" else 1
@@ -55,7 +55,7 @@ def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:
 
 
 def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
-    """One element of a field; a record that differs in size is bytes, as many as it may have."""
+    """One element of a field; a record that differs in size is bytes of its greatest size."""
     if field.record is not None and field.record.size is None:
         return construct.Bytes(field.size)
     if field.record:
@@ -121,7 +121,7 @@ class _SignAndMagnitude(construct.Adapter):  # type: ignore[misc]
 
 
 class _Digits(construct.Adapter):  # type: ignore[misc]
-    """A number that is sent as digits; bytes that are none are parsed as None."""
+    """A number that is sent as digits; invalid digits are parsed as None."""
 
     def __init__(self, value: Value, order: str, swapped: bool) -> None:
         super().__init__(construct.Bytes(value.size))
@@ -139,7 +139,7 @@ class _Digits(construct.Adapter):  # type: ignore[misc]
 
 
 class _Text(construct.Adapter):  # type: ignore[misc]
-    """A text in a form of its own; bytes that are none are parsed as None, and bytes are built as they are."""
+    """A text in a special form; invalid bytes are parsed as None, and bytes are built unchanged."""
 
     def __init__(self, value: Value, order: str) -> None:
         super().__init__(construct.Bytes(value.size))

@@ -11,7 +11,7 @@ _SIX_BITS = "@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_ !\"#$%&'()*+,-./0123456789:;<=>?"
 
 
 def text_of_bytes(value: Value, order: str, data: bytes) -> str | None:
-    """The characters of all bytes of a text; None for bytes that are no text in its form."""
+    """The characters of all bytes of a text; None for bytes that are not a text in its form."""
     form = value.text_form
     if form is None:
         return data.rstrip(b"\0").decode("ascii") if data.isascii() else None

@@ -9,18 +9,21 @@ def add_audit(audit: argparse.ArgumentParser) -> None:
     """Adds the arguments of the audit."""
     audit.add_argument("device", metavar="DEVICE[@VERSION]")
     audit.add_argument("--manual", metavar="FILE", help="the text of the manual (default: its recorded index)")
-    audit.add_argument("--record", action="store_true", help="write the index of that text beside the spec")
+    audit.add_argument("--record", action="store_true", help="write the index of that text next to the spec")
     audit.add_argument("--all", action="store_true", help="include the long tables")
-    audit.add_argument(
-        "--as-printed", action="store_true", help="show what the checks would find if the spec had no errata"
-    )
+    audit.add_argument("--as-printed", action="store_true", help="show the findings of the checks without the errata")
     audit.add_argument(
         "--table", metavar="NAME", help="print only this table, such as ledger; required for csv and xlsx"
     )
-    audit.add_argument("--format", choices=("text", "json", "html", "sarif", "csv", "xlsx", "parquet"), default="text")
+    audit.add_argument(
+        "--format",
+        choices=("text", "json", "html", "sarif", "csv", "xlsx", "parquet"),
+        default="text",
+        help="the output format (default: text)",
+    )
     audit.add_argument("--out", metavar="FILE", help="the file for the page or the table (default: standard output)")
     audit.add_argument(
-        "--dump", metavar="FILE", help="judge values read from a device: CSV, XLSX or JSON (-: standard input)"
+        "--dump", metavar="FILE", help="check values read from a device: CSV, XLSX or JSON (-: standard input)"
     )
     for role in ("address", "value", "words", "space"):
         audit.add_argument(
@@ -31,11 +34,11 @@ def add_audit(audit: argparse.ArgumentParser) -> None:
         "--offset", type=int, metavar="NUMBER", help="the difference between addresses in the dump and on the wire"
     )
     audit.add_argument("--encoding", metavar="NAME", help="the encoding of the dump, such as gbk, big5 or utf-16")
-    captures = "report what captures show, or the tables that decode --to parquet has written"
+    captures = "report on a folder of captures, or of tables from decode --to parquet"
     audit.add_argument("--captures", metavar="FOLDER", help=captures)
-    evidence = "report what dumps, scans and captures of real units show, a folder for each unit"
+    evidence = "report on dumps, scans and captures of real devices, one folder per device"
     audit.add_argument("--evidence", metavar="FOLDER", help=evidence)
-    lost = "with --evidence: the table `evidence` of an earlier report as JSON; evidence that is lost is a finding"
+    lost = "with --evidence: the table `evidence` of an earlier report as JSON; lost evidence is a finding"
     audit.add_argument("--baseline", metavar="FILE", help=lost)
     audit.add_argument("--sheet", metavar="NAME", help="the sheet, if the dump is a workbook")
     signs = "record that a section of the manual was compared with the spec (`all`: every section)"

@@ -48,7 +48,7 @@ def folder_report(
 ) -> tuple[Report, tuple[Diagnostic, ...]]:
     """The report on a folder of units, and its findings; those in the notes alone where there are any.
 
-    `layouts` are those of all versions. Raises UsageError.
+    `layouts` are the layouts of all versions. Raises UsageError.
     """
     notes, findings = _notes(folder)
     if findings:
@@ -93,7 +93,9 @@ def _notes(folder: Path) -> tuple[list[tuple[Path, UnitNote]], list[Diagnostic]]
         try:
             data = regular_file.content(name, _MOST_BYTES)
         except FileNotFoundError:
-            raise UsageError(f"{path} has no {FILE} that says which unit it is of") from None
+            raise UsageError(
+                f"{path} has no {FILE}; write one with model, firmware and serial_number: redacted"
+            ) from None
         except SizeError:
             raise UsageError(f"{name} has more than {_MOST_BYTES >> 20} MiB; a note is smaller") from None
         except OSError as error:

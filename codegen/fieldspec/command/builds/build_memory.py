@@ -1,4 +1,4 @@
-"""What a process remembers that builds again and again."""
+"""The memory of a process that builds repeatedly."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from fieldspec.targets.pieces import Pieces
 
 @dataclass(frozen=True, slots=True)
 class BuildMemory:
-    """What was read, so that it is not read again, and the pieces of outputs, so that they are not made again."""
+    """Parsed files and pieces of outputs, for reuse in the next build."""
 
     reading: Memory = field(default_factory=lambda: Memory(strict=True))
     pieces: Pieces = field(default_factory=Pieces)

@@ -28,7 +28,7 @@ TEMPLATES = "templates"
 
 @dataclass(frozen=True, slots=True)
 class _Plan:
-    """What a build does for a device: whether it is checked, which outputs are rebuilt, and which are reused."""
+    """The plan of a build for a device: whether it is checked, which outputs are rebuilt, and which are reused."""
 
     check: bool
     outputs: tuple[str, ...]
@@ -45,8 +45,8 @@ def build_result(
 ) -> BuildResult:
     """Builds what is out of date, and nothing of devices with errors.
 
-    Files that differ from the ones in place are written to `staging`. What is read again and again is read with the
-    `memory` of the last time. Raises UsageError.
+    Files that differ from the ones in place are written to `staging`. Repeated reads use the `memory` of the last read.
+    Raises UsageError.
     """
     plans = {
         device: _plan(device, build_request, earlier) for device in sorted(build_request.devices) or devices_in(files)

@@ -46,7 +46,7 @@ class Built:
 
 @dataclass(frozen=True, slots=True)
 class BuildRequest:
-    """What is to be built: outputs, and devices with their versions, no version for all; no device for all.
+    """The selection for a build: outputs, and devices with their versions; no version means all, no device means all.
 
     Outputs that are `required` must express each device. `project` has the choices of the project file.
     """
@@ -76,7 +76,7 @@ class BuildRequest:
 
 @dataclass(frozen=True, slots=True)
 class BuildResult:
-    """What a build has found, the devices as they are now, and the files that were not as they should be.
+    """The findings of a build, the current devices, and the files that were out of date.
 
     `shared` are the files that belong to no device. `quiet` says that nothing at all was found in the files. `broken`
     are the devices with errors, whose files stay as they are; they are not among `devices`.
@@ -106,7 +106,7 @@ def file_digest(output_folder: Path, path: str) -> str | None:
 class EarlierBuild:
     """The record of an earlier build into a folder. `now` has the hashes of the spec files as they are.
 
-    `packages` are those of installed packages that bring outputs, checks and protocols.
+    `packages` are the installed packages with outputs, checks and protocols.
 
     Where it is not `trusted`, the record is neither read nor written.
     """
@@ -255,8 +255,8 @@ _NAMED = 3
 class Manifest:
     """Identities of versions, hashes of spec files by device, and hashes of the files that were made of them.
 
-    `owned` are the files of each device, `stale` those of devices that had errors when they were to be built.
-    `packages` are versions and hashes of installed packages that bring outputs, checks and protocols.
+    `owned` are the files of each device, `stale` the files of devices with errors. `packages` are versions and hashes
+    of installed packages that bring outputs, checks and protocols.
     """
 
     identities: Hashes

@@ -1,4 +1,4 @@
-"""The files of outputs that are made of those of all devices, such as the index of the documentation."""
+"""The output files that summarize all devices, such as the index of the documentation."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def stage_overviews(
 ) -> Hashes:
     """The hashes of these files. Those that differ from the files in place are staged and added to the stale ones.
 
-    Devices that this build leaves alone are those of the manifest, where their files are as they were built. Without
-    `staging`, nothing is staged; files that are made of stale ones are then taken to be as they are. Raises UsageError.
+    Devices outside of this build are taken from the manifest, if their files are unchanged. Without `staging`, nothing
+    is staged; files that are made of stale ones are then taken to be as they are. Raises UsageError.
     """
     hashes: Hashes = {}
     for name in build_request.outputs:
@@ -41,7 +41,7 @@ def stage_overviews(
 
 
 def _record(name: str) -> str:
-    """The name of the record of an output's overview, beside those of outputs."""
+    """The name of the record of an output's overview, next to the records of outputs."""
     return f"{name} overview"
 
 

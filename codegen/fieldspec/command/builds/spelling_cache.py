@@ -12,7 +12,7 @@ KIND = "spellings"
 
 
 def stored(key: str) -> Spellings:
-    """What is kept of a device under a key, by output and version; nothing for an empty key."""
+    """The cached spellings of a device under a key, by output and version; empty for an empty key."""
     spellings: Spellings = {}
     for name in OUTPUTS if key else ():
         content = cache_folder.cached(KIND, f"{key} {name}")

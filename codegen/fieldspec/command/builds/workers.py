@@ -41,11 +41,12 @@ WORTH_IT = 200_000
 class Task:
     """A device, the versions to build (none: all), whether to check it first, and the outputs to build.
 
-    `judged` are the outputs that are asked what they cannot express, those too that are not built anew. Where they are
+    `judged` are the outputs whose refusals are computed, including outputs that are not rebuilt. Where they are
     `required`, one that cannot express the device keeps the others from being built; else it is left out. `manual` is
     the index of its manual, for the audit in its documentation. `choice` is that of the project file, which does not
-    matter where versions are named. `key` is that under which its spellings are in the cache, empty where they are
-    not; `spellings` are those that another process has, and `lends` says that another one needs those of this task.
+    matter where versions are named. `key` is that under which its spellings are in the cache, empty where they are not;
+    `spellings` are the spellings of another process, and `lends` is true if another process needs the spellings of this
+    task.
     """
 
     device: str
@@ -118,7 +119,7 @@ def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResul
 
 
 def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
-    """The results of tasks, whose findings lack those of the outputs."""
+    """The results of tasks, whose findings do not include the outputs' findings."""
     devices = work.project.devices
     tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
     processes = _processors()

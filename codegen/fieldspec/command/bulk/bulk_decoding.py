@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 JOURNAL, SUMMARY = "journal.json", "summary.json"
 JOURNAL_FORMAT = 2
-"""The number of what a journal holds: a run goes on from journals of this form alone."""
+"""The version of the journal format: a run continues only from journals of this version."""
 PART = 1_000_000
 """The frames of a part, unless --part-frames says another number."""
 
@@ -64,7 +64,7 @@ def require_captures() -> None:
 
 
 def _choices(layout: DeviceLayout, arguments: argparse.Namespace) -> Choices:
-    """What the options say about all frames. Raises UsageError."""
+    """The options that apply to all frames. Raises UsageError."""
     from fieldspec.tools.captures.decoding import Choices
 
     for option in OF_FRAMES:
@@ -86,7 +86,7 @@ def numbers_of(option: str, text: str | None, maximum: int) -> list[int]:
     for part in text.split(",") if text else ():
         low, _, high = part.partition("-")
         if not (low.isdecimal() and (high or low).isdecimal()) or not int(low) <= int(high or low) <= maximum:
-            raise UsageError(f"{option} {text} is no list of numbers up to {maximum}; write it as 1,3-5")
+            raise UsageError(f"{option} {text} is not a list of numbers up to {maximum}; write it as 1,3-5")
         if int(high or low) - int(low) > 0xFFFF:
             raise UsageError(f"{option} {text} has too many numbers")
         result += range(int(low), int(high or low) + 1)
@@ -113,7 +113,7 @@ def source_files(names: list[str]) -> list[tuple[str, Path]]:
 
 
 class _Job:
-    """One run over all files, which goes on where an earlier one was stopped."""
+    """One run over all files, which continues where an earlier run was stopped."""
 
     def __init__(
         self,
@@ -209,7 +209,7 @@ class _Job:
             raise UsageError(f"cannot read {path}: {error.strerror}") from None
 
     def _journal(self) -> Any:
-        """What an earlier run has noted, None where there is none. Raises UsageError for another task."""
+        """The journal of an earlier run, None without one. Raises UsageError for another task."""
         path = self.out / JOURNAL
         if not path.exists():
             if any(self.out.iterdir()):
@@ -220,7 +220,7 @@ class _Job:
             same = journal["task"] == json.loads(_json(self.task))
             known = journal.get("format") == JOURNAL_FORMAT
         except (ValueError, KeyError, TypeError, AttributeError):
-            raise UsageError(f"{path} is no journal of this command; name a new folder") from None
+            raise UsageError(f"{path} is not a journal of this command; name a new folder") from None
         if not known:
             raise UsageError(f"{path} is a journal of another version of fieldspec; name a new folder")
         if not same:

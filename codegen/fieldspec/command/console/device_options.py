@@ -11,30 +11,28 @@ from fieldspec.command.console.verb_parsers import VerbParser
 def add_simulate(simulate: argparse.ArgumentParser) -> None:
     """Adds the arguments of `simulate`."""
     simulate.add_argument("device", metavar="DEVICE[@VERSION]")
-    port_help = "pty, tcp://HOST:PORT, udp://HOST:PORT, can://INTERFACE/CHANNEL or a serial port; may be repeated"
-    port_help += " (default: as the link allows)"
+    port_help = "pty, tcp://HOST:PORT, udp://HOST:PORT, can://INTERFACE/CHANNEL or a serial port; repeatable"
+    port_help += " (default: by the link)"
     simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=port_help)
     browsers = "serve all links to the frame lab in a browser on this machine, at this port (0: any)"
-    simulate.add_argument("--websocket", type=int, metavar="PORT", help=browsers)
+    simulate.add_argument("--websocket", type=whole, metavar="PORT", help=browsers)
     simulate.add_argument("--unit", type=int, metavar="NUMBER", help="the unit address (default: the lowest)")
     _add_line_settings(simulate)
     simulate.add_argument(
         "--message", metavar="NAME", help="the cyclic message in use, by name or number (default: the first)"
     )
-    simulate.add_argument("--rate", type=positive, default=1.0, metavar="FACTOR", help="how much faster time passes")
-    simulate.add_argument("--dump", metavar="FILE", help="begin with the values of a dump: CSV, XLSX or JSON")
-    simulate.add_argument("--record", metavar="FILE", help="write the traffic, as lines that `fieldspec decode` reads")
-    chance = "a fault by chance, such as no_answer=0.01; may be repeated"
+    simulate.add_argument("--rate", type=positive, default=1.0, metavar="FACTOR", help="the speed of simulated time")
+    simulate.add_argument("--dump", metavar="FILE", help="start with the values of a dump: CSV, XLSX or JSON")
+    simulate.add_argument("--record", metavar="FILE", help="write the traffic to a log for `fieldspec decode`")
+    chance = "a random fault, such as no_answer=0.01; repeatable"
     simulate.add_argument("--fault", metavar="KIND=PROBABILITY", action="append", help=chance)
-    simulate.add_argument("--faults", metavar="FILE", help="a script of faults: a JSON object in each line")
+    simulate.add_argument("--faults", metavar="FILE", help="a script of faults: one JSON object per line")
     simulate.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="the random seed for faults")
     simulate.add_argument(
-        "--control", action="store_true", help="take commands from standard input, a JSON object in each line"
+        "--control", action="store_true", help="read commands from standard input, one JSON object per line"
     )
     simulate.add_argument("--view", action="store_true", help="show registers, motion and traffic in the terminal")
-    simulate.add_argument(
-        "--assumptions", action="store_true", help="list what the simulator assumes, and serve nothing"
-    )
+    simulate.add_argument("--assumptions", action="store_true", help="list the assumptions of the simulator and exit")
 
 
 def add_live(live: VerbParser) -> None:
@@ -77,11 +75,11 @@ def add_live(live: VerbParser) -> None:
 def add_scan(scan: argparse.ArgumentParser) -> None:
     """Adds the arguments of `scan`."""
     scan.add_argument("device", metavar="DEVICE[@VERSION]")
-    ranges = "addresses such as 0x1000..0x10FF, or SPACE:0..255 (default: the pages of 256 that have registers)"
+    ranges = "addresses such as 0x1000..0x10FF, or SPACE:0..255 (default: all blocks of 256 addresses with registers)"
     scan.add_argument("arguments", nargs="*", default=[], metavar="RANGE", help=ranges)
     _add_connection(scan)
     scan.add_argument("--trace", action="store_true", help="print all frames to standard error")
-    scan.add_argument("--format", choices=("text", "json"), default="text", help="json is evidence for audit")
+    scan.add_argument("--format", choices=("text", "json"), default="text", help="json: for `audit --evidence`")
 
 
 def add_redact(redact: argparse.ArgumentParser) -> None:
@@ -127,6 +125,6 @@ def _add_line_settings(verb: argparse._ActionsContainer) -> None:
 
 def add_mcp(mcp: argparse.ArgumentParser) -> None:
     """Adds the arguments of `mcp`."""
-    port_help = "a device that may be read, and where it is, as for `live --port`; may be repeated"
+    port_help = "a device to read and its port, as for `live --port`; repeatable"
     mcp.add_argument("--port", metavar="DEVICE=WHERE", action="append", help=port_help)
-    mcp.add_argument("--allow-writes", action="store_true", help="also offer to write to these devices")
+    mcp.add_argument("--allow-writes", action="store_true", help="also allow writes to these devices")

@@ -71,7 +71,7 @@ def _print_pretty(block: Block) -> None:
 
 
 def _print_split(block: Table, stay: Sequence[int], below: Sequence[int]) -> None:
-    """Prints a table that is wider than the terminal: what does not fit stands below each row, by its column."""
+    """Prints a table that is wider than the terminal: cells that do not fit are printed below each row, by column."""
     from rich.padding import Padding
     from rich.text import Text
 

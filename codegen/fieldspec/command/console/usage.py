@@ -23,10 +23,13 @@ def unknown(kind: str, name: str, known: Iterable[str], limit: int = 20) -> Usag
 
     names = sorted(set(known), key=_in_order)
     matches = [] if name.isdecimal() else difflib.get_close_matches(name, names, 1, 0.6)
-    if matches:
+    longer = sorted((known_name for known_name in names if name and name in known_name.split("_")), key=len)[:_NEAREST]
+    if matches and not longer:
         hint = f"did you mean {matches[0]}?"
+    elif longer:
+        hint = f"did you mean {' or '.join(longer)}?"
     elif names and len(names) <= limit:
-        hint = f"there are {', '.join(names)}"
+        hint = f"choose from {', '.join(names)}"
     elif names:
         nearest_names = difflib.get_close_matches(name, names, _NEAREST, 0.0) or names[:_NEAREST]
         hint = f"the nearest of {len(names)} are {', '.join(nearest_names)}"

@@ -59,7 +59,7 @@ class _Word(argparse.Action):
 
 
 class Suggested(tuple[str, ...]):
-    """What a shell offers for an option that also takes other texts."""
+    """The completions of an option that also accepts other texts."""
 
     __slots__ = ()
 
@@ -134,7 +134,7 @@ class VerbParser(LineParser):
                 self.add_argument(option, action=_Word, nargs="?", dest="words", help=argparse.SUPPRESS)
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
-        """The arguments and the words that are none; options and positional arguments may be mixed."""
+        """The arguments and the unknown words; options and positional arguments may be mixed."""
         if self._mixing:
             if self._tail is None:  # the options alone come first
                 end = [*args, "--"].index("--")

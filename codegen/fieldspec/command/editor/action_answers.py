@@ -1,4 +1,4 @@
-"""What the server answers where an editor asks what can be done at a place: edits, and what a frame says."""
+"""The code actions at a position: edits, and the explanation of a frame."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def add_actions(server: Server) -> None:
                 raise UsageError("there is no sound device with a link here")
             text = explained(layout, bytes.fromhex(frame))
         except ValueError:
-            raise refusal(UsageError(f"{visible_text(frame)} is no frame")) from None
+            raise refusal(UsageError(f"{visible_text(frame)} is not a frame")) from None
         except UsageError as error:
             raise refusal(error) from None
         if not server.shows_answers:

@@ -1,4 +1,4 @@
-"""What the server answers to each request of an editor."""
+"""The answer of the server to each request of an editor."""
 
 from __future__ import annotations
 

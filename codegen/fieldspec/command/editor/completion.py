@@ -26,7 +26,7 @@ MOST = 2000
 """How many suggestions are made: no editor shows more."""
 
 _PATH = re.compile(r"\bpaths? of\b")
-"""What the description of a key says that takes paths."""
+"""The words in the description of a key that takes paths."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,7 @@ def _keys(word: TypedWord) -> Iterator[Suggestion]:
 
 _DEPTH_OF_RECORDS = len(("records", 0, "same_as"))
 _OF_KEYS = ("inferred", "standard")
-"""Mappings whose keys are those of the fact that holds them."""
+"""Mappings whose keys are the keys of the enclosing fact."""
 
 
 def _values(word: TypedWord) -> Iterator[Suggestion]:
@@ -124,7 +124,7 @@ def _values(word: TypedWord) -> Iterator[Suggestion]:
 
 
 def _description(word: TypedWord) -> str:
-    """What the language says of the key whose value the word is, or that has the word in its list."""
+    """The description of the key whose value is the word, or whose list contains the word."""
     place = word.place
     holder = replace(place, nodes=place.nodes[:-1], keys=place.keys[:-1])
     return described((holder if isinstance(place.nodes[-2], Sequence) else place).part() or {})
@@ -203,7 +203,7 @@ def _scalars(node: Node) -> Iterator[tuple[str | int, Scalar]]:
 
 
 def _numbers(word: TypedWord, key: str) -> Iterator[Suggestion]:
-    """The next number behind that of the item before; for an address, those that are free."""
+    """The next number after that of the item before; for an address, those that are free."""
     nodes, keys = word.place.nodes, word.place.keys
     if len(nodes) < 3:
         return

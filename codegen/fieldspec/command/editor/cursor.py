@@ -1,4 +1,4 @@
-"""What is at a place of a document: the nodes that hold it, and the part of the language that describes them."""
+"""The context of a position in a document: the enclosing nodes, and the part of the schema that describes them."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Cursor:
 
 
 def cursor(project: EditedProject, read: FileRead, offset: int) -> Cursor | None:
-    """What is at an offset of a file; None where its text has no tree, or has changed there since it had one."""
+    """The context of an offset in a file; None where its text has no tree, or has changed there since it had one."""
     if read.tree is None:
         return None
     place = moved(Span(read.file, offset, offset), read.tree.file)
@@ -71,7 +71,7 @@ def cursor(project: EditedProject, read: FileRead, offset: int) -> Cursor | None
 
 
 def _below(node: Node, offset: int) -> tuple[str | int, Node] | None:
-    """The child of a node that holds an offset, with its key. What an alias names is at another place.
+    """The child of a node that holds an offset, with its key. The content of an alias is at another place.
 
     A list or mapping may end where the next one begins, a value just before the pointer.
     """
@@ -93,7 +93,7 @@ def _part(steps: list[str | int] | None) -> Schema | None:
 
 
 def _within_fact(spec: DeviceSpec, place: Cursor) -> list[str | int] | None:
-    """The keys of a tree that those of an entry mean: of a fact that it changes or adds, or has the print of.
+    """The keys that the keys of an entry refer to: of a fact that it changes or adds, or whose printed value it states.
 
     None for any other place.
     """

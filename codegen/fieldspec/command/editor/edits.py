@@ -66,12 +66,12 @@ def with_item(read: FileRead, section: str, lines: Lines[str]) -> Edit:
 
 
 def _opens(node: Node) -> str:
-    """The first character of a node behind its anchor: a bracket, or that of a block."""
+    """The first character of a node after its anchor: a bracket, or that of a block."""
     return node.file.text[unanchored(node)]
 
 
 def _last(node: Node) -> int:
-    """Where the text of a node ends, without the blank lines and comments behind it."""
+    """Where the text of a node ends, without the blank lines and comments after it."""
     lines = node.file.text[node.start : node.end].rstrip().split("\n")
     while len(lines) > 1 and (lines[-1].lstrip().startswith("#") or not lines[-1].strip()):
         lines.pop()

@@ -1,4 +1,4 @@
-"""New entries of lists of a device: errata with the print of a value."""
+"""New entries of lists of a device: errata with a printed value."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the help of a finding says, where it is mechanical, as edits of the documents."""
+"""The help of a finding as edits of the documents, if it is mechanical."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def _texts_instead(finding: Diagnostic) -> Iterator[str]:
 
 
 def _word(read: FileRead, span: Span) -> Span:
-    """What a finding marks, without quotation marks around it."""
+    """The text that a finding marks, without quotation marks."""
     return unquoted(Scalar(span.file, span.start, span.end, "", False)) if _is_quoted(span) else span
 
 
@@ -107,7 +107,7 @@ def _in_tree(place: Cursor, finding: Diagnostic) -> Iterator[Action]:
 
 
 def _corrected(place: Cursor, finding: Diagnostic, fact: Mapping | None) -> Iterator[Action]:
-    """Other numbers for an address, alone and with an erratum that has the print."""
+    """Other numbers for an address, with and without an erratum for the printed number."""
     value, key = place.scalar, place.keys[-1] if place.keys else ""
     if value is None or fact is None or not isinstance(key, str):
         return

@@ -1,4 +1,4 @@
-"""What the values of an example, a step or a behaviour belong to, and what a value of theirs can mean."""
+"""The owners of the values of an example, a step or a behaviour, and the meanings of a value."""
 
 from __future__ import annotations
 

@@ -13,9 +13,9 @@ MOST = 8
 
 
 def free_addresses(spec: DeviceSpec, space: str, before: int | None, name: str) -> Iterator[int]:
-    """The first of each run of free addresses of a space: behind the fact at an address, then behind all others.
+    """The first of each run of free addresses of a space: after the fact at an address, then after all others.
 
-    What the fact with the name `name` occupies is free to it.
+    The addresses that the fact `name` occupies are free to it.
     """
     device, _ = spec.at(spec.versions()[-1])
     own_space = device.space_name(space)

@@ -1,4 +1,4 @@
-"""What an editor shows of the place under the pointer: a key as the manual of the language has it, a fact as `show`."""
+"""The hover text of a position: a key as in the language manual, a fact as in `show`."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ _INDEXES: ByIdentity[DeviceSpec, _Index] = ByIdentity(limit=50)
 
 
 def meant(place: Cursor) -> list[NamedFact]:
-    """The facts that are named at a place, or that a name there refers to; in a protocol those of each device."""
+    """The facts that are named at a place, or that a name there refers to; in a protocol, the facts of each device."""
     node = place.scalar or place.key_scalar
     if node is None:
         return []
@@ -89,7 +89,7 @@ def _indexed(project: EditedProject, spec: DeviceSpec) -> _Index:
     for reference in results:
         text = reference.scalar.text[reference.start : reference.end]
         index.mean(reference.scalar, reference.span, text, reference.target)
-        # A role is no name, and one that comes from an expansion is in no text.
+        # A role is not a name, and one that comes from an expansion is in no text.
         if _text(reference.span) in {_text(unquoted(name)) for name in index.fact(reference.target).names.values()}:
             index.fact(reference.target).uses.setdefault(reference.span, reference)
     return index

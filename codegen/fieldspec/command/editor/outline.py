@@ -42,7 +42,7 @@ def _named(node: Node, ranged: Ranged) -> Iterator[DocumentSymbol]:
 
 
 def folds(node: Mapping | Sequence, ranged: Ranged) -> Iterator[FoldingRange]:
-    """The lists and mappings below a node that take several lines, without the blank ones behind them."""
+    """The lists and mappings below a node that take several lines, without the blank ones after them."""
     for _, child in children(node):
         if isinstance(child, Scalar):
             continue

@@ -56,7 +56,7 @@ class Positions:
 def moved(span: Span, file: SourceFile) -> Span | None:
     """The place of a span of an earlier text in a newer one; None where the text has changed there.
 
-    What stands before the first and behind the last change of the text has a place in both.
+    What stands before the first and after the last change of the text has a place in both.
     """
     if span.file is file:
         return span

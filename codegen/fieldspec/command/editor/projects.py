@@ -64,7 +64,7 @@ class EditedProject:
         self.project = read(contents, origins=self.origins, installed=installed, memory=self.memory)
 
     def outcome(self, device: str) -> Outcome:
-        """The result of all checks and proofs of a device; that of its last change, where it has not changed since."""
+        """The result of all checks and proofs of a device; the previous result if it has not changed since."""
         spec = self.project.devices[device]
         judged = self.outcomes.get(device)
         if judged is None or judged[0] is not spec:
@@ -74,7 +74,7 @@ class EditedProject:
     def findings(self) -> list[Diagnostic]:
         """All findings, in order, at the places that they have in the documents.
 
-        Of a document that cannot be read, those of its last sound text stay where that has not changed.
+        For an unreadable document, the results of its last valid text stay if that text has not changed.
         """
         findings = [*self.project.findings]
         for device in self.project.devices:
@@ -101,13 +101,13 @@ class EditedProject:
         return None
 
     def read_file(self, path: Path) -> FileRead | None:
-        """A file as it was read; None for one that is none of the specs."""
+        """A file as it was read; None for a file outside of the specs."""
         return self.memory.files.get(path.relative_to(self.folder).as_posix())
 
     def specs_with(self, file: SourceFile) -> list[DeviceSpec]:
         """The devices that a file belongs to: one, or those that use a protocol.
 
-        A file in the folder of a device that is no part of it yet, since it cannot be read, belongs to it too.
+        A file in the folder of a device that is not a part of it yet, since it cannot be read, belongs to it too.
         """
         paths = {path for path, read in self.memory.files.items() if read.file.path == file.path}
         folders = {path.partition("/")[0] for path in paths} - {PROTOCOLS}

@@ -1,4 +1,4 @@
-"""What a number in counts is in the unit of the fact that it is given for."""
+"""The quantity of a raw number in the unit of its fact."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _OF_FACTS = ("default", "const")
 
 
 def quantity(place: Cursor) -> str:
-    """A number with its quantity, as `show` has those of ranges; empty for anything else."""
+    """A number with its quantity, formatted like the ranges in `show`; empty for other values."""
     number = _count(place.scalar)
     for fact in _facts(place) if number is not None else ():
         value = getattr(stated_fact(place, fact), "value", None)

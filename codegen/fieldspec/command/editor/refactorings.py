@@ -1,4 +1,4 @@
-"""What an editor offers for a place without a finding: an erratum, a version of its own, and what a frame says."""
+"""The refactorings of a place without a finding: an erratum, a new version, and the explanation of a frame."""
 
 from __future__ import annotations
 

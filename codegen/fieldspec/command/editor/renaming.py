@@ -26,13 +26,13 @@ def name_at(place: Cursor) -> Span:
 
 
 def renaming(place: Cursor, new_name: str) -> list[Span]:
-    """The places of a name that are written anew. Raises UsageError where the new name breaks something."""
+    """The places where a name is replaced. Raises UsageError where the new name breaks something."""
     project, at_cursor = place.project, name_at(place)
     old_name = _text(at_cursor)
     spans = list(dict.fromkeys(span for fact in meant(place) for span in _spans(fact) if _text(span) == old_name))
     for span in spans:
         if span.file.path in project.origins.values():
-            raise UsageError(f"{old_name} is in a protocol that is installed, which nobody changes here")
+            raise UsageError(f"{old_name} belongs to an installed protocol, which cannot be changed here")
         if project.file(span.file.path) is not span.file:
             raise UsageError(f"{span.file.path} cannot be read as it is now: correct what is marked there first")
     _judge(place, spans, new_name)

@@ -28,7 +28,7 @@ from fieldspec.language.reading.memory import FileRead
 PAUSE = 0.05
 """Seconds without a key after which the specs are judged."""
 IDLE = 2.0
-"""Seconds without a key after which memory is tidied up: nobody else does, and the server runs for long."""
+"""Seconds without a key press after which garbage is collected, because the server runs for a long time."""
 
 _SEVERITIES = {Severity.ERROR: types.DiagnosticSeverity.Error, Severity.WARNING: types.DiagnosticSeverity.Warning}
 
@@ -63,7 +63,7 @@ class Server(LanguageServer):
         return {path: uri for path, uri in paths if path is not None}
 
     def project_of(self, uri: str) -> EditedProject | None:
-        """The project of a document, read as it is now; None for a document that is no spec."""
+        """The project of a document, read as it is now; None for a document that is not a spec."""
         folder = self._folder_of(uri)
         if folder is None:
             return None
@@ -82,13 +82,13 @@ class Server(LanguageServer):
         return folder
 
     def document(self, uri: str) -> tuple[EditedProject, FileRead] | None:
-        """The project of a document, and the document as it was read; None for one that is no spec."""
+        """The project of a document, and the document as it was read; None for one that is not a spec."""
         project, path = self.project_of(uri), path_of(uri)
         read = project.read_file(path) if project is not None and path is not None else None
         return (project, read) if project is not None and read is not None else None
 
     def cursor(self, uri: str, position: types.Position) -> Cursor | None:
-        """What is at a position of a document; None where that is no spec, or cannot be read there."""
+        """The context of a position in a document; None where that is not a spec, or cannot be read there."""
         document = self.document(uri)
         return cursor(*document, self.positions(document[1].file).offset(position)) if document is not None else None
 
@@ -204,7 +204,7 @@ def folder_of_manuals(name: str) -> Path:
 
 
 def path_of(uri: str) -> Path | None:
-    """The path of a document; None for one that is no file, such as a text without a name."""
+    """The path of a document; None for one that is not a file, such as a text without a name."""
     path = to_fs_path(uri) if uri.startswith("file:") else None
     return Path(os.path.realpath(path)) if path and "\0" not in path else None
 

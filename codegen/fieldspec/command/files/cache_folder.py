@@ -35,7 +35,7 @@ MOST = 100
 def folder() -> str:
     """The folder: FIELDSPEC_CACHE, or where the system keeps caches. Raises OSError for a user without a home."""
     if stated_folder := os.environ.get(VARIABLE):
-        return stated_folder.rstrip(os.sep) or stated_folder  # behind a link, a separator would lead to its target
+        return stated_folder.rstrip(os.sep) or stated_folder  # after a link, a separator would lead to its target
     home = os.path.expanduser("~")
     if home == "~":
         raise FileNotFoundError("this user has no home")
@@ -184,7 +184,7 @@ def _files_named(folder: str, pattern: re.Pattern[str]) -> list[os.DirEntry[str]
 
 
 def _ours(state: os.stat_result) -> bool:
-    """Whether a file is regular, not too large, and writable by nobody else."""
+    """Whether a file is regular, not too large, and writable only by its owner."""
     if not stat.S_ISREG(state.st_mode) or state.st_size > _LARGEST:
         return False
     if os.name != "posix":

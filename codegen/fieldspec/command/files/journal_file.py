@@ -21,7 +21,7 @@ class JournalFile:
     """A journal. `state` is what an earlier run has left in it, or None."""
 
     def __init__(self, list_path: Path, content: bytes, unit: Mapping[str, object]) -> None:
-        """Reads what is there. Raises UsageError for a file that is no journal, or that of another unit."""
+        """Reads what is there. Raises UsageError for a file that is not a journal, or that of another unit."""
         self.path = list_path.with_name(f"{list_path.name}.journal")
         self.unit, self.digest = unit, hashlib.sha256(content).hexdigest()
         self.state: JournalState | None = None

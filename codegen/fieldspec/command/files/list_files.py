@@ -14,7 +14,7 @@ from fieldspec.tools.lists.sheet import MOST_BYTES
 from fieldspec.tools.lists.words import words
 
 COLUMNS = ("address", "space", "name", "words", "type", "access")
-"""The columns of a register list that have an option of their own; `--column` names those of all roles."""
+"""The columns of a register list that have an option of their own; `--column` names columns of all roles."""
 
 
 def column_options(arguments: argparse.Namespace, roles: Sequence[str] = COLUMNS) -> dict[str, str]:

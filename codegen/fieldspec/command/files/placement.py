@@ -1,8 +1,8 @@
 """Moves the files of a build into place, all or none, even if the process is killed halfway.
 
 Files are moved one by one. So the new ones are first written into a folder of their own, beside the old ones. Then a
-journal is put there: from now on the new state holds, and whoever finds the journal completes it. Where that fails, the
-journal becomes one that says to undo.
+journal is put there: from now on the new state holds, and the next build that finds the journal completes it. Where
+that fails, the journal becomes one that says to undo.
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ class Staging:
 
 
 def _left_over(output_folder: Path) -> list[Path]:
-    """The folders left by builds that were killed; nobody writes into them while we have the lock."""
+    """The folders left by builds that were killed; no process writes into them while this process has the lock."""
     with os.scandir(output_folder) as entries:
         return sorted(
             output_folder / entry.name
@@ -243,7 +243,7 @@ def complete(output_folder: Path, folder: Path, journal: Journal) -> None:
 
 
 def undo(output_folder: Path, folder: Path, journal: Journal) -> None:
-    """Restores the old files. Raises OSError; whoever finds the journal then continues."""
+    """Restores the old files. Raises OSError; the next build that finds the journal then continues."""
     if (folder / COMPLETE).exists():
         os.replace(folder / COMPLETE, folder / UNDO)
     absent = set(journal.absent)
@@ -292,7 +292,7 @@ def _read_journal(folder: Path) -> Journal | None:
         except FileNotFoundError:
             continue
         except (ValueError, TypeError, KeyError, RecursionError):
-            raise JournalError(f"{folder / name} is no journal of a build; remove the folder {folder}") from None
+            raise JournalError(f"{folder / name} is not a journal of a build; remove the folder {folder}") from None
         return journal
     return None
 

@@ -19,8 +19,8 @@ TABLES = ("frames", "values")
 class TableParts:
     """Writes parts into the folders `frames` and `values`, in an `exclusive_folder`. `number` is that of the next part.
 
-    A part is written into temporary files, which take their names when it is finished. What a killed run has left of a
-    part that its journal does not know is replaced.
+    A part is written into temporary files, which take their names when it is finished. A part that a killed run has
+    left without an entry in its journal is replaced.
     """
 
     def __init__(self, folder: Path, form: str, number: int) -> None:

@@ -21,8 +21,8 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
     """Replaces the name of an element by its sub-index, and a value by its bytes and what says how many they are, or by
     the number that the field has for it.
 
-    A value of a parameter that the spec does not describe is written as bytes. Raises UsageError where the message
-    does not carry as many bytes, and where the element can only be read; MeaningError; and CodecError.
+    A value of a parameter that the spec does not describe is written as bytes. Raises UsageError if the message does
+    not carry this number of bytes, or if the element is read-only; MeaningError; and CodecError.
     """
     from fieldspec.codec.reference.parameters import bytes_of_value, carries
     from fieldspec.codec.reference.records import encoded_value
@@ -90,8 +90,8 @@ def _element_number(
 ) -> object:
     """The number that a field of the value `own` has for an element of a parameter as people write it.
 
-    A count without a sign that the field can have is its number, so that bits may be written as they are. What only the
-    field has a meaning for stays as it is. Raises MeaningError and CodecError.
+    A count without a sign that the field can have is its number, so that bits may be written as they are. Values with a
+    meaning only for the field are unchanged. Raises MeaningError and CodecError.
     """
     from fieldspec.codec.reference.parameters import number_in_field
     from fieldspec.codec.reference.records import encoded_value

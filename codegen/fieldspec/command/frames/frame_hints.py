@@ -19,7 +19,7 @@ _LONGEST = 1024
 
 
 class FrameHints:
-    """Finds out why bytes are not a valid frame of a device. `arguments` are those of the command."""
+    """Finds out why bytes are not a valid frame of a device. `arguments` are the arguments of the command."""
 
     def __init__(self, layout: DeviceLayout, options: FrameOptions, arguments: argparse.Namespace) -> None:
         self.layout, self.options, self.arguments = layout, options, arguments

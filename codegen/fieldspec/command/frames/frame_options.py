@@ -36,7 +36,7 @@ def _links(layout: DeviceLayout, name: str | None) -> list[str]:
 
 
 def _word(layout: DeviceLayout, arguments: argparse.Namespace, links: list[str]) -> tuple[str, str, list[str]]:
-    """What a message is called, the requested name, and the links with such messages."""
+    """The term for a message, the requested name, and the links with such messages."""
     words = {f"--{option_word(link.link.message_name)}": link.link.message_name for link in layout.links.values()}
     stated = [("--message", arguments.message)] if arguments.message is not None else []
     stated += [(option.replace("_", "-"), text) for option, text in arguments.words]

@@ -35,7 +35,7 @@ _MOST_REASONS = 3
 """The reasons of one finding."""
 
 _TIMEOUT = 1.0
-"""The seconds that a response can take if nobody says how long."""
+"""The default response timeout in seconds."""
 
 
 def has_registers(layout: DeviceLayout) -> bool:
@@ -139,7 +139,7 @@ def _nothing_read(layout: DeviceLayout, links: Sequence[LinkLayout]) -> str:
 def _refuse_open_identifier(link: LinkLayout) -> None:
     """Raises UsageError for a link with a part of the identifier that nothing here can choose."""
     if link.open_identifier:
-        text = f"nothing says which {link.open_identifier} requests on {link.name} have in their identifier"
+        text = f"the {link.open_identifier} in the identifier of requests on {link.name} is unknown"
         raise UsageError(f"{text}: they are for a program, such as one with the generated code")
 
 
@@ -233,7 +233,7 @@ def settings_text(layout: DeviceLayout, link: LinkLayout, arguments: argparse.Na
 
 
 def unit_address_text(unit: int) -> str:
-    """What a verb says of the unit address that it uses because nobody has chosen one."""
+    """The remark of a verb on the default unit address."""
     return f"unit address {unit}; --unit NUMBER chooses another"
 
 

@@ -1,4 +1,4 @@
-"""What the verbs of `fieldspec live` print and ask."""
+"""The output and the questions of the verbs of `fieldspec live`."""
 
 from __future__ import annotations
 
@@ -91,11 +91,11 @@ def can_ask(arguments: argparse.Namespace) -> bool:
 
 
 def confirmed(arguments: argparse.Namespace) -> bool:
-    """Whether a person agrees to write. Raises UsageError where nobody can be asked."""
+    """Whether a person agrees to write. Raises UsageError without a terminal."""
     if arguments.yes:
         return True
     if not can_ask(arguments):
-        raise UsageError("nothing is written: confirm what stands above with --yes")
+        raise UsageError("nothing is written: confirm the list above with --yes")
     print_document("Write? [y/N] ", sys.stderr)
     if sys.stdin.readline().strip().lower() in ("y", "yes"):
         return True

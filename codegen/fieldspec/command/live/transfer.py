@@ -236,7 +236,7 @@ class _Upload:
         self.open = change.path
 
     def _print_state(self, plan: Sequence[Change], settled: str = "") -> None:
-        """What is written after a break; `settled` is a path of which the state is known."""
+        """The values that are written after an interruption; `settled` is a path of which the state is known."""
         print_note(f"written and verified: {_names(self.verified)}")
         if self.open and self.open != settled:
             print_note(f"may be written or not: {self.open}")

@@ -21,7 +21,7 @@ from fieldspec.targets import BUILT_IN, OUTPUTS, Files, Output
 
 
 def load_outputs(anew: bool = False) -> None:
-    """Adds the outputs of installed packages to those of fieldspec. Raises UsageError."""
+    """Adds the outputs of installed packages to fieldspec's own outputs. Raises UsageError."""
     installed = plugins(OUTPUT_GROUP, BUILT_IN, anew)
     for name in [name for name in OUTPUTS if name not in BUILT_IN]:
         del OUTPUTS[name]
@@ -30,7 +30,7 @@ def load_outputs(anew: bool = False) -> None:
 
 
 def outputs_help(arguments: Sequence[str]) -> str:
-    """What `build --help` says of the outputs, those of installed packages too. Raises UsageError."""
+    """The outputs in `build --help`, including outputs of installed packages. Raises UsageError."""
     load_outputs()
     titles = {
         name: output.backend.title() if isinstance(output.backend, PluginBackend) else output.title
@@ -60,7 +60,7 @@ class PluginBackend:
         return _checked_findings(self.plugin, self._call("refusals", versions))
 
     def title(self) -> str:
-        """What the output writes, in a line. Raises UsageError."""
+        """The description of the output in one line. Raises UsageError."""
         return str(self._module().TITLE)
 
     def _module(self) -> Any:
@@ -87,9 +87,9 @@ def _checked_files(plugin: Plugin, files: Any) -> Files:
         raise plugin.error("its files are not a dict of contents by path")
     for path, value in files.items():
         if not isinstance(path, str):
-            raise plugin.error(f"{path!r} is no path of a file below the folder of the output")
+            raise plugin.error(f"{path!r} is not a path of a file below the folder of the output")
         for fault in filter(None, map(file_name_fault, path.split("/"))):
-            raise plugin.error(f"{path!r} is no path of a file below the folder of the output: a name in it {fault}")
+            raise plugin.error(f"{path!r} is not a path of a file below the folder of the output: a name in it {fault}")
         if not isinstance(value, (str, Workbook)):
             raise plugin.error(f"the content of {path} is neither a text nor a workbook")
         _refuse_content(plugin, path, value)
@@ -102,7 +102,9 @@ def _refuse_content(plugin: Plugin, path: str, content: str | Workbook) -> None:
         try:
             content.encode("utf-8")
         except UnicodeError:
-            raise plugin.error(f"the content of {path} is no text in UTF-8: it has half of a surrogate pair") from None
+            raise plugin.error(
+                f"the content of {path} is not a text in UTF-8: it has half of a surrogate pair"
+            ) from None
         return
     from fieldspec.tools.lists.workbook_writer import packed
 
@@ -151,9 +153,9 @@ def _checked_findings(plugin: Plugin, findings: Any) -> list[Diagnostic]:
             raise plugin.error("it yields something that is not a Diagnostic")
         for attribute, kind, noun in _FINDING:
             if not isinstance(getattr(finding, attribute), kind):
-                raise plugin.error(f"the {attribute} of its finding is no {noun}")
+                raise plugin.error(f"the {attribute} of its finding is not a valid {noun}")
         if not isinstance(finding.labels, tuple) or not all(isinstance(label, Label) for label in finding.labels):
-            raise plugin.error("the labels of its finding are no tuple of Label objects")
+            raise plugin.error("the labels of its finding are not a tuple of Label objects")
     return result
 
 
@@ -180,7 +182,7 @@ def _loaded(plugin: Plugin) -> Any:
 
 
 def load_checks(anew: bool = False) -> None:
-    """Adds the checks of installed packages to those of fieldspec. Raises UsageError."""
+    """Adds the checks of installed packages to fieldspec's own checks. Raises UsageError."""
     from fieldspec.language.checks import table
 
     table.INSTALLED.clear()
@@ -192,7 +194,7 @@ def load_checks(anew: bool = False) -> None:
     for name, plugin in plugins(CHECK_GROUP, built_in, anew).items():
         function = _loaded(plugin)
         if not callable(function):
-            raise plugin.error(f"{plugin.value} is no function")
+            raise plugin.error(f"{plugin.value} is not a function")
         try:
             rules.check_rule(name, function)
         except ValueError as error:

@@ -75,7 +75,7 @@ def plugins(group: str, reserved: Collection[str], anew: bool = False) -> dict[s
 
 
 _known: dict[str, tuple[Plugin, ...]] = {}
-"""What is installed, by the state of the folders that modules are imported from."""
+"""The installed plug-ins, by the state of the import folders."""
 
 
 def _installed(anew: bool) -> tuple[Plugin, ...]:
@@ -94,7 +94,7 @@ def _installed(anew: bool) -> tuple[Plugin, ...]:
 
 
 def _stored(state: str) -> tuple[Plugin, ...] | None:
-    """What an earlier run has found; None where nothing is stored, or another program has written it."""
+    """The result of an earlier run; None where nothing is stored, or another program has written it."""
     content = cache_folder.cached(KIND, state)
     try:
         rows = json.loads(content or b"")
@@ -116,7 +116,7 @@ def _searched() -> tuple[Plugin, ...]:
         if not _entries(distribution):
             continue  # reading the name as well would take longer than all else
         package = distribution.metadata["Name"]
-        imported = next(iter(distributions(name=package, path=folders)), distribution)  # an older copy may be behind
+        imported = next(iter(distributions(name=package, path=folders)), distribution)  # an older copy may be after
         for entry in _entries(imported):
             rows.add((entry.group, entry.name, entry.value, package, imported.version))
     return tuple(Plugin(*row) for row in sorted(rows))

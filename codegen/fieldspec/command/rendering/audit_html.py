@@ -57,7 +57,7 @@ class _Table:
 
 @dataclass(frozen=True, slots=True)
 class _Section:
-    """A section with its tables, those of details in `folded`, and the drawings with their legend."""
+    """A section with its tables, with detail tables in `folded`, and the drawings with their legend."""
 
     name: str
     title: str
@@ -202,7 +202,7 @@ def _width_rules(sections: Sequence[_Section]) -> str:
 
 
 def _facts(report: Report, device: Device) -> tuple[tuple[str, str], ...]:
-    """What the report is about."""
+    """The subject of the report."""
     manual = device.manual
     edition = f", {manual.edition}" if manual.edition else ""
     return (

@@ -29,9 +29,9 @@ def pages(
 ) -> dict[str, bytes]:
     """The page of a device's audit, by its path below the folder of all outputs.
 
-    `layouts` are those of all versions, the oldest first; the audit is of the last one. `recorded` is the index of the
-    manual, where there is one. `links` lead from paths of facts to where they are documented. `known` is the outcome
-    of all checks and proofs of the device, where they have run.
+    `layouts` are the layouts of all versions, the oldest first; the audit is of the last one. `recorded` is the index
+    of the manual, where there is one. `links` lead from paths of facts to where they are documented. `known` is the
+    outcome of all checks and proofs of the device, where they have run.
     """
     newest = layouts[-1]
     proofs = known.proofs if known is not None else errata_proofs(spec)

@@ -85,7 +85,7 @@ _FIXED = 2
 
 
 def split(table: Table, limit: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The numbers of the columns that fit into `limit` columns of a terminal, and of those that stand below their rows.
+    """The numbers of the columns that fit into `limit` columns of a terminal, and of the columns below their rows.
 
     The widest columns go first, of equal ones the last; the first two always stay.
     """
@@ -111,7 +111,7 @@ _A_ROW = 16
 
 
 def drawn(word: Flags) -> Iterator[str]:
-    """A drawing of a word: a box for each bit, the highest first, 16 in a row, with lines to the names of bits.
+    """A drawing of a word: a box for each bit, the highest first, 16 in a row, with lines to the bit names.
 
     There is no wall between the bits of one field. The boxes of bits without a name are empty.
     """

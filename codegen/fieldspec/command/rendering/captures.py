@@ -12,7 +12,7 @@ _NOT_FAULTS = ("ok",)
 def summary_blocks(
     totals: Mapping[str, Mapping[str, int]], files: int, parts: int, faults: Mapping[str, str]
 ) -> Iterator[Block]:
-    """What a run has seen: the share of the bytes that it decoded, and everything that it could not decode, by reason.
+    """The result of a run: the share of the decoded bytes, and everything that could not be decoded, by reason.
 
     `totals` are counts by kind, `faults` the files that could not be read with the reason of each.
     """

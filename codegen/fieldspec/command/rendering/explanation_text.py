@@ -113,7 +113,7 @@ def register_table(explanation: Explanation) -> Table:
 def head_blocks(
     layout: DeviceLayout, reading: ChosenReading, remarks: Iterable[str], before: str = ""
 ) -> Iterator[Block]:
-    """What a frame is under its reading, after a text `before`, and remarks."""
+    """The interpretation of a frame, after a text `before`, and remarks."""
     explanation = reading.explanation
     own = explanation.link, explanation.direction
     sure = all((link, direction) != own for link, direction, _, _ in reading.alternatives)
@@ -313,7 +313,7 @@ def _reading(reading: Reading) -> dict[str, object]:
 
 
 def _count_name(row: ExplanationRow) -> str:
-    """The name of how many addresses a register has: those of bytes would look like the bytes themselves."""
+    """The name of the number of addresses of a register, which must not look like a number of bytes."""
     return "size" if row.unit == BYTE else f"{row.unit or WORD}s"
 
 
@@ -370,5 +370,5 @@ def _json_value(value: object) -> object:
 
 
 def _printed(printed: Mapping[str, object]) -> dict[str, object]:
-    """What the manual prints, key by key; decimal numbers as text."""
+    """The printed values, key by key; decimal numbers as text."""
     return {key: str(value) if isinstance(value, Decimal) else value for key, value in printed.items()}

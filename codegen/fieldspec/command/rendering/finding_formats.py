@@ -61,7 +61,7 @@ def _sarif_rule(code: str) -> dict[str, object]:
         "id": code,
         "shortDescription": {"text": known.what},
         "fullDescription": {"text": known.why},
-        "help": {"text": f"{known.cure}\n\nExample: {known.example}"},
+        "help": {"text": f"{known.fix}\n\nExample: {known.example}"},
     }
 
 

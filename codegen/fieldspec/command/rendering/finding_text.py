@@ -82,7 +82,7 @@ def _marked_lines(span: Span, mark: str, paint: _Paint, style: str) -> list[str]
 
 
 def marked_characters(span: Span) -> int:
-    """How many characters of the source line the marks stand under: those of the span in its first line, or one."""
+    """The number of underlined characters of the source line: the span in its first line, or one."""
     number, column = span.position()
     return max(1, min(len(span.file.line(number)) - column + 1, span.end - span.start))
 

@@ -1,4 +1,4 @@
-"""What an import used of a list, what it did not, and what it took for granted, as lines for people."""
+"""The content that an import used of a list, the unused content, and the assumptions, as lines for people."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def head(result: Imported, has_frames: bool) -> list[str]:
     """The same for the head of the spec, without what its rows say."""
     frames = [] if has_frames else ["The list has no frames: add `uses` or `links`, as `fieldspec new device` shows."]
     if has_frames:
-        frames = ["The frames are those of a protocol that the list does not name. Keep what the device has."]
+        frames = ["The list does not name the protocol of its frames. Keep the links that the device has."]
     return [*frames, *_columns(result), *(f"Assumed: {assumption.text()}" for assumption in result.assumptions)]
 
 

@@ -206,7 +206,7 @@ def fact_details(device: Device, fact: Fact) -> Details:
     for key, reason in fact.inferred.items():
         yield "inferred", f"{key}: {reason}"
     if fact.unverified:
-        yield "unverified", "nobody has compared it with the manual yet"
+        yield "unverified", "not compared with the manual yet"
     for key, reason in fact.allowed.items():
         yield "allowed", f"{key}: {reason}"
     for general in device.notes:
@@ -218,7 +218,7 @@ def fact_details(device: Device, fact: Fact) -> Details:
 
 
 def _handling(handling: Handling) -> Details:
-    """What a reader or writer of a value must know."""
+    """Notes for readers and writers of a value."""
     yield "reading", "clears it: only the first reader gets it" if handling.clears_on_read else ""
     yield "memory", _MEMORY.get(handling.memory, "")
     yield "saved by", handling.saved_by

@@ -17,9 +17,7 @@ _HEADINGS = ("member", "type", "byte", "bit", "size", "elements", "stride", "on 
 def blocks(placed: Placed, title: str) -> Iterator[Block]:
     """The size of a struct, its members as a table, and its bytes as boxes."""
     yield Line(title, "bold")
-    size = (
-        "with as many elements as there can be" if placed.struct.size is None else f"on the wire {placed.struct.size}"
-    )
+    size = "with the greatest number of elements" if placed.struct.size is None else f"on the wire {placed.struct.size}"
     yield Line(f"{placed.memory.title}: {placed.size} bytes, {size}")
     rows = [tuple("" if cell is None else str(cell) for cell in row) for row in member_rows(placed)]
     yield narrowed(Table(_HEADINGS, tuple(rows)))

@@ -69,7 +69,7 @@ def field_table(record: RecordLayout, base: int | None = None) -> Block:
 
 
 def _rows(field: FieldLayout, base: int | None, has_place: bool) -> Iterator[tuple[str, ...]]:
-    """The row of a field, or of the types that it has by cases; behind a value that varies in width it has no place."""
+    """The row of a field, or of the types that it has by cases; after a value that varies in width it has no place."""
     place_text = f"+{field.offset}" if base is None else f"0x{base + field.offset // 2:04X}"
     place_text = place_text if has_place else ""
     label = " ".join(text for text in (field.field.printed_name, field.field.label) if text)

@@ -21,7 +21,7 @@ MOST_BYTES = 30_000
 
 class Server(MCPServer[None]):
     """The SDK's server ignores arguments that a tool does not have, takes texts for truth values, and is silent about
-    a line that is no message.
+    a line that is not a message.
     """
 
     async def call_tool(self, name: str, arguments: dict[str, Any], context: Context[None, Any] | None = None) -> Any:
@@ -39,7 +39,7 @@ class Server(MCPServer[None]):
 
 
 def _refuse(name: str, arguments: Mapping[str, Any], properties: Mapping[str, Any]) -> None:
-    """Raises ToolError for arguments that are not those of a tool."""
+    """Raises ToolError for arguments that a tool does not have."""
     size = len(json.dumps(arguments))
     if size > MOST_BYTES:
         raise ToolError(f"the arguments of {name} have {size} bytes; send {MOST_BYTES} at most")
@@ -52,7 +52,7 @@ def _refuse(name: str, arguments: Mapping[str, Any], properties: Mapping[str, An
 
 
 class _Messages:
-    """The messages of a client. A line that is none is answered here; JSON-RPC 2.0, section 5."""
+    """The messages of a client. An invalid line is answered here; JSON-RPC 2.0, section 5."""
 
     def __init__(self, lines: Any, answers: Any) -> None:
         self._lines, self._answers = lines, answers
@@ -92,7 +92,7 @@ class _Messages:
 
 
 def _refusal(error: ValidationError) -> JSONRPCError:
-    """The answer to a line that is no message, with the number of its request where that can be read."""
+    """The answer to a line that is not a message, with the number of its request where that can be read."""
     first = error.errors(include_url=False)[0]
     is_text = first["type"] == "json_invalid"
     code = PARSE_ERROR if is_text else INVALID_REQUEST

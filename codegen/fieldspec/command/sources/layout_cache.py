@@ -66,7 +66,7 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
 def index(specs_option: str | None, text: str, anew: bool, names: Callable[[], list[list[str]]]) -> Index:
     """The `names` of the items of `DEVICE` or `DEVICE@VERSION`, and the paths of what refers to each fact, by its path.
 
-    They tell which objects of a layout are wanted before any is rebuilt. Raises UsageError.
+    They select the objects of a layout before any is rebuilt. Raises UsageError.
     """
     name, version = spec_files.split(text)
     _, files = _files(specs_option, name)
@@ -123,13 +123,15 @@ HOMES = ("fieldspec.language.model.", "fieldspec.codec.layout.", "fieldspec.foun
 
 
 def to_json(root: object) -> bytes:
-    """An object, and all objects in it, as lines of JSON behind their seal. Of source files, only paths are stored."""
+    """An object, and all objects in it, as lines of JSON after their seal. Only the paths of source
+    files are stored.
+    """
     lines = _Freezing().lines(root)
     return _seal(lines) + b"\n" + lines
 
 
 def _seal(lines: bytes) -> bytes:
-    """What only `to_json` writes before lines, so that none are of a wrong shape when they are read, one by one."""
+    """The prefix that only `to_json` writes before lines, so that each line has the right shape when it is read."""
     return cache_folder.checksum(b"layout", lines).encode()
 
 
@@ -140,7 +142,7 @@ def from_json(content: bytes, source: Callable[[str], SourceFile]) -> Any:
     """
     seal, _, sealed_lines = content.partition(b"\n")
     if seal != _seal(sealed_lines):
-        raise ValueError("the lines are not those of a layout")
+        raise ValueError("the lines are not a layout")
     head, *lines = sealed_lines.decode().split("\n")
     classes, files = _parse_line(head)
     if not all(name.startswith(HOMES) for name in classes):
@@ -189,7 +191,7 @@ class _Freezing:
         return self.numbers.get_or_compute(instance, self.write_line)
 
     def write_line(self, instance: object) -> int:
-        """Writes the line of an object after those of the objects in it, and returns its number."""
+        """Writes the line of an object after the lines of the objects in it, and returns its number."""
         self.written.append(_json([self.value(getattr(instance, name)) for name in attributes(instance.__class__)]))
         return len(self.written) - 1
 
@@ -206,8 +208,8 @@ def _parse_line(line: str) -> list[Any]:
 class _Thawing:
     """Makes objects by the numbers of their lines, each only once.
 
-    At first an object has no attributes; a class of its own reads them from its line when one is accessed. To whoever
-    asks for its `__class__`, it is of the final class from the start.
+    At first an object has no attributes; a class of its own reads them from its line when one is accessed. Its
+    `__class__` is the final class from the start.
     """
 
     def __init__(

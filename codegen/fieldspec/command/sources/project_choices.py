@@ -32,7 +32,7 @@ class ProjectChoices:
     findings: tuple[Diagnostic, ...] = field(default=())
 
     def choice(self, device: str) -> Choice:
-        """What the file chooses of a device."""
+        """The choices of the file for a device."""
         return self.file.choice(device) if self.file is not None else Choice()
 
     def folder(self, device: str) -> str:
@@ -40,7 +40,7 @@ class ProjectChoices:
         return os.path.join(self.place, self.choice(device).folder if self.file is not None else DEFAULT_FOLDER)
 
     def unknown_names(self, devices: Iterable[str]) -> list[Diagnostic]:
-        """What is wrong with the file, and the findings of outputs and devices that do not exist."""
+        """The errors of the file, and the findings of unknown outputs and devices."""
         from fieldspec.targets import OUTPUTS
 
         if self.file is None:

@@ -1,4 +1,4 @@
-"""What a device that uses a protocol has to state for itself: entries of what it cites, and its address spaces."""
+"""The entries that a device with a protocol has to state: its citations, and its address spaces."""
 
 from __future__ import annotations
 
@@ -153,7 +153,7 @@ def _accesses(messages: Iterable[Mapping]) -> Iterator[tuple[str, str]]:
 
 
 def _needed(item: Mapping, key: str) -> str:
-    """What an entry must say under a key beside what its protocol says: its first element alone, or the same."""
+    """The required content of an entry under a key of its protocol: only its first element, or the same."""
     inner = next(mappings(item.values.get(key)), None)
     if inner is None:
         return _key_text(item, key)

@@ -28,10 +28,10 @@ _CHECKOUT = os.path.join(os.path.dirname(os.path.dirname(_PACKAGE)), FOLDER)
 
 _USE = re.compile(
     rb"""protocol["']?(?:\s|\#.*\n){0,999}:(?:\s|\#.*\n){0,999}  # the key, and comments before its value
-    ["']?([A-Za-z0-9][A-Za-z0-9_-]*)(?![A-Za-z0-9_-]|["']?\s*:)  # the name, which is no key itself""",
+    ["']?([A-Za-z0-9][A-Za-z0-9_-]*)(?![A-Za-z0-9_-]|["']?\s*:)  # the name, which is not a key itself""",
     re.VERBOSE,
 )
-"""What may be the use of a protocol. It is looked for without a YAML reader, which `decode` does not load."""
+"""What may be the use of a protocol. It is found without a YAML reader, which `decode` does not load."""
 
 
 def writable_folder(specs_option: str | None) -> str:
@@ -166,7 +166,7 @@ class InstalledFile(bytes):
 
 
 def with_protocols(files: Mapping[str, bytes]) -> dict[str, bytes]:
-    """Spec files, with those of protocols that they use and do not have: fieldspec's own, and those of plug-ins.
+    """Spec files, with the files of used protocols that they lack: fieldspec's own and the plug-ins' protocols.
 
     Raises UsageError for a broken plug-in.
     """
@@ -200,7 +200,7 @@ def _uses(data: bytes) -> Iterator[str]:
 
 
 def installed_protocols() -> dict[str, str]:
-    """The files of the protocols that are installed, by name: fieldspec's own, and those of plug-ins."""
+    """The files of the installed protocols, by name: fieldspec's own and the plug-ins' protocols."""
     from fieldspec.command.packages.plugins import protocol_paths
 
     own = bundled_protocols()
@@ -224,7 +224,9 @@ def _installed_file(path: str) -> bytes:
 
 
 def of_devices(specs_option: str | None, requested: frozenset[str] = frozenset()) -> tuple[str, dict[str, bytes]]:
-    """The folder with the specs, its files, and those of installed protocols. Raises UsageError for unknown ones."""
+    """The folder with the specs, its files, and the files of installed protocols. Raises UsageError for
+    unknown ones.
+    """
     path = folder(specs_option)
     known = devices(path)
     for device in sorted(requested.difference(known)):

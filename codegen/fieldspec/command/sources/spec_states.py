@@ -16,6 +16,9 @@ from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS
 from fieldspec.language.reading.project import Project, read
 
+_NONE = "there is no device, no folder and no git revision"
+_INSTEAD = "write DEVICE@VERSION, a folder of specs, or a revision such as HEAD~1"
+
 
 class NoRevision(UsageError):
     """The name is not that of a revision."""
@@ -66,12 +69,12 @@ def _verified(directory: Path, revision: str) -> None:
     try:
         _git(directory, "rev-parse", "--git-dir")
     except _Failed:
-        text = f"{revision} is no device and no folder, and {directory} is in no git repository"
+        text = f"{revision} is not a device and no folder, and {directory} is in no git repository"
         raise NoRevision(text) from None
     try:
         _git(directory, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{tree}}")
     except _Failed:
-        raise NoRevision(f"there is no device, no folder and no git revision {revision}") from None
+        raise NoRevision(f"{_NONE} {revision}; {_INSTEAD}") from None
 
 
 def _contents(directory: Path, revision: str, path: str) -> dict[str, str]:
@@ -148,7 +151,7 @@ class SpecState:
     def spec(self, device: str) -> DeviceSpec:
         """The spec of a device. Raises UsageError where there is none."""
         if device not in self.project.devices:
-            raise UsageError(f"{self.name} holds no device {device}; there are {', '.join(self.project.devices)}")
+            raise UsageError(f"{self.name} holds no device {device}; choose from {', '.join(self.project.devices)}")
         return self.project.devices[device]
 
     def at(self, device: str, version: str) -> Device:
@@ -230,7 +233,7 @@ def _revision(text: str, specs_folder: Path | None, bare_paths: bool) -> SpecSta
         name, version = before, after
     revision, colon, path = name.partition(":")
     if not revision:
-        raise UsageError(f"there is no device, no folder and no git revision {text}")
+        raise UsageError(f"{_NONE} {text}; {_INSTEAD}")
     spec_tree = tree(revision, path.strip("/") if colon else None, specs_folder)
     folder = spec_tree.path if bare_paths else f"{revision}:{spec_tree.path}"
     only = frozenset([spec_tree.device]) if spec_tree.device else frozenset[str]()

@@ -99,8 +99,8 @@ LISTS = ("csv", "xlsx")
 def run(arguments: argparse.Namespace) -> int:
     """Prints the audit, or one table of it. Exit code 1 where a section has a finding that is an error.
 
-    Findings in the print, with `--as-printed`, say nothing against the spec; the exit code is then 0.
-    Raises UsageError.
+    Findings in the printed values, with `--as-printed`, do not affect the exit code, which is then 0. Raises
+    UsageError.
     """
     from fieldspec.command.packages.plugin_loading import load_checks
     from fieldspec.tools.audit.report import printed_report, report

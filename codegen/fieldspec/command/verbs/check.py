@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _of_project_file(specs_option: str | None, project: Project) -> list[Diagnostic]:
-    """The findings of the project file, with those of versions that the devices do not have."""
+    """The findings of the project file, including unknown versions of the devices."""
     from fieldspec.command.packages.plugin_loading import load_outputs
 
     load_outputs()

@@ -84,7 +84,7 @@ class FramePrinter:
 
 @dataclass(frozen=True, slots=True)
 class _Body:
-    """What is printed of an explanation below its remarks."""
+    """The part of an explanation below its remarks."""
 
     blocks: tuple[Block, ...]
     footnotes: tuple[str, ...]
@@ -135,7 +135,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _fails(reading: ChosenReading, strict: bool) -> bool:
-    """Whether the exit code is 1: the frame is wrong or, where that is asked for, has a doubtful value."""
+    """Whether the exit code is 1: the frame is wrong or, with `--strict`, has a doubtful value."""
     return reading.wrong or (strict and any(faults(reading.explanation)))
 
 
@@ -156,7 +156,8 @@ def _frame(layout: DeviceLayout, text: str, device: str) -> LogLine:
     try:
         line = log_line(text, [link.link for link in layout.links.values()])
     except Unreadable as error:
-        hint = _path_hint(text, device) if device and os.path.exists(text) else ""
+        hint = "; write its bytes in hexadecimal, such as 01 03 10 00"
+        hint = _path_hint(text, device) if device and os.path.exists(text) else hint
         raise UsageError(f"this is not a frame: {error}{hint}") from None
     if line is None or not line.frame:
         raise UsageError("this is not a frame: it has no bytes")
@@ -289,7 +290,7 @@ class Log:
         ]
 
     def _request(self, reading: ChosenReading) -> OpenRequest | None:
-        """The frame as the request that the next response answers; None for what nobody answers."""
+        """The frame as the request that the next response answers; None for messages without a response."""
         request = reading.explanation
         if request.direction != "request" or (reading.wrong and request.reasons != ("unknown_code",)):
             return None

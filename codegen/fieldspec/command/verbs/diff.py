@@ -89,7 +89,7 @@ def _common(old: SpecState, new: SpecState) -> list[str]:
     if not common and old.project.devices.keys() != new.project.devices.keys():
         raise UsageError(f"{old.name} and {new.name} have no device in common")
     if len(common) > 1 and (old.version or new.version):
-        raise UsageError(f"say which device the version belongs to: there are {', '.join(common)}")
+        raise UsageError(f"say which device the version belongs to: choose from {', '.join(common)}")
     return common
 
 

@@ -23,7 +23,7 @@ PORTS = range(1 << 16)
 def run(arguments: argparse.Namespace) -> int:
     """Builds and serves until interrupted. Exit code 1 for findings, with nothing served. Raises UsageError."""
     if arguments.port not in PORTS:
-        raise UsageError(f"--port {arguments.port} is no port; use 0 to {PORTS[-1]}, 0 for one that is free")
+        raise UsageError(f"--port {arguments.port} is not a port; use 0 to {PORTS[-1]}, 0 for one that is free")
     output_folder = arguments.out or project_choices(spec_files.folder(arguments.specs)).folder("")
     options = argparse.Namespace(
         specs=arguments.specs, out=output_folder, devices=(), to=OUTPUT, check=False, no_cache=False, watch=False

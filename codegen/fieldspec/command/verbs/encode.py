@@ -306,7 +306,7 @@ _BITS = {"true": 1, "false": 0, "on": 1, "off": 0}
 
 
 def carried_bits(access: RegisterAccess, text: str) -> object:
-    """What a message carries for `on, off, true`; the text itself where it has something else.
+    """The numbers that a message carries for `on, off, true`; the text itself otherwise.
 
     Raises UsageError.
     """

@@ -170,7 +170,7 @@ def _device(path: Path) -> str:
 
 
 def _errors(device: str, text: str) -> list[Diagnostic]:
-    """What a spec would not pass the check with, because the list contradicts itself."""
+    """The facts that would fail the check, because the list contradicts itself."""
     from fieldspec.command import pipeline
     from fieldspec.command.packages.plugin_loading import load_checks
 

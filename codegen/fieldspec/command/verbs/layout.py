@@ -63,7 +63,7 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
             problem = (
                 f"elements of {repeated_name} differ in size"
                 if record.has_differing
-                else f"fields come behind {repeated_name}, which repeats"
+                else f"fields follow {repeated_name}, which repeats"
             )
             raise UsageError(f"{record.name} has no layout: {problem}")
         for decided, chosen in choices(record):

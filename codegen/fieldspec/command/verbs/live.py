@@ -93,7 +93,7 @@ def _fits(client: Client, spec: DeviceSpec, any_version: bool) -> bool:
         return True
     if firmware.version and specs.layout_of(spec, firmware.version).identity == layout.identity:
         return True
-    known = f"is {firmware.version}" if firmware.version else f"is none of the spec: {firmware.doubt}"
+    known = f"is {firmware.version}" if firmware.version else f"is not in the spec: {firmware.doubt}"
     text = f"the firmware {firmware.text} of the device {known}, and the verb is for {own}"
     if not firmware.text:
         text = f"{firmware.doubt}, and the verb is for {own}"

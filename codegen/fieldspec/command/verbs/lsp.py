@@ -19,8 +19,8 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("the server needs pygls: pip install 'fieldspec[lsp]'") from None
     editor = server(arguments.specs, arguments.manuals)
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what anything prints is no answer
-    # What cannot be answered is said in the answer, and is no fault of the server.
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what anything prints is not an answer
+    # What cannot be answered is said in the answer, and is not a fault of the server.
     logging.getLogger("pygls.protocol.json_rpc").addFilter(lambda record: not is_refusal(record.exc_info))
     editor.start_io(sys.stdin.buffer, answers)
     return 0

@@ -43,9 +43,9 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _renaming(old: Device, new: Device) -> Renaming:
-    """The paths of a version as those of the next one: of what the spec says is renamed, or what evidently is.
+    """The paths of a version as paths of the next version: renamed by the spec, or by evidence.
 
-    What was reserved and now has a meaning is no renamed fact.
+    A reserved fact that now has a meaning is not renamed.
     """
     comparison = Comparison(old, new, stated_reasons(old, new).renames)
     reserved = {pair.old.place.path for pair in comparison.reserved_changes}

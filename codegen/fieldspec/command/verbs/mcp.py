@@ -48,7 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
     for text in arguments.port or ():
         device, mark, place = text.partition("=")
         if not mark or not place:
-            raise UsageError(f"`{text}` is no place; write it as DEVICE=/dev/ttyUSB0, DEVICE=socket://HOST:PORT")
+            raise UsageError(f"`{text}` is not a place; write it as DEVICE=/dev/ttyUSB0, DEVICE=socket://HOST:PORT")
         specs.spec_at(arguments.specs, device)
         ports[device] = place
     if arguments.allow_writes and not ports:
@@ -120,8 +120,8 @@ def _add_writes(server: Server, places: Places) -> None:
     def write(device: str, assignments: list[str], confirmed: bool = False) -> str:
         """Writes values, each as NAME=VALUE, and reads them back. A machine may move.
 
-        Without `confirmed`, nothing is written that starts, energizes or releases something, is stored for good or
-        wears a memory: the answer then says what. Confirm only what a person has agreed to.
+        Without `confirmed`, values that start, energize or release something, are stored permanently or wear out memory
+        are not written: the answer then lists them. Confirm only what a person has agreed to.
         """
         own = ("--port", _place(places, device), *(["--yes"] if confirmed else []), *places.options)
         return _verb("live", (device, "write", *assignments), own)
@@ -159,12 +159,12 @@ def _refuse_hazards(places: Places, device: str, names: Sequence[str]) -> None:
 
 
 def _verb(verb: str, words: Sequence[str], options: Sequence[str]) -> str:
-    """What a verb prints. Raises ToolError with what it says where it ends with an error."""
+    """The output of a verb. Raises ToolError with what it says where it ends with an error."""
     from mcp.server.mcpserver.exceptions import ToolError
 
     for word in words:
         if word.startswith("-"):
-            raise ToolError(f"`{word}` is no name and no value here")
+            raise ToolError(f"`{word}` is not a name and no value here")
     if any("\0" in text for text in (*words, *options)):
         raise ToolError("a text has a zero byte, which no name and no value has")
     command = [sys.executable, "-m", "fieldspec", verb, *options, *words]

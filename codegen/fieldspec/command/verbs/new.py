@@ -35,7 +35,7 @@ _WITHOUT_EFFECT = {
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the file, and overwrites none but an older schema. Raises UsageError."""
+    """Writes the file, and overwrites only an older schema. Raises UsageError."""
     other = _WITHOUT_EFFECT[arguments.kind]
     for name in other:
         if getattr(arguments, name) is not None:

@@ -40,7 +40,7 @@ _MOST_BYTES = 1 << 20
 
 @dataclass(slots=True)
 class _Output:
-    """What is written of one unit: contents by new names. `problems` are files that are left out, with the reason."""
+    """The output for one unit: contents by new names. `problems` are files that are left out, with the reason."""
 
     contents: dict[str, str] = field(default_factory=dict)
     rows: list[tuple[str, str, str]] = field(default_factory=list)
@@ -57,7 +57,7 @@ class _Output:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the files anew into `--out`. Exit code 1 where a file is left out. Raises UsageError."""
+    """Writes the redacted files into `--out`. Exit code 1 if a file is left out. Raises UsageError."""
     require_captures()
     spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)
@@ -105,7 +105,7 @@ def _files(folder: Path) -> list[Path]:
 
 
 def _spared(layout: DeviceLayout, names: Sequence[str]) -> frozenset[str]:
-    """The paths of facts whose texts are taken over. Raises UsageError."""
+    """The paths of facts whose texts are copied. Raises UsageError."""
     facts = {
         item.path: item.fact.place.path
         for item in Observables(layout).all
@@ -154,7 +154,7 @@ def _note(secrets: Secrets, folder: Path) -> tuple[str, int | None]:
     if not findings:
         node, findings = parsed(file)
     if findings or not isinstance(node, Mapping):
-        raise UsageError(f"{path} is no note; it has the keys model, firmware and serial_number")
+        raise UsageError(f"{path} is not a note; it has the keys model, firmware and serial_number")
     texts = {key: value.text.strip() for key, value in node.values.items() if isinstance(value, Scalar)}
     if texts.get("serial_number", REDACTED) != REDACTED:
         secrets.add_text(texts["serial_number"])

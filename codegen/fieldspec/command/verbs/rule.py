@@ -1,4 +1,4 @@
-"""`fieldspec rule`: what a rule demands, why, an example, and the cure."""
+"""`fieldspec rule`: what a rule demands, why, an example, and the fix."""
 
 from __future__ import annotations
 
@@ -33,6 +33,6 @@ def run(arguments: argparse.Namespace) -> int:
         raise unknown("rule", arguments.code, rules)
     rule = rules[arguments.code]
     classes = (f"Class: {', '.join(rule.classes)}",) if rule.classes else ()
-    texts = (rule.what, *classes, f"Why: {rule.why}", f"Example: {rule.example}", f"Cure: {rule.cure}")
+    texts = (rule.what, *classes, f"Why: {rule.why}", f"Example: {rule.example}", f"Fix: {rule.fix}")
     print_blocks([Line(rule.code, "bold"), *(line for text in texts for line in (Line(""), Line(text)))])
     return 0

@@ -79,7 +79,7 @@ def _plan(client: Client, spaces: Sequence[ScanSpace], texts: Sequence[str]) -> 
         end = known[name].end
         if not 0 <= first <= last < end:
             raise UsageError(
-                f"`{text}` is no range of addresses up to 0x{end - 1:04X}; write it as 0x1000..0x10FF or SPACE:0..255"
+                f"`{text}` is not an address range up to 0x{end - 1:04X}; write it as 0x1000..0x10FF or SPACE:0..255"
             )
         plan.setdefault(name, []).append(range(first, last + 1))
     return [(known[name], ranges) for name, ranges in plan.items()]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import re
 from collections.abc import Iterator
 from itertools import islice
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.terminal import print_blocks
-from fieldspec.command.console.usage import not_at, unknown
+from fieldspec.command.console.usage import UsageError, not_at, unknown
 from fieldspec.command.frames.frame_options import number_of
 from fieldspec.command.rendering.item import Item, ParameterNumber, fact_of, handles, items, numbered, unnamed
 from fieldspec.command.rendering.item_blocks import blocks
@@ -63,6 +64,8 @@ def _numbered(layout: DeviceLayout, text: str, number: int | None) -> list[Item]
         places = {place: name for item in known for place, name in _addressed(item)}
         if number is not None and places:
             raise not_at(f"item of {layout.device.id}", number, places.items())
+        if re.fullmatch("[0-9A-Fa-f]+", text) and any(numbered(item, int(text, 16)) for item in known):
+            raise UsageError(f"there is no item of {layout.device.id} {text}; did you mean 0x{text}?")
         names = {handle for item in known for handle in handles(item) if handle}
         raise unknown(f"item of {layout.device.id}", text, names)
     return matches

@@ -124,7 +124,7 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
     """The links that are served, each with its place. Raises UsageError."""
     if not ports:
         links = list(layout.links.values())
-        # One serial line at a time, as on the device; what is no serial line has no other to disturb.
+        # One serial line at a time, as on the device; what is not a serial line has no other to disturb.
         usual = layout.links[layout.device.default_link]
         serial = next((link for link in (usual, *links) if link.link.serial is not None), None)
         bus = next((link for link in links if link.link.is_can), None)
@@ -149,7 +149,7 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
 
 
 def _unit_address(layout: DeviceLayout, unit: int | None) -> int:
-    """The unit address: the one that is asked for, or the first that the device can have. Raises UsageError."""
+    """The unit address: the requested address, or the first that the device can have. Raises UsageError."""
     if unit is None:
         return usual_unit_address(layout)
     if not _has_unit_address(layout):

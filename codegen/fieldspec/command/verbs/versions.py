@@ -23,7 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
     device, _ = spec.at(version)
     counts = {bound: Counter(_named(spec.tree, bound)) for bound in _BOUNDS}
     if not device.lines:
-        print_blocks([Line(f"{device.name} has one version, {version}: its manual speaks of no other")])
+        print_blocks([Line(f"{device.name} has one version, {version}: its manual mentions no other")])
         return 0
     for number, line in enumerate(device.lines):
         rows = [
@@ -51,7 +51,7 @@ def _named(node: Node, bound: str) -> Iterator[str]:
 
 
 def each(spec: DeviceSpec) -> list[str]:
-    """Every version of a device; those of lines without outputs are joined with the newest version."""
+    """Every version of a device; versions of lines without outputs are joined with the newest version."""
     built = spec.versions()
     other_versions = [version for version in spec.lines.place if version not in built]
     return [*built, *(other if other in spec.lines.alike else f"{built[-1]}+{other}" for other in other_versions)]

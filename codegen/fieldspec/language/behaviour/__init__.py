@@ -1,1 +1,3 @@
-"""What a device does over time: the section `behaviour` of a spec. It is not in the model: no output depends on it."""
+"""The behaviour of a device over time: the section `behaviour` of a spec. It is not in the model: no output depends on
+it.
+"""

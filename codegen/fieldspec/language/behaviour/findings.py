@@ -1,4 +1,4 @@
-"""What is wrong with a behaviour."""
+"""The findings of a behaviour."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def _unstated(behaviour: Behaviour) -> Iterator[Diagnostic]:
             text = f"{part.name} does not say where the manual states it"
             yield Diagnostic(_STATED, text, part.place["name"], help="add `source`")
         elif not part.sources and not part.assumed and not part.standard:
-            text = f"{part.name} rests on nothing"
+            text = f"{part.name} cites no source and states no assumption"
             help = "add `source`, `standard`, or `assumed` with what the manual does not print"
             yield Diagnostic(_STATED, text, part.place["name"], help=help)
 
@@ -259,7 +259,7 @@ class _Resolution:
         if not operands:
             yield from self._signal(part, "mark", name)
         elif any(operand.bit is None or operand.bit.width > 1 for operand in operands):
-            text = f"{quoted(name)} is no single bit, so it cannot mark a refusal"
+            text = f"{quoted(name)} is not a single bit, so it cannot mark a refusal"
             help = "name a bit, or state `exception_response: {part: ..}` at the link"
             yield Diagnostic(_RESOLVES, text, part.place["mark"], help=help)
 

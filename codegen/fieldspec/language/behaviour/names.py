@@ -1,4 +1,4 @@
-"""What the names in a behaviour mean: signals, elements of records, properties of the axis, states of machines."""
+"""The meaning of names in a behaviour: signals, elements of records, properties of the axis, states of machines."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Names:
         return close if "/" in name else sorted({role for operand in self.operands.all for role in operand.roles})
 
     def unknown(self, name: str) -> str:
-        """The text of a finding about a name that is no signal, with the names that it may be a misprint of."""
+        """The text of a finding about a name that is not a signal, with the names that it may be a misprint of."""
         from difflib import get_close_matches
 
         last = name.rpartition("/")[2]

@@ -53,7 +53,7 @@ STATED_KEYS = frozenset({"name", "doc", "source", "notes", "standard", "since", 
 """The keys of every part that say what it rests on."""
 
 MODELLED, ASSUMED, NOT_MODELLED = STANDINGS = ("modelled", "assumed", "not modelled")
-"""What a simulator does with a statement of a manual: as it is printed, with an assumption, or not at all."""
+"""How a simulator implements a statement of a manual: as printed, with an assumption, or not at all."""
 
 NONZERO = "nonzero"
 """The word of conditions for any value but 0."""
@@ -81,7 +81,8 @@ AXIS_PROPERTIES = (
 
 @dataclass(frozen=True, slots=True)
 class Product:
-    """The product of `factors`, divided by those of `over`; `alternative` where it is 0 or a factor is no number.
+    """The product of `factors`, divided by the factors of `over`; `alternative` where it is 0 or a factor is not a
+    number.
 
     Where there are `bits`, the number that they make, the lowest first, is the first factor.
     """
@@ -153,7 +154,7 @@ class Behaviour:
         return next((part for part in self.parts if part.kind == kind and part.name == name), None)
 
     def statements(self) -> list[Part]:
-        """The parts in the order in which the manual states them; behind them those that it does not state."""
+        """The parts in the order in which the manual states them; after them those that it does not state."""
         first = {
             id(part): min((low for source in part.sources for low, _ in source.lines), default=inf)
             for part in self.parts
@@ -161,5 +162,5 @@ class Behaviour:
         return sorted(self.parts, key=lambda part: first[id(part)])
 
     def assumptions(self) -> Iterable[Part]:
-        """The parts that rest on what no manual prints."""
+        """The parts that rest on assumptions."""
         return (part for part in self.parts if part.assumed)

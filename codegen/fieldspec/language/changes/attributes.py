@@ -73,7 +73,7 @@ CONSEQUENCES: dict[type, Consequences] = {
     Example: Consequences(_D, _D),
     Erratum: Consequences(_D, _D),
 }
-"""The classes that are compared: all but what a spec says of changes, which is no part of the device."""
+"""The classes that are compared: all but what a spec says of changes, which is not a part of the device."""
 
 Objects: TypeAlias = Callable[[Any], Iterable[Any]]
 
@@ -116,7 +116,7 @@ def _of(name: str, *attributes: str) -> Text:
 
 
 def _without_places(value: Any) -> Any:
-    """A value of the model without the places of its objects in the spec, which are no difference."""
+    """A value of the model without the places of its objects in the spec, which are not a difference."""
     if isinstance(value, tuple):
         return tuple(map(_without_places, value))
     if isinstance(getattr(value, "place", None), Place):

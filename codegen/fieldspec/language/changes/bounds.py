@@ -32,7 +32,7 @@ class BoundsPair:
 
 
 def bounds_pairs(comparison: Comparison) -> Iterator[BoundsPair]:
-    """The bounds that differ. A type that differs brings its own bounds; these are no further change."""
+    """The bounds that differ. A type that differs brings its own bounds; these are not a further change."""
     for value_pair in comparison.values:
         name = named(value_pair.of.new)
         old, new = _of_values(value_pair)

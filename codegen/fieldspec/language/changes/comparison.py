@@ -87,9 +87,8 @@ class Rename:
 class Comparison:
     """The pairs of corresponding objects in two versions of a device, and the objects that only one version has.
 
-    `renames` are the new paths of objects that the spec itself says to have another name, by their old paths.
-    `reserved_changes` are the pairs of which one object has a meaning and the other is reserved; nothing else in them
-    can be compared.
+    `renames` are the new paths of objects that the spec itself renames, by their old paths. `reserved_changes` are the
+    pairs of which one object has a meaning and the other is reserved; nothing else in them can be compared.
     """
 
     def __init__(self, old: Device, new: Device, renames: Mapping[str, str] | None = None) -> None:
@@ -128,12 +127,12 @@ class Comparison:
 
     @property
     def values(self) -> list[ValuePair]:
-        """The values that differ, without those of reserved objects."""
+        """The values that differ, without values of reserved objects."""
         return [pair for pair in self.all_values if not pair.reserved]
 
     @cached_property
     def all_values(self) -> list[ValuePair]:
-        """The values that differ. What a field takes from its signal is a difference of the signal alone."""
+        """The values that differ. A value that a field takes from its signal differs only in the signal."""
         differences = []
         for model_class, pairs in self._pairs.items():
             for pair in pairs:
@@ -252,7 +251,7 @@ class _Offsets:
     """The offsets of fields, or of parts of a frame, by their identity in memory, and their size.
 
     An offset is a run and a number of bytes: a frame has one run before its body, and one from there on; fields have
-    one up to each list that goes on to the end or that another field measures, and one behind the last of these.
+    one run up to each list that extends to the end or that another field measures, and one after the last of these.
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
@@ -270,13 +269,13 @@ class _Offsets:
         self.size = size, is_open
 
     def text(self, item: Any) -> str:
-        """The offset of a field or a part: `4`, or `0 behind samples`."""
+        """The offset of a field or a part: `4`, or `0 after samples`."""
         run, offset = self.by_identity[id(item)]
-        return f"{offset} behind {self.lists[run]}" if 0 < run < len(self.lists) else str(offset)
+        return f"{offset} after {self.lists[run]}" if 0 < run < len(self.lists) else str(offset)
 
 
 def _end_of_run(index: int, item: Any) -> int | None:
-    """Where the first run ends, if it does so at an item: before the body of a frame, and behind a list."""
+    """Where the first run ends, if it does so at an item: before the body of a frame, and after a list."""
     if isinstance(item, Part):
         return index if item.role == "body" else None
     return index + 1 if isinstance(item, Field) and item.repeat is not None else None
@@ -299,7 +298,7 @@ def _apart(old: _Offsets, new: _Offsets, pair: Pair[Any]) -> tuple[str, str]:
     if before != after:
         return before, after
     runs = old.by_identity[id(pair.old)][0], new.by_identity[id(pair.new)][0]
-    before, after = (f"{before} {'behind' if run else 'before'} the body" for run in runs)
+    before, after = (f"{before} {'after' if run else 'before'} the body" for run in runs)
     return before, after
 
 
@@ -340,7 +339,7 @@ def _proven(
     new_surroundings: Surroundings,
     containers: tuple[Any, Any],
 ) -> Iterator[tuple[Pair[Any], str]]:
-    """The pairs that evidence proves: the two have in common what no other removed or added object has."""
+    """The pairs that evidence proves: the two share data that no other removed or added object has."""
     evidence = EVIDENCE.get(model_class)
     if evidence is None:
         return

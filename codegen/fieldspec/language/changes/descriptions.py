@@ -26,7 +26,7 @@ def change(
     new: object = None,
     outputs: tuple[str, ...] = (),
 ) -> Change:
-    """A change of the value that a key of a fact has. `message` goes on from the name of the fact."""
+    """A change of the value that a key of a fact has. `message` follows the name of the fact."""
     own = pair.of if isinstance(pair, ValuePair) else pair
     return Change(
         rule,
@@ -53,7 +53,7 @@ def named(item: Any) -> str:
 
 
 def within(container: Any) -> str:
-    """The container behind a name: ` of status`, or nothing for the device itself."""
+    """The container after a name: ` of status`, or nothing for the device itself."""
     return "" if isinstance(container, Device) else f" of {named(container)}"
 
 

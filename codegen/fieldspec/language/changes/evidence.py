@@ -80,7 +80,7 @@ def enumeration(words: Sequence[object], limit: int = 6) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
-    """What is known of the objects surroundings one.
+    """The data of the objects that surround an object.
 
     `offsets` are the runs and offsets of the fields beside it, by their identity in memory. `places_of_signals` are the
     places of the fields that carry each signal.

@@ -1,4 +1,4 @@
-"""What version overlays say between two versions of a device: why facts change, and which have another name."""
+"""The statements of version overlays between two versions of a device: reasons of changes, and renames."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Reasons:
 
 
 def stated_reasons(old: Device, new: Device) -> Reasons:
-    """What the overlays say that lead from the old version to the new one; nothing where they do not."""
+    """The statements of the overlays from the old version to the new version; empty if no overlays connect them."""
     known = {entry.place.whole for entry in old.stated_changes}
     if not known <= {entry.place.whole for entry in new.stated_changes}:
         return Reasons({}, {})

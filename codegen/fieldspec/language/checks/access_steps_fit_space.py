@@ -8,7 +8,7 @@ it under `accesses`, so that clients use it.
 Example: a step that writes without `values` and without masks; a step for a space of coils; `access_steps` with a
 single step that reads.
 
-Cure: Correct the keys of the step. State a single access under `accesses`, and leave out steps that access single bits.
+Fix: Correct the keys of the step. State a single access under `accesses`, and leave out steps that access single bits.
 """
 
 from __future__ import annotations
@@ -83,10 +83,10 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
 def _number_findings(
     message: Message, field: Field, space: AddressSpace, is_carried: bool, may_be_list: bool
 ) -> Iterator[Diagnostic]:
-    """The finding of a field that is no number, or no register where it `is_carried`."""
+    """The finding of a field that is not a number, or no register where it `is_carried`."""
     value = field.value
     if value is None or not is_count(value.encoding) or value.flags or (field.is_list and not may_be_list):
-        text = f"{field.name} is no single number, but a step of {message.name} needs one"
+        text = f"{field.name} is not a single number, but a step of {message.name} needs one"
         yield finding(_CODE, field.place, "name", text, "state it as an integer without flags")
     elif is_carried and (value.size != space.unit_size or is_signed(value.encoding)):
         text = f"{field.name} is {value.type.name}, but {message.name} accesses {space.unit}s"

@@ -1,15 +1,15 @@
-"""The access of a table and the access of its fields fit together: every access that a field permits is
-permitted by one of its tables, and every access that a table permits is permitted by one of its fields. A field of a
-request is not read only, and one of a response not write only; neither is `atomic`, as frames are sent whole.
+"""The access of a table and the access of its fields fit together: every access that a field permits is permitted by
+one of its tables, and every access that a table permits is permitted by one of its fields. A field of a request is not
+read-only, and a field of a response is not write-only; neither is `atomic`, because frames are sent whole.
 
-Why: every output uses the narrower of the two. A table of settings may contain a status field with `ro`, and
-a table with `ro` may use a record whose fields have `rw`. An access that is narrowed everywhere has no
-effect, so one of the two is misprinted.
+Why: every output uses the narrower of the two. A table of settings can contain a status field with `ro`, and a table
+with `ro` can use a record whose fields have `rw`. An access that is narrowed everywhere has no effect, so one of the
+two is misprinted.
 
 Example: a table with `access: ro`, the only one that uses its record, and a field of that record with
 `access: rw`. A field of a request with `access: ro`.
 
-Cure: Correct one of them, and write an erratum if the manual prints it wrong. Remove the access of a field of a
+Fix: Correct one of them, and write an erratum if the manual prints it wrong. Remove the access of a field of a
 message.
 """
 
@@ -55,7 +55,7 @@ def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterat
 
 
 def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
-    """What the field allows, and no table with its record."""
+    """The access that the field permits, but no table with its record."""
     if not field.access or not all(use.access for use in uses):
         return
     for verb, allows in _VERBS:
@@ -67,7 +67,7 @@ def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
 
 
 def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
-    """What the table allows, and no field of its record."""
+    """The access that the table permits, but no field of its record."""
     fields = [field for field in record.fields if not field.reserved]
     if not table.access or not fields or not all(field.access for field in fields):
         return

@@ -1,14 +1,14 @@
-"""A request that accesses a space of registers has only the address, the number and the values that
-`accesses` names, and those that are computed or constant. The address and a number of several are not constant.
+"""A request that accesses a space of registers contains only the address, the count and the values that `accesses`
+names, and computed or constant fields. The address and the count of several registers are not constant.
 
-Why: clients, simulators and `live` choose the message for any register of the space. Users cannot supply them
-the value of a further field, so they could not send the message at all, and the registers would have no access. By a
-constant address they would reach one register, and by a constant number read values that were not requested.
+Why: clients, simulators and `live` choose the message for any register of the space. They have no value for a further
+field, so they could not send the message, and the registers would be inaccessible. With a constant address they would
+reach only one register; with a constant count they would read values that were not requested.
 
 Example: a message that reads registers by `{name: address, type: u16}`, `{name: word_count, type: u16}` and
 `{name: area, type: u8}`, whose area is not stated.
 
-Cure: State `const` for a further field; for several values, state a message and a space for each. Or remove
+Fix: State `const` for a further field; if it has several values, state a message and a space for each. Or remove
 `accesses`: users then send the message with all its fields.
 """
 

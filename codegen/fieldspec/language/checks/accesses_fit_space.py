@@ -2,14 +2,14 @@
 or a single bit as a number; `set` states which number means 1. The number of words or bytes in a write request is
 computed from the values.
 
-Why: outputs take the value of a register out of what the message carries. They need to know where each word or bit
-is, and which number stands for a bit that is 1.
+Why: outputs read the value of a register from the data of the message. They need the position of each word or bit, and
+the number that stands for a bit that is 1.
 
 Example: a message that writes one coil with a `u16` and does not state `set: 0xFF00`; a `word_count` of a request that
 writes `values`, without `measures: {items: values}`; a `bit_count` of up to 2000 bits for up to 246 bytes.
 
-Cure: Correct the field, or the keys of `accesses`. Packed bits need `count`, as the last byte may have bits to spare.
-Codecs compare the number of bits that a request writes with its bytes, so its range has to fit the repetitions.
+Fix: Correct the field, or the keys of `accesses`. Packed bits need `count`, because the last byte can contain unused
+bits. Codecs compare the bit count of a write request with its bytes, so its range has to fit the repetitions.
 """
 
 from __future__ import annotations

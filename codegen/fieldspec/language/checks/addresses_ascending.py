@@ -5,7 +5,7 @@ error.
 
 Example: rows at 0x0709, 0x080A and 0x070B: the middle one is out of order.
 
-Cure: Correct the address, and write an erratum if the manual prints it that way. If the manual lists the
+Fix: Correct the address, and write an erratum if the manual prints it that way. If the manual lists the
 group in another order, set `order: as_listed` on the group.
 """
 

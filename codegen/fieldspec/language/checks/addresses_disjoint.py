@@ -4,7 +4,7 @@ Why: two names for one word are nearly always a mistake, and writing one changes
 
 Example: a register of two words at 0x2000 and another register at 0x2001.
 
-Cure: Correct the address or the number of words, and write an erratum if the manual prints it that way. If
+Fix: Correct the address or the number of words, and write an erratum if the manual prints it that way. If
 the overlap is intended, set `allow: {addresses_disjoint: <reason>}` on one of the two.
 """
 

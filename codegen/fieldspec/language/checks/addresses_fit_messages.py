@@ -1,11 +1,11 @@
 """The field with the first address can contain the address of every register that its message accesses.
 
-Why: outputs put the address of a register into that field. An address beyond its type or its range is refused when a
-program first asks for the register, or has lost its high bits.
+Why: outputs put the address of a register into that field. An address beyond its type or its range is rejected when a
+program first requests the register, or loses its high bits.
 
 Example: a register at 0x1200 in a space whose reading message has `{name: address, type: u8}`.
 
-Cure: Correct the type or the range of the field, the address, or the space of the register.
+Fix: Correct the type or the range of the field, the address, or the space of the register.
 """
 
 from __future__ import annotations
@@ -41,7 +41,9 @@ def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
 
 
 def _addressed(device: Device, space: str, refused: str) -> Iterator[tuple[Fact, str, int, int]]:
-    """What a message can access of a space: registers with the first addresses of their elements, whole tables."""
+    """The part of a space that a message can access: registers with the first addresses of their elements, whole
+    tables.
+    """
     for register in device.registers():
         if device.space_name(register.space) == space and register.access != refused:
             yield register, "at", register.address, register.address + (register.count - 1) * register.stride

@@ -1,12 +1,12 @@
-"""A register or field with `same_as` has the type, scale, unit and range of the one that it names. If a record has
-`same_as`, this applies to the fields that have the same name in both records, of which there is one at least.
+"""A register or field with `same_as` has the type, scale, unit and range of the register or field that it names. If a
+record has `same_as`, this applies to the fields with the same name in both records; there is at least one.
 
 Why: two descriptions of one value must agree. If they differ, one is misprinted, or the two are not the same
 value.
 
 Example: a register with `same_as: target_position` and type `u32`, where the target position is `i32`.
 
-Cure: Correct one of them and write an erratum, or remove `same_as`.
+Fix: Correct one of them and write an erratum, or remove `same_as`.
 """
 
 from __future__ import annotations
@@ -63,13 +63,13 @@ def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator
 
 
 def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic]:
-    """A field of a response can have what the request has: as many elements, and no other constant."""
+    """A field of a response can have the values of the request: the same number of elements, and the same constant."""
     if same is None:
         return
     if _elements(field) != _elements(same):
         key, related_label = _elements_key(field), label(same.place, _elements_key(same), f"in {same.name}")
         yield finding(
-            "aliases_agree", field.place, key, f"{text}, but has another number of elements", _HELP, related_label
+            "aliases_agree", field.place, key, f"{text}, but has a different number of elements", _HELP, related_label
         )
     mine = field.value.const if field.value is not None else None
     if mine is not None and same.value is not None and mine != same.value.const:

@@ -1,10 +1,10 @@
-"""Every `allow` names a rule that the fact would break without it, in one of the versions at least.
+"""Every `allow` names a rule that the fact would break without it in at least one version.
 
 Why: an allowance that is no longer needed hides the next mistake at the same place.
 
 Example: `allow: {addresses_disjoint: an alias}` on a register that overlaps nothing.
 
-Cure: Remove the allowance, or correct the name of the rule.
+Fix: Remove the allowance, or correct the name of the rule.
 """
 
 from __future__ import annotations

@@ -1,14 +1,14 @@
-"""The `base_by` of a record table names a register that has the address of the first element: a single whole number
-that can be read, without a scale, names or special values. Its `range` has the `base` of the table, which is its
-`default` if it has one, and all elements are within the address space wherever in that range they begin.
+"""The `base_by` of a record table names a register with the address of the first element: a single readable whole
+number without a scale, names or special values. Its `range` includes the `base` of the table, its `default` equals the
+`base`, and for every address in that range all elements are within the address space.
 
 Why: programs read the register, and use the addresses that follow from it. A value that is not an address leads them to
-something else.
+other data.
 
 Example: `base: 0x1000, base_by: log_address`, where `log_address` is a `u16` without a `range`.
 
-Cure: Give the register the `range` of the addresses at which the table can begin. Where it always begins at the same
-address, state `base` alone.
+Fix: Give the register the `range` of the addresses at which the table can begin. If the table always begins at the
+same address, state only `base`.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
 
 
 def _no_address(device: Device, table: Table, register: Register, extent: int) -> str:
-    """Why the range of a register is not that of the address of a table of so many words; empty where it is."""
+    """Why the range of a register cannot be the base address of a table with `words` words; empty if it can."""
     value, space = register.value, device.space(table.space)
     bounds = space.bounds.intervals
     if value.ranges is None:
@@ -53,7 +53,7 @@ def _no_address(device: Device, table: Table, register: Register, extent: int) -
     ):
         return f"its `range` lets elements be outside of {space.name}"
     if table.base not in value.ranges:
-        return f"its `range` does not have the base 0x{table.base:04X}"
+        return f"its `range` does not include the base 0x{table.base:04X}"
     if value.default not in (None, table.base):
         return f"its `default` is {value.default}, and the base 0x{table.base:04X}"
     is_apart = device.space_name(register.space) != device.space_name(table.space)
@@ -62,7 +62,7 @@ def _no_address(device: Device, table: Table, register: Register, extent: int) -
 
 
 def _detections(device: Device, table: Table) -> Iterator[Diagnostic]:
-    """Versions are told by something at a known address."""
+    """A version is identified by a value at a constant address."""
     record = device.records.get(table.record)
     paths = {field.place.path for field in record.fields} if record is not None else set()
     for line in device.lines:

@@ -2,12 +2,12 @@
 bit has an active level and texts for 0 and 1. A signed field has fewer bits than its word. Only several bits in the
 data of a message, whose meaning is always the same, have a range.
 
-Why: a single bit is true or false, and enum members are not quantities. A word that is one number as a
-whole is a value. Codecs do not know whether a condition holds, and compare nothing with the bits of a part of a frame.
+Why: a single bit is true or false, and enum members are not quantities. A word that is one number as a whole is a
+value. Codecs cannot evaluate a condition, and do not check the bits of a part of a frame.
 
 Example: `unit: mm` on `bit: 3`, or `signed: true` on `bits: 0..15` of a `u16`.
 
-Cure: Remove the key, or correct the bits. State a number that fills its word as a value of a signed type, with
+Fix: Remove the key, or correct the bits. State a number that fills its word as a value of a signed type, with
 its scale and its unit.
 """
 

@@ -1,14 +1,14 @@
-"""The printed range of a bit field is 0 to the sum of its bits. A range that leaves out numbers between picks words
-of these bits. Where the words of bits have a range, every value with these bits states one too.
+"""The printed range of a bit field is 0 to the sum of its bits. A range with holes permits only some combinations of
+the bits. If the bit field has a range, every value with these bits states a range too.
 
-Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong. Encoders refuse
-what is beyond the range of a value; that of its words of bits is shown to people.
+Why: the range of a word shows which bits it has. If the list of bits disagrees, one of them is wrong. Encoders apply
+the range of the value; the range of the bit field is only shown to users.
 
-Example: a range of 0..1 for a word in which each of 14 inputs has a bit.
+Example: a range of 0..1 for a bit field with 14 inputs.
 
-Cure: Correct the range or the list, and write an erratum. Reserved bits may be included or not. A group of
-bits with a closed enum may be included with its greatest member, and the range may be that of the whole type
-if its last bit is in the list.
+Fix: Correct the range or the list, and write an erratum. Reserved bits may be included or not. A group of bits with a
+closed enum may be included with its greatest member, and the range may be the range of the whole type if its last bit
+is in the list.
 """
 
 from __future__ import annotations

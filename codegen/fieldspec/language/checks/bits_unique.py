@@ -4,7 +4,7 @@ Why: a bit has one meaning. If it has two under different conditions, each entry
 
 Example: bit 3 for the alarm, and bits 2..3 for the mode.
 
-Cure: Correct one of the numbers and write an erratum, or add `when` to both entries.
+Fix: Correct one of the numbers and write an erratum, or add `when` to both entries.
 """
 
 from __future__ import annotations

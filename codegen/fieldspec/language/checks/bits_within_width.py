@@ -1,14 +1,14 @@
-"""Every bit is within its word, the word fits every value that uses it, no value is wider than the word, and one of
-them is as wide.
+"""Every bit is within the type of its bit field, every value that uses the bit field holds all its bits and is not
+wider than its type, and at least one value has its full width.
 
-Why: a bit that the word does not have cannot be read. Either the word is too narrow or the bit number is
-wrong. A word that is wider than all its values has a wrong type, or they have. In a value that is wider than the word,
-nothing says what the other bits are, nor which half has the word.
+Why: a bit outside of the word cannot be read: the word is too narrow or the bit number is wrong. If the bit field is
+wider than all its values, one of the types is wrong. In a wider value, the meaning of the other bits, and the half with
+the bit field, are unknown.
 
-Example: bit 16 in a word of type `u16`, a bit field with bit 9 that a `u8` uses, one of type `u32` that only a `u16`
-uses, or one of type `u16` that a `u32` uses.
+Example: bit 16 in a bit field of type `u16`, a bit field with bit 9 in a `u8`, a bit field of type `u32` that only a
+`u16` uses, or a bit field of type `u16` in a `u32`.
 
-Cure: Correct the type or the bit number, and write an erratum if the manual prints it that way.
+Fix: Correct the type or the bit number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

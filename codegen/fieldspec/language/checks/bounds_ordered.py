@@ -5,7 +5,7 @@ digit is misprinted.
 
 Example: soft limits with the range -2147483648..2147483647 that both default to 2147483647.
 
-Cure: Correct one of the defaults, and write an erratum.
+Fix: Correct one of the defaults, and write an erratum.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ Why: no station answers a broadcast request. A station with that address could n
 
 Example: stations 0..15 with `broadcast: 0`.
 
-Cure: Correct the range or the address, and write an erratum if the manual prints it that way.
+Fix: Correct the range or the address, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 """The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
-data have at most eight bytes. Numbers fit into their bits. Nothing else than a CAN bus has parts with bits.
+data have at most eight bytes. Numbers fit into their bits. Only links on a CAN bus have parts with `bits`.
 
 Why: the value of a bit without a part would be undefined, and a frame with more data cannot be sent.
 
 Example: an identifier of 11 bits with `bits: 7..10` and `bits: 0..5`, which leaves out bit 6.
 
-Cure: Give every bit of the identifier to one part, a `const` or a `reserved` one where the manual says so. State longer
-data as several messages. A CAN bus has no delimiters, escapes, serial settings and ports of its own. A length counts,
-and a checksum covers, parts of the data.
+Fix: Give every bit of the identifier to one part, as `const` or `reserved` if the manual says so. State longer data as
+several messages. A CAN bus has no delimiters, escapes, serial settings or ports. Only parts of the data can be counted
+by a length or covered by a checksum.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
         if not link.is_can:
             for part in (*link.request, *link.response):
                 if part.bits is not None:
-                    text = f"{part.name} has `bits`, but {link.name} is no CAN bus"
+                    text = f"{part.name} has `bits`, but {link.name} is not a CAN bus"
                     yield finding(_CODE, part.place, "bits", text, "remove `bits`, or add `can` to the link")
             continue
         yield from _without_foreign_keys(link)
@@ -112,7 +112,7 @@ def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Ite
 
 
 def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
-    """The data of every message, and those of an exception response, fit into a frame."""
+    """The data of every message, and of an exception response, fit into a frame."""
     sizes = RecordSizes(device)
     for direction in ("request", "response"):
         parts_size = sum(part_size(part) for part in link.parts(direction) if part.bits is None)

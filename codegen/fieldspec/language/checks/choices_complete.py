@@ -1,13 +1,13 @@
 """A choice is the last field of its record. The field that decides it comes before it and is a single
 unsigned number with an enum; each member of that enum is in at most one case.
 
-Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
-without a case, because nothing says what follows them.
+Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members without a case,
+because the data after them is unknown.
 
 Example: `choice: {by: format, cases: [...]}` where two cases have `when: [unsigned16]`, or where the field
 `format` comes after the values.
 
-Cure: List the fields in the order of the wire, name a deciding field with an enum, or remove the member from
+Fix: List the fields in the order of the wire, name a deciding field with an enum, or remove the member from
 one of the cases. A record with a choice is the data of a message or of an exception response, and is not part
 of another record.
 """
@@ -55,7 +55,7 @@ def _check_place(layer: Record, field: Field) -> Iterator[Diagnostic]:
         help = (
             "list the fields in the order of the wire"
             if selector in [other.name for other in layer.fields[layer.fields.index(field) :]]
-            else f"where the device has fields behind it, write a message for each case, with a `const` for {selector}"
+            else f"where the device has fields after it, write a message for each case, with a `const` for {selector}"
         )
         yield finding(_CODE, field.place, "choice", text, help, related_label)
     if field.count is not None:

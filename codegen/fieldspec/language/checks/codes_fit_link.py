@@ -6,7 +6,7 @@ response.
 
 Example: function code 0x86 on a link whose exception responses have the bit 0x80.
 
-Cure: Correct the code, the type of the part or the bit, and write an erratum if the manual prints it that
+Fix: Correct the code, the type of the part or the bit, and write an erratum if the manual prints it that
 way.
 """
 

@@ -1,14 +1,14 @@
-"""A register or parameter that can only be written, or be written with one constant alone, is a trigger. So is one with
-the role of an action, such as the start of a move.
+"""A register or parameter that is write-only, or accepts only one constant, is a trigger. A register or parameter with
+the role of an action, such as the start of a move, is a trigger too.
 
 Why: a value that cannot be read stores no setting, and a value with one member offers no choice. Writing it starts an
-action, of which outputs warn at triggers alone. Or the access is misprinted.
+action, and outputs warn only at triggers. Otherwise the access is misprinted.
 
-Example: a register with `access: wo`, one with `access: rw` and `const: 1`, or one with `roles: move_start`, without
-`trigger`.
+Example: a register without `trigger` but with `access: wo`, with `access: rw` and `const: 1`, or with `roles:
+move_start`.
 
-Cure: Set `trigger: true`, or correct the access. If the device takes a setting that it does not return, or acts as
-long as a value is there, set `allow: {commands_are_triggers: <reason>}`.
+Fix: Set `trigger: true`, or correct the access. If the device stores a setting that it does not return, or acts as
+long as the value is set, state `allow: {commands_are_triggers: <reason>}`.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
         if fact.trigger or fact.reserved:
             continue
         if fact.access == "wo":
-            text, key = f"{fact.name} can only be written, and is no trigger", "access"
+            text, key = f"{fact.name} can only be written, but is not a trigger", "access"
         elif fact.access == "rw" and fact.value.const is not None:
-            text, key = f"{fact.name} can only be written with {fact.value.const}, and is no trigger", "const"
+            text, key = f"{fact.name} can only be written with {fact.value.const}, but is not a trigger", "const"
         elif fact.access != "ro" and not fact.value.flags and (roles := _ACTIONS.intersection(fact.roles)):
-            text, key = f"{fact.name} has the role {min(roles)}, and is no trigger", "name"
+            text, key = f"{fact.name} has the role {min(roles)}, but is not a trigger", "name"
         else:
             continue
         help = "set `trigger: true`, or correct the access"

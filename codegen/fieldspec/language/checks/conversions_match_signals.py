@@ -6,7 +6,7 @@ two differ, one of them can make a motor run at twice the speed.
 
 Example: `full_scale: 0x4000` for a signal with `scale: 100/2^30` and the unit %.
 
-Cure: Correct the scale or the full scale, and write an erratum. Add a separate conversion for signals of
+Fix: Correct the scale or the full scale, and write an erratum. Add a separate conversion for signals of
 another type.
 """
 

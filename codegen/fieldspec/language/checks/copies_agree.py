@@ -6,7 +6,7 @@ shows the correct value.
 
 Example: parameters in memory from 0x1388 and in flash from 0x1450; one of them is at 0x13BE and at 0x1488.
 
-Cure: Correct the row in one of the blocks, and write an erratum if the manual prints it that way. Labels that
+Fix: Correct the row in one of the blocks, and write an erratum if the manual prints it that way. Labels that
 differ only in spaces are equal. If a label really differs, set `allow: {copies_agree: <reason>}` on the
 register or on its group.
 """

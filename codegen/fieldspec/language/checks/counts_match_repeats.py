@@ -5,7 +5,7 @@ differ, a program requests values that no response can carry, or a valid respons
 
 Example: a read of 1 to 125 words whose response has the values `repeat: 0..125`.
 
-Cure: Correct the range of the number or the repetitions. If the device sends fewer than requested, set
+Fix: Correct the range of the number or the repetitions. If the device sends fewer than requested, set
 `allow: {counts_match_repeats: <reason>}`.
 """
 

@@ -1,12 +1,12 @@
-"""A request that names the first of several records, and how many there are, stays within the numbers of the records.
+"""A request with the number of a first record and a count of records stays within the numbers of the records.
 
-Why: where both ranges allow it, a request reads records after the last one, and the manual does not say what the
-device then does. A program that sends it deletes or reads something else than it means to.
+Why: if both ranges permit it, a request reaches beyond the last record, and the manual does not say how the device
+responds. A program that sends it deletes or reads the wrong data.
 
 Example: `first_point` with the range 1..31 beside `point_count` with the range 1..31: 31 points from 31 on.
 
-Cure: Narrow a range, if the manual says so. Otherwise state under `allow` what is not printed, and write an erratum
-with `printed: {allow: ~}`.
+Fix: Narrow a range, if the manual says so. Otherwise state under `allow` what the manual leaves open, and write an
+erratum with `printed: {allow: ~}`.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ has the wrong width, or is listed twice.
 
 Example: `data_words: {request: 5}` for a telegram with four words and one value of 32 bits.
 
-Cure: Correct a field or the number, and write an erratum.
+Fix: Correct a field or the number, and write an erratum.
 """
 
 from __future__ import annotations

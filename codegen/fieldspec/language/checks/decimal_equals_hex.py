@@ -5,7 +5,7 @@ register.
 
 Example: 0x2011 beside 8208.
 
-Cure: Use the neighbouring rows to decide which number is correct, and write an erratum for the other.
+Fix: Use the neighbouring rows to decide which number is correct, and write an erratum for the other.
 """
 
 from __future__ import annotations

@@ -1,12 +1,11 @@
-"""A default is a value that the fact can have: a text of a text, and a number within the range, the type and the closed
-enum of any other value. Bytes have none.
+"""A default is a value that the fact can have: a text for a text, and a number within the range, the type and the
+closed enum for any other value. Bytes have no default.
 
-Why: a device is not delivered with a setting that it does not accept. If the two disagree, one of them is
-misprinted.
+Why: the factory setting of a device is a setting that it accepts. If the two disagree, one of them is misprinted.
 
 Example: a range of 1..127 with a default of -1.
 
-Cure: Correct the range or the default, and write an erratum. If the default is a special value outside the
+Fix: Correct the range or the default, and write an erratum. If the default is a special value outside the
 range, list it under `sentinels`.
 """
 
@@ -56,7 +55,7 @@ def default_within_range(device: Device) -> Iterator[Diagnostic]:
 
 
 def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:
-    """What a default is that the type cannot have, and what to do; None where it has the form of the value."""
+    """The fault of a default that the type cannot have, and its fix; None where it has the form of the value."""
     encoding = value.encoding
     match encoding:
         case Octets():
@@ -74,7 +73,7 @@ def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, 
 
 
 def _wrong_count(device: Device, value: Value, default: str) -> tuple[str, str]:
-    """What a text is that stands for a whole number, and what to do."""
+    """The fault of a text default of a whole number, and its fix."""
     help = "state the raw value: the value in the unit, less the offset, divided by the scale"
     if default.isdecimal():
         help = f"numbers have no leading zeros: write it as `{default.lstrip('0') or '0'}`"

@@ -1,13 +1,13 @@
-"""A register or field with a default, or whose changes need a restart, can be written, unless it shows what another
-register holds.
+"""A register or field with a default, or whose changes need a restart, can be written, unless it shows the value of
+another register.
 
-Why: a default is the value of a setting at delivery, and a read-only value cannot be changed. If no program can write
-it, its access is misprinted, or the other key is.
+Why: a default is the factory value of a setting, and a read-only value cannot be changed. If no program can write the
+value, its access or the other key is misprinted.
 
 Example: a register with `access: ro` and `default: 100`, or with `access: ro` and `restart: true`.
 
-Cure: Correct the access, or remove the default or `restart`. If it is set in another way, such as by the controller,
-set `allow: {defaults_writable: <reason>}`.
+Fix: Correct the access, or remove the default or `restart`. If the value is set in a different way, such as by the
+controller, state `allow: {defaults_writable: <reason>}`.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ number.
 
 Example: the registers inputs and outputs, both described as "The states of the inputs."
 
-Cure: Find out what the second row is, describe it, and write an erratum with the printed description. If the
+Fix: Find out what the second row is, describe it, and write an erratum with the printed description. If the
 repetition is correct, set `allow: {descriptions_differ: <reason>}`.
 """
 

@@ -1,15 +1,15 @@
 """The value that identifies the version of a device is readable and has one interpretation.
 
-Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses. The value
-has the same place, type, order and scale in all versions, because a program reads it before it knows the version.
+Why: programs choose the code of a version by this value. A wrong choice reads and writes other addresses. The value has
+the same address, type, order and scale in all versions, because a program reads it before it knows the version.
 
 Example: `form: decimal` for a text, a setting that users write, or `detected_as: [104]` in two versions of a line. Or
-`form: decimal` without `places` for the versions 1.00 and 1.20, of which no number tells the second.
+`form: decimal` without `places` for the versions 1.00 and 1.20: no number means 1.20.
 
-Cure: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
+Fix: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
 different `detected_as` for each version. All lines with outputs state `detected_by` alike, or one of them does. Write
-the versions with `places` digits after the point. Name a value that all versions have at one
-place; where there is none, state no `detected_by`.
+the versions with `places` digits after the point. Name a value that all versions have at the same address; without such
+a value, omit `detected_by`.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _CODE = "detections_apply"
 _EARLIER = "before-"
 _DECIMAL = re.compile("[0-9]{1,9}")
 _HEXADECIMAL = re.compile("[0-9A-F]{1,9}")
-_HELP = "correct `form` and `places`, write the version with as many digits, or list its values under `detected_as`"
+_HELP = "correct `form` and `places`, write the version with the same number of digits, or add `detected_as`"
 
 
 def detections_apply(device: Device) -> Iterator[Diagnostic]:
@@ -38,7 +38,7 @@ def detections_apply(device: Device) -> Iterator[Diagnostic]:
         if detection is not None:
             yield from _of_detection(device, line, detection)
         elif any(version.detected_as for version in line.versions):
-            text = f"no value tells the version of {line.name}, so `detected_as` does not apply"
+            text = f"no value identifies the version of {line.name}, so `detected_as` does not apply"
             yield finding(_CODE, device.place, "id", text, "state `detected_by` in the line, or remove `detected_as`")
     chosen = device.detection
     for line in device.lines:
@@ -63,13 +63,13 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
     is_request = getattr(fact, "access", "") == "wo" or "/request/" in detection.fact
     if not isinstance(value, Value) or not (is_count(value.encoding) or is_text(value.encoding)):
         text = f"{detection.fact} is neither a whole number nor a text"
-        yield finding(_CODE, detection.place, "fact", text, "name the value that tells the version")
+        yield finding(_CODE, detection.place, "fact", text, "name the value that identifies the version")
         return
     if is_request:
         text = f"{detection.fact} cannot be read"
         yield finding(_CODE, detection.place, "fact", text, "name a value that the device sends")
     elif getattr(fact, "access", "") == "rw":
-        text = f"{detection.fact} can be written, so it seldom tells the version"
+        text = f"{detection.fact} can be written, so it seldom identifies the version"
         help = (
             "name the value of the firmware, or correct the access; if it does, allow this with a reason at the value"
         )
@@ -86,7 +86,7 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
     for version in line.versions:
         for item in version.detected_as:
             if isinstance(item, int) is not number or (isinstance(item, int) and not _holds(value, item)):
-                text = f"{detection.fact} cannot be {item}, which is to tell {version.id}"
+                text = f"{detection.fact} cannot be {item}, which must identify {version.id}"
                 yield finding(_CODE, detection.place, "fact", text, f"correct `detected_as` of {version.id}")
             elif other := _read_as(detection, item, [v.id for v in line.versions if v is not version]):
                 text = f"{item} tells {version.id}, and is {other} in the form {detection.form}"
@@ -125,7 +125,7 @@ def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> I
         if isinstance(number, str):
             yield finding(_CODE, detection.place, "form", f"no number tells {version.id}: {number}", _HELP)
         elif bound == version.id and not _holds(value, number):
-            text = f"{detection.fact} cannot be {number}, which is to tell {version.id}"
+            text = f"{detection.fact} cannot be {number}, which must identify {version.id}"
             yield finding(_CODE, detection.place, "fact", text, _HELP)
 
 
@@ -135,7 +135,7 @@ def _number_of(version: str, detection: Detection, size: int) -> int | str:
     if detection.form == "bytes":
         numbers = [int(part) if _DECIMAL.fullmatch(part) else 256 for part in digits.split(".")]
         if max(numbers) > 255 or any(numbers[size:]):
-            return f"as bytes it is no number of {plural(size, 'byte')}"
+            return f"as bytes it is not a number of {plural(size, 'byte')}"
         return int.from_bytes(bytes([*numbers, *bytes(size)][:size]), "big")
     places = detection.places
     head, _, fraction = digits.partition(".")

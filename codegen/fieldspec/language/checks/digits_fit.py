@@ -1,16 +1,15 @@
-"""A whole number that is sent as digits has room for them, and a type with all numbers that they can express. A signed
-hexadecimal number has the digits of its whole type. Only fields and registers whose raw value is free have digits:
-not of constants, reserved fields, sizes of other fields, selectors, and not of what reads and writes registers. A part
-of a frame may be any of these; its digits have no sign. `padding: space` is that of decimal digits with room for a
-blank, which do not vary in width. On links with `encoding: hex_ascii`, where every byte is sent
-as two characters anyway, digits are a warning.
+"""The `length` of a number that is sent as digits has room for the digits, and its type holds all numbers that they can
+express. A signed hexadecimal number has the digits of its whole type. Constants, reserved fields, sizes of other
+fields, selectors, and fields that read or write registers are not sent as digits; a part of a frame may be any of
+these, and its digits have no sign. `padding: space` needs decimal digits of a fixed width with room for a blank. On
+links with `encoding: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
-take the characters for one.
+misread the characters as a number.
 
 Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
 
-Cure: Use the next wider type with a `range`, or correct `length`. State a constant of a text line as the bytes of its
+Fix: Use the next wider type with a `range`, or correct `length`. Write a constant of a text line as the bytes of its
 characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `encoding: hex_ascii`, state the number as
 a binary one: its bytes become the hexadecimal digits.
 """
@@ -84,7 +83,7 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if isinstance(fact, Part) and (not is_count(kind.encoding) or is_signed(kind.encoding)):
         return  # the type is refused anyway, by `_of_part` or by other rules, and a wider one of its kind would be too
     if not _has_digits(kind):
-        text = f"{fact.name} is {kind.name}, and digits are those of a whole number of 8, 16, 32 or 64 bits"
+        text = f"{fact.name} is {kind.name}, but digits need a whole number of 8, 16, 32 or 64 bits"
         yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
     elif value.places and value.digits != "decimal":
         text = f"{fact.name} has {value.places} places, which only decimal digits have"
@@ -100,14 +99,16 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(_CODE, fact.place, "length", text, "count the sign, the point and all digits")
     elif is_signed(kind.encoding) and value.digits.endswith("hex") and digit_count(value) != 2 * kind.size:
         text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
-        yield finding(_CODE, fact.place, "length", text, "use the type with as many digits")
+        yield finding(_CODE, fact.place, "length", text, "use the type with the same number of digits")
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
         yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
 
 
 def _has_digits(primitive: Primitive) -> bool:
-    """Whether numbers of a type may be sent as digits: those of machines, in two's complement below zero."""
+    """Whether numbers of a type may be sent as digits: whole numbers of 8 to 64 bits, in two's
+    complement below zero.
+    """
     encoding = primitive.encoding
     match encoding:
         case Whole():
@@ -144,7 +145,7 @@ def _wider(fact: Fact, value: Value) -> str:
     wide = (bits for bits in (16, 32, 64) if digit_bounds(value)[1] < 1 << bits - signed)
     bits = next(wide, 0)
     if not 0 < bits <= greatest:
-        return "correct `length`: no type has all numbers of so many digits"
+        return "correct `length`: no type holds all numbers with this number of digits"
     return f"use `{'i' if signed else 'u'}{bits}`, with a range"
 
 
@@ -159,7 +160,7 @@ def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
 
 
 def _use(fact: Fact, value: Value) -> str:
-    """What a value is for that outputs read as a binary number; empty for other values."""
+    """The purpose of a value that outputs read as a binary number; empty for other values."""
     if value.const is not None:
         return "is a constant"
     if isinstance(fact, Field) and fact.measures is not None:

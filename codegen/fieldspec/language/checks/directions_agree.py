@@ -1,13 +1,13 @@
-"""Where requests and responses of a link have the same parts, a length or a checksum is computed alike in both.
+"""If requests and responses of a link have the same parts, a length or a checksum is computed in the same way in both.
 
-Why: the frames of both directions are mostly the same. A `role` or a `covers` that is missing in one of them is
-a slip more often than the protocol: clients then refuse right answers, or take wrong ones.
+Why: the frames of both directions are mostly the same. A `role` or a `covers` that is missing in one direction is
+usually a mistake in the spec: clients then reject valid responses, or accept invalid ones.
 
 Example: `{name: size, role: length, type: u8}` in requests and `{name: size, type: u8}` in responses, which have the
 same parts otherwise.
 
-Cure: Correct the part in one direction. If the manual has it so, set `allow: {directions_agree: <reason>}` in the part
-of the response.
+Fix: Correct the part in one direction. If the manual prints it that way, set `allow: {directions_agree: <reason>}` in
+the part of the response.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def _computed(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]
 
 
 def _keys(part: Part) -> dict[str, object]:
-    """How a part is computed, by the keys that say it; bytes before or behind often name the direction."""
+    """How a part is computed, by the keys that say it; bytes before or after often name the direction."""
     span = part.span, part.unit_size, part.plus
     if part.role == "length":
         return {"counts": span, "byte_order": part.value.byte_order if part.value is not None else ""}

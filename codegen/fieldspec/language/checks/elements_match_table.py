@@ -5,7 +5,7 @@ show that one of them is wrong.
 
 Example: the second element is printed at 0x9020..0x902D with 12 words.
 
-Cure: Correct the table or the element, and write an erratum if the manual prints it that way.
+Fix: Correct the table or the element, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

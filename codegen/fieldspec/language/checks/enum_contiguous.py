@@ -1,13 +1,13 @@
 """All values between the lowest and the highest member of an enum are members or are declared as `gaps`.
 
-Why: a hole in a list often shows that a row was lost, in the manual or in the transcription. Codes in blocks, such as
-many alarm codes, are checked if they span at most 64 values. Masks of single bits and lists derived from
-another list are not checked.
+Why: a gap in a list often shows that a row was lost, in the manual or in the transcription. Codes in blocks, for
+example alarm codes, are checked if they span at most 64 values. Masks of single bits and lists derived from another
+list are not checked.
 
 Example: alarms 0 to 15 and 17.
 
-Cure: Transcribe the missing row, or declare the hole: `gaps: "16: the list goes from 15 to 17"`. Write an
-erratum if the manual should have the row. If the numbers are spread on purpose, write `sparse: true` instead.
+Fix: Transcribe the missing row, or declare the gap: `gaps: "16: the list goes from 15 to 17"`. Write an erratum if the
+manual should have the row. If the numbers are spread on purpose, write `sparse: true` instead.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ that are not available may have the same label.
 
 Example: two homing modes with the label "positive direction, then back to the Z phase".
 
-Cure: Find out what the second member is, name it accordingly, and write an erratum with the printed text.
+Fix: Find out what the second member is, name it accordingly, and write an erratum with the printed text.
 """
 
 from __future__ import annotations

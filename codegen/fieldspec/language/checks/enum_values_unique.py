@@ -4,8 +4,8 @@ Why: if a value has two names, its meaning is unknown.
 
 Example: 3 for homing and 3 for preset_position.
 
-Cure: Correct one of the values, and write an erratum if the manual prints it that way. If the value has two names,
-keep the member with the one to write, and list the other one under its `aliases`.
+Fix: Correct one of the values, and write an erratum if the manual prints it that way. If the value has two names, keep
+the member with the preferred name, and list the other name under its `aliases`.
 """
 
 from __future__ import annotations

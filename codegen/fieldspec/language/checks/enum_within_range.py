@@ -4,7 +4,7 @@ Why: if a list of values goes beyond the printed range, one of the two was not u
 
 Example: a range of 0..13 beside a list of modes that goes to 16.
 
-Cure: Correct the range, and write an erratum. Members that the manual calls not available may be outside the
+Fix: Correct the range, and write an erratum. Members that the manual calls not available may be outside the
 range.
 """
 

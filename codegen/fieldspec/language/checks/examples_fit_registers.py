@@ -1,13 +1,13 @@
 """Examples that read or write registers use existing addresses, in agreement with their access, and values
 within their range.
 
-Why: a sample frame is an independent print of an address and a value. If it does not fit the register table,
-one of the two is misprinted.
+Why: a sample frame prints an address and a value independently of the register table. If it does not fit the register
+table, one of the two is misprinted.
 
 Example: a sample that writes 13 to a register with the range 0..12, or writes to an address that is in no
 table.
 
-Cure: Correct the frame or the register, and write an erratum.
+Fix: Correct the frame or the register, and write an erratum.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
 def _accessed(
     device: Device, addresses: Addresses, access: RegisterAccess, start: int, message: Message, example: Example
 ) -> Iterator[Diagnostic]:
-    """What is wrong with the words that a request addresses: nothing begins there, or its access forbids it."""
+    """The fault of the words that a request addresses: nothing begins there, or its access forbids it."""
     if not addresses.at(access.space, start):
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
         yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
@@ -74,7 +74,7 @@ def _accessed(
 def _valued(
     occupant: Addressed, address: int, number: int | float | None, legal: Legal, writes: bool, example: Example
 ) -> Iterator[Diagnostic]:
-    """What is wrong with a number at an address, as it is read; what starts something may be read as anything."""
+    """The fault of a number at an address, as it is read; a trigger may be read as any number."""
     value = occupant.value
     if value is None or (isinstance(occupant.fact, Register) and occupant.fact.trigger and not writes):
         return

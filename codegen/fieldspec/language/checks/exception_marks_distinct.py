@@ -1,13 +1,14 @@
-"""Where frames carry no code, a constant in the data marks exception responses: a `field` of their record, at a
-fixed place. No other response on the link has the bytes of this number there.
+"""On links without codes, a constant in the data marks exception responses: a `field` of their record, at a fixed
+offset. No other response on the link has the bytes of this number there.
 
-Why: a decoder that cannot tell the two apart reads the reason of a refusal as the answer, or the reverse.
+Why: a decoder that cannot distinguish the two reads the exception as a normal response, or the reverse.
 
-Example: `exception_response: {field: command, record: abort}` where `command` has the `const` 0x80, and a message
-whose response begins with any byte.
+Example: `exception_response: {field: command, record: abort}` where `command` has the `const` 0x80, and a message whose
+response can begin with any byte.
 
-Cure: Give the field of the record a `const`. Give the fields of other responses at its place another `const`, an enum
-that is not open, or a range without this number. Where responses carry a code, state `flag`, `code` or `part` instead.
+Fix: Give the field of the record a `const`. Give the fields of other responses at the same offset a different `const`,
+an enum that is not open, or a range without this number. If responses carry a code, state `flag`, `code` or `part`
+instead.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
         offset = next((start for other, start in sizes.offsets(record) if other is field), None)
         constant = constant_at(field, offset, device.byte_order, device.word_order) if offset is not None else None
         if constant is None:
-            text = f"{record.name}/{field.name} marks exception responses, but it is no constant at a fixed place"
+            text = f"{record.name}/{field.name} marks exception responses, but it is not a constant at a fixed place"
             help = "give it a whole number of up to four bytes as `const`, with fields of fixed size before it"
             yield finding(_CODE, field.place, "name", text, help, label(link.place, "exception_response", link.name))
             continue
@@ -61,7 +62,7 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
 def _apart(
     device: Device, sizes: RecordSizes, link: Link, message: Message, place: Place, number: int
 ) -> Iterator[Diagnostic]:
-    """Whether the bytes at a place of the response of a message never are those of a number."""
+    """Whether the bytes at an offset of the response of a message never equal a number."""
     offset, size, order = place
     mark = number.to_bytes(size, "little" if order == "little" else "big")
     first: Field | None = None
@@ -83,7 +84,7 @@ def _apart(
 
 
 def _is_another(device: Device, field: Field, start: int, offset: int, mark: bytes) -> bool:
-    """Whether the bytes that a field, which begins at `start`, shares with those of the mark never are the mark's."""
+    """Whether the bytes that a field at `start` shares with the mark never equal the mark's bytes."""
     value = field.value
     if value is None or not is_count(value.encoding) or value.width:
         return False

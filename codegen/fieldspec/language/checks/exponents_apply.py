@@ -1,7 +1,7 @@
-"""A register or a field whose scale is read from the device is a whole number without a scale, offset or names of
-its own. Its `scale_by` names another register or, of a field, another field of the same record: a single whole number
-that can be read, without a scale of its own, whose `range` is within -22..22. Such a register is in the space of the
-scaled one, or of the tables that have the scaled field.
+"""A register or a field whose scale is read from the device is a whole number without a scale, offset or names of its
+own. Its `scale_by` names another register or, for a field, another field of the same record: a single readable whole
+number without a scale, whose `range` is within -22..22. The register with the exponent is in the same space as the
+scaled register, or as the tables with the scaled field.
 
 Why: programs read the exponent, and compute quantities with it. Beyond 10^22, a power of ten is not an exact
 floating-point
@@ -9,7 +9,7 @@ number.
 
 Example: `scale_by: power_sf`, where `power_sf` is a `u16` without a `range`.
 
-Cure: Give the exponent its printed `range`, such as -10..10, and its value for "not available" under `sentinels`. State
+Fix: Give the exponent its printed `range`, such as -10..10, and its value for "not available" under `sentinels`. State
 bounds of the scaled value in counts.
 """
 
@@ -132,7 +132,7 @@ def _is_number(value: Value) -> bool:
 
 
 def _wrong_ranges(value: Value) -> str:
-    """Why the numbers of a value are no exponents; empty where they are."""
+    """Why the numbers of a value are not exponents; empty where they are."""
     if value.write_ranges is not None:
         return "its `write_range` differs from what it may be"
     if value.ranges is None or value.ranges.low < -MOST_PLACES or value.ranges.high > MOST_PLACES:

@@ -18,7 +18,9 @@ _VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(limit=1
 
 
 def facts(device: Device) -> tuple[Fact, ...]:
-    """All facts in the order of the spec's sections, each before those that it contains; separators are none."""
+    """All facts in the order of the spec's sections, each before the facts that it contains; separators
+    are not facts.
+    """
     return _FACTS.get_or_compute(device, _facts)
 
 
@@ -33,7 +35,7 @@ def _is_separator(fact: Fact) -> bool:
 def values(device: Device) -> tuple[tuple[Fact, Value], ...]:
     """Every fact that states a value, with the value.
 
-    What a field takes as a whole from its signal, and a register from the one of which it is a copy, is stated there.
+    Keys that a field takes as a whole from its signal, or a register from its original, are stated there.
     """
     return _VALUES.get_or_compute(device, lambda device: tuple(_values(device)))
 
@@ -67,7 +69,7 @@ def fields(device: Device) -> Iterator[Field]:
 
 
 def nested_fields(device: Device, outer: Sequence[Field]) -> Iterator[Field]:
-    """Some fields, each before those of the records in it, to any depth.
+    """Some fields, each before the fields of the records in it, to any depth.
 
     The fields of a record come once, so this ends where a record contains itself, and where many hold the same one.
     """
@@ -88,7 +90,7 @@ def cases(field: Field) -> tuple[Case, ...]:
 
 
 def lists(device: Device) -> Iterator[Sequence[Fact]]:
-    """The rows of every list that is transcribed in the order of the print; enums may be in another order."""
+    """The rows of every list that is transcribed in the order of the manual; enums may be in a different order."""
     for group in device.groups:
         yield group.registers
     for layer in layers(device):

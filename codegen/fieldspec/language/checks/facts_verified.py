@@ -5,7 +5,7 @@ Why: a list from another source may contain wrong numbers, and nothing in the li
 
 Example: a register written by `fieldspec import`, with `unverified: true`.
 
-Cure: Compare the fact with the manual, state the section and the line of the manual as its source, and remove
+Fix: Compare the fact with the manual, state the section and the line of the manual as its source, and remove
 the key.
 """
 
@@ -27,6 +27,6 @@ def facts_verified(device: Device) -> Iterator[Diagnostic]:
             sections.setdefault(fact.place.path.partition("/")[0], []).append(fact)
     for section, unverified in sections.items():
         names = enumeration([fact.name for fact in unverified])
-        text = f"nobody has compared {names} of `{section}` with the manual"
+        text = f"not compared with the manual: {names} of `{section}`"
         help = "compare them, cite the manual, and remove `unverified`"
         yield finding("facts_verified", unverified[0].place, "unverified", text, help, severity=Severity.WARNING)

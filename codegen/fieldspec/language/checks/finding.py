@@ -35,7 +35,7 @@ def label(place: Place, key: str, text: str) -> Label:
 
 
 def is_imported(place: Place, device: Device) -> bool:
-    """Whether only the file of a protocol states a fact. What it lacks is a matter of the device that uses it."""
+    """Whether only the file of a protocol states a fact. The device that uses the protocol states what is missing."""
     path = device.place.whole.file.path
     return not place.whole.file.path.startswith(path[: path.rfind("/") + 1])
 
@@ -99,7 +99,7 @@ def near(word: str, known: Collection[str]) -> str:
     close = get_close_matches(word, names, 1)
     if close:
         return f"did you mean `{close[0]}`?"
-    return f"there are {enumeration([f'`{name}`' for name in names])}" if names else "define it first"
+    return f"choose from {enumeration([f'`{name}`' for name in names])}" if names else "define it first"
 
 
 def longest_ascent(numbers: Sequence[int]) -> frozenset[int]:
@@ -128,7 +128,7 @@ class Allowance:
     check: str
 
     def spans(self) -> list[Span]:
-        """The span of the fact and those of its values, some of which may come from elsewhere."""
+        """The spans of the fact and of its values, some of which may come from elsewhere."""
         return [self.fact.place.whole, *self.fact.place.spans.values()]
 
 

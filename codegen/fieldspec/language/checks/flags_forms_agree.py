@@ -6,7 +6,7 @@ bit is at different positions, one form is misprinted.
 
 Example: fixed_stop is bit 8 in one form of STW2 and bit 9 in another.
 
-Cure: Correct the bit, and write an erratum. If its position really differs, set `allow: {flags_forms_agree:
+Fix: Correct the bit, and write an erratum. If its position really differs, set `allow: {flags_forms_agree:
 <reason>}`.
 """
 

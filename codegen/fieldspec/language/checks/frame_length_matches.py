@@ -6,7 +6,7 @@ the wrong width, or the length belongs to another frame.
 Example: `frame_length: {request: 6}` for a packet with a header of three bytes, three bytes of data and a
 trailer of one byte.
 
-Cure: Correct a field or the length, and write an erratum. Omit the length if the size of the data is not
+Fix: Correct a field or the length, and write an erratum. Omit the length if the size of the data is not
 fixed.
 """
 

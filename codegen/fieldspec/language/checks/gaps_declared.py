@@ -5,9 +5,8 @@ wrong number of words, a wrong address or a row that was not transcribed.
 
 Example: a register of one word at 0x010B, the next register at 0x010D, and no gap that contains 0x010C.
 
-Cure: Correct the words or the address, transcribe the missing row, or declare the addresses with a reason
-under `gaps` of the group. Where a register is there in other versions only, set `allow: {gaps_declared: <reason>}` on
-the row after it.
+Fix: Correct the words or the address, transcribe the missing row, or declare the addresses with a reason under `gaps`
+of the group. If the register exists only in other versions, set `allow: {gaps_declared: <reason>}` on the row after it.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 """No field in the body of a frame has the name of a part before the body.
 
-Why: the values of a frame are stated by name, in examples, on the command line and in generated code. One name for
-both would set the part and leave the field without a value.
+Why: examples, the command line and generated code set the values of a frame by name. With one name for both, the part
+would be set and the field would have no value.
 
 Example: a link whose frames begin with the part `mode`, and a message with a field `mode`.
 
-Cure: Rename one of them: `{name: link_mode, printed_name: mode, ..}` keeps the word of the manual for people.
+Fix: Rename one of them: `{name: link_mode, printed_name: mode, ..}` keeps the name of the manual in the documentation.
 """
 
 from __future__ import annotations

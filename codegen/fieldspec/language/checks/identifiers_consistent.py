@@ -6,7 +6,7 @@ repetitions of a doubled letter is not compared.
 
 Example: the signal SOFTLIMIT in one table, and SOFLIMIT in another.
 
-Cure: Use one spelling, and write an erratum with the other. If they are two names, set `allow:
+Fix: Use one spelling, and write an erratum with the other. If they are two names, set `allow:
 {identifiers_consistent: <reason>}`.
 """
 

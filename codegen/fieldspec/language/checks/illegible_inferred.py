@@ -5,7 +5,7 @@ printed.
 
 Example: an erratum with `illegible: garbled` about a member whose `doc` has no entry under `inferred`.
 
-Cure: Add a reason under `inferred` for the key that was interpreted, or remove the value from the fact.
+Fix: Add a reason under `inferred` for the key that was interpreted, or remove the value from the fact.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
     for erratum in illegible:
         fact = by_path.get(erratum.fact.partition("/restated/")[0])
         if fact is not None and not fact.inferred and _inferred_key(fact):
-            text = f"the print is {erratum.illegible}, but no key of {fact.name} is inferred"
-            related_label = label(fact.place, _inferred_key(fact), "read into the print")
+            text = f"the manual is {erratum.illegible} here, but no key of {fact.name} is inferred"
+            related_label = label(fact.place, _inferred_key(fact), "inferred from the illegible text")
             help = "add the reason under `inferred`"
             yield finding("illegible_inferred", erratum.place, "illegible", text, help, related_label)
 
 
 def _inferred_key(fact: Fact) -> str:
-    """The key under which something was read into the print of a fact, or nothing."""
+    """The key under which something was inferred from the illegible text of a fact, or nothing."""
     return next((key for key in ("doc", "causes", "remedies", "notes") if key in fact.place), "")

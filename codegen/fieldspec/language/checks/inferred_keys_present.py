@@ -5,7 +5,7 @@ a mistake: the key is misspelt, or the value was removed.
 
 Example: `inferred: {acces: ...}` on a register with `access: rw`.
 
-Cure: Correct the key, add the value, or remove the reason.
+Fix: Correct the key, add the value, or remove the reason.
 """
 
 from __future__ import annotations

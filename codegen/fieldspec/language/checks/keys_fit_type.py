@@ -1,16 +1,15 @@
-"""A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers, and a truth value
-has neither constant nor unit; its enum names 0 and 1, or is `open`. Numbers with names have no scale, and a word of
-bits has neither an enum, a scale, a unit nor a sign: its bits have them. A floating-point number has no scale. Texts
-and bytes have no range or scale, bytes have no byte order, and `big` is that of UTF-16 alone.
-Only a number of several bytes has a byte order, only one of several words a word order, and only a text, bytes and
-digits have a `length`.
+"""A value has only keys that apply to its type. Enums, bits and constants apply to whole numbers, and a truth value has
+neither constant nor unit; its enum names 0 and 1, or is `open`. Numbers with names have no scale, and a bit field has
+no enum, scale, unit or sign: its bits have them. A floating-point number has no scale. Texts and bytes have no range or
+scale, bytes have no byte order, and only UTF-16 has `byte_order: big`. Only a number of several bytes has a byte order,
+only a number of several words has a word order, and only a text, bytes and digits have a `length`.
 
-Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a
-name that no codec knows.
+Why: a key that no output can apply must not look as if it had an effect. A reader would rely on a limit or a name that
+no codec applies.
 
 Example: `enum: mode` on an `f32`, or `byte_order: little` on `bytes` or on a `u8`.
 
-Cure: Remove the key, or correct the type.
+Fix: Remove the key, or correct the type.
 """
 
 from __future__ import annotations
@@ -101,18 +100,18 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
-    """What a number with an enum or a word of bits cannot have beside it."""
+    """The keys that a number with an enum or a bit field cannot have."""
     keys = ("enum", *_SCALED, "unit") if value.flags else _SCALED if value.enum else ()
     names = "is a word of bits" if value.flags else f"has the names of {value.enum}"
-    cure = (
+    fix = (
         "state it at the bits that it concerns"
         if value.flags
-        else "remove it; a number that is no quantity can be a special value, under `sentinels`"
+        else "remove it; list a number with a special meaning under `sentinels`"
     )
     for key in keys:
         if _has(value, key):
             text = f"{fact.name} {names}, to which `{key}` does not apply"
-            yield finding("keys_fit_type", fact.place, key, text, cure)
+            yield finding("keys_fit_type", fact.place, key, text, fix)
     if value.flags and is_signed(value.encoding):
         text = f"{fact.name} is {value.type.name}, and a word of bits has no sign"
         help = f"use u{value.type.name[1:]}; several adjacent bits can be `signed`"
@@ -120,7 +119,7 @@ def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 
 def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnostic]:
-    """What a truth value is that its enum refuses, though no reader refuses either of the two."""
+    """The truth value that a closed enum lacks, although readers accept both truth values."""
     if enum is None or enum.open:
         return
     available = {member.value for member in enum.members if not member.unavailable}

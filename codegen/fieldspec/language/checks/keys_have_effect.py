@@ -1,12 +1,12 @@
-"""A key has an effect beside the others: a constant has no default, what is reserved has neither names nor a
-quantity, and a separator has two fields to be between.
+"""A key has an effect together with the others: a constant has no default, a reserved fact has neither names nor a
+quantity, and a separator needs at least two fields.
 
-Why: what is always the same cannot begin as something else, and no codec knows the names or the unit of what it
-ignores. One of the two keys is a slip.
+Why: a constant has no other initial value, and codecs do not use the names or the unit of a value that they ignore. One
+of the two keys is a mistake.
 
 Example: a field with `const: 0xB4` and `default: 3`, or one with `reserved: true` and `unit: mm`.
 
-Cure: Remove one of the two keys, or the separator.
+Fix: Remove one of the two keys, or the separator.
 """
 
 from __future__ import annotations

@@ -3,9 +3,9 @@
 Why: a manual uses one label for a quantity everywhere. If two quantities have the same label, one of the
 labels was copied from another table. The rule labels_unique covers the fields of one record.
 
-Example: a word to be written is labelled "number of words", like the count of another message.
+Example: a field with a word to write is labelled "number of words", like the count of another message.
 
-Cure: Find out what the field is, correct its label, and write an erratum with the printed label. If both
+Fix: Find out what the field is, correct its label, and write an erratum with the printed label. If both
 labels are correct, set `allow: {labels_consistent: <reason>}`.
 """
 

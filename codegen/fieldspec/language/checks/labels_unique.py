@@ -5,7 +5,7 @@ rows may have the same text. The rule enum_names_unique covers the members of en
 
 Example: a record whose second and third field are both labelled "hours".
 
-Cure: Find out what the second row is, correct its label, and write an erratum with the printed label. If both
+Fix: Find out what the second row is, correct its label, and write an erratum with the printed label. If both
 are correct, set `allow: {labels_unique: <reason>}`.
 """
 
@@ -32,7 +32,7 @@ def labels_unique(device: Device) -> Iterator[Diagnostic]:
 
 
 def _as_original(row: Fact, originals: Mapping[str, Register]) -> bool:
-    """Whether a row is the copy of a register that has the same label, and is looked at there."""
+    """Whether a row is the copy of a register with the same label, which is checked there."""
     original = originals.get(row.copy_of) if isinstance(row, Register) else None
     return original is not None and original.label == row.label and not row.printed_name
 

@@ -5,7 +5,7 @@ too high, or the type is too narrow.
 
 Example: up to 16 points of 16 bytes in a packet whose length is one byte.
 
-Cure: Correct the number of elements or the type, and write an erratum if the manual prints it that way.
+Fix: Correct the number of elements or the type, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ a number and a text limits nothing.
 
 Example: `{min: 400, max: 200, unit: ms}`, or `{name: timeout, unit: ms}`.
 
-Cure: Correct one of them, or state the number, and write an erratum if the manual prints it that way.
+Fix: Correct one of them, or state the number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

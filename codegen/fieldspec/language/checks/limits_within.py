@@ -6,7 +6,7 @@ manual prints these numbers on different pages, where a wrong sum is not visible
 Example: `{name: delay, max: 400, unit: ms, transmits: response, within: limits/timeout}` where the longest
 response has 244 bytes, which take 280 ms at 9600 bit/s, and the timeout is 600 ms.
 
-Cure: Correct the number or the reference, and write an erratum if the manual prints it that way.
+Fix: Correct the number or the reference, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def limits_within(device: Device) -> Iterator[Diagnostic]:
 
 
 def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
-    """How long the longest frame behind a limit takes on the line, in its unit to two places, and what to say of it."""
+    """How long the longest frame after a limit takes on the line, in its unit to two places, and what to say of it."""
     scale = _SECOND.get(limit.unit)
     if not limit.transmits or scale is None:
         return Decimal(0), ""

@@ -6,12 +6,12 @@ identified or its data has no place.
 
 Example: a link with two messages whose requests have no part with the role `code`.
 
-Cure: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address,
-code, lengths and user fields come before the body; constants and reserved parts may be anywhere. A length
-counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself; an
-escaped one covers no length that counts what is sent. What SLIP or COBS keeps out of frames is their delimiter. If
-frames really carry no code, name the link under `links` of each of its messages and omit their codes; the
-caller of the decoder then states the message.
+Fix: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address, code, lengths
+and user fields come before the body; constants and reserved parts may be anywhere. A length counts adjacent parts that
+include the body. A checksum covers adjacent parts that do not include itself; an escaped one covers no length that
+counts the sent bytes. The byte that SLIP or COBS removes from frames is the delimiter. If frames really carry no code,
+name the link under `links` of each of its messages and omit their codes; the caller of the decoder then states the
+message.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def _marked(link: Link) -> Iterator[Diagnostic]:
         return
     value = part.value
     if part.role != "plain" or value is None or value.const is not None or part.reserved:
-        text = f"{part.name} cannot mark an exception response, because it is no number that varies"
+        text = f"{part.name} cannot mark an exception response, because it is not a number that varies"
         help = "name a part without a `role`, and without `const` or `reserved`"
         yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
         return
@@ -134,10 +134,10 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
         if part.role in _NUMBERS:
             role = part.role.replace("_", " ")
             text = f"the {role} {part.name} comes after the body"
-            help = f"list it before the body: no output can read a frame whose {role} comes behind the data"
+            help = f"list it before the body: no output can read a frame whose {role} follows the data"
             yield finding(_CODE, part.place, "name", text, help)
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
-            text = f"{part.name} comes after the body, but nothing states its value"
+            text = f"{part.name} follows the body, but has no value"
             help = (
                 "give it a `const`; parts that users supply come before the body, or are the last field of each message"
             )

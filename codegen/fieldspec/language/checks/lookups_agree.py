@@ -5,7 +5,7 @@ the row that differs is misprinted.
 
 Example: three tables of terminals and signals; one of them has the signal of an output at IN 12.
 
-Cure: Correct the cell and write an erratum, or set `allow: {lookups_agree: <reason>}` on one of the tables.
+Fix: Correct the cell and write an erratum, or set `allow: {lookups_agree: <reason>}` on one of the tables.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def lookups_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _by_key(lookup: Lookup, key_index: int, column_index: int) -> _Cells:
-    """The cells of one column by those of another, or nothing where these do not tell the rows apart."""
+    """The cells of one column by those of another, or nothing if these do not distinguish the rows."""
     cells: _Cells = {}
     for row in lookup.rows:
         key = row.cells[key_index]

@@ -6,7 +6,7 @@ not notice it among dozens of rows.
 Example: a gain column with 1, 2, 3, 4, 5, 6, 7, 2 that then starts again, where all other sequences end with
 8.
 
-Cure: Correct the cell, and write an erratum. If the number is really different, set `allow: {lookups_regular:
+Fix: Correct the cell, and write an erratum. If the number is really different, set `allow: {lookups_regular:
 <reason>}` on the table.
 """
 
@@ -48,7 +48,7 @@ def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Di
 
 
 def _counting(numbers: Sequence[int]) -> dict[int, int]:
-    """The rows of a column that counts on from row to row, or begins anew, and are neither; with what they should be.
+    """The rows that neither continue nor restart the count of a column, with the expected numbers.
 
     Nothing where fewer than half of the rows count on.
     """
@@ -65,7 +65,7 @@ def _counting(numbers: Sequence[int]) -> dict[int, int]:
 
 
 def _rising(numbers: Sequence[int]) -> dict[int, int]:
-    """The rows of a column that rises by one after every so many rows, and are not what that makes them."""
+    """The rows that break a column that rises by one after a fixed number of rows."""
     runs = [len(list(run)) for _, run in groupby(numbers)]
     width = Counter(runs).most_common(1)[0][0]
     if width < 2 or len(numbers) < _FEWEST_STEPS * width:

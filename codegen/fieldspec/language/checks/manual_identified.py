@@ -1,12 +1,12 @@
 """A manual is one thing that others can find: a text, a document with pages, or a page on the web.
 
-Why: a source is a line, a page or a section of that very text. A hash, or the day on which a page was read, tells it
-from other editions, in which the source cannot be verified.
+Why: a source is a line, a page or a section of that very text. A hash, or the day on which a page was read,
+distinguishes it from other editions, in which the source cannot be verified.
 
 Example: a manual with a `file` and neither `lines` nor `pages`, or with `lines` and a `url`.
 
-Cure: Give `file`, `sha256` and `lines` of a text; `file`, `sha256` and `pages` of a document without a text, such as a
-scanned PDF; or `url` and `read` of a page on the web.
+Fix: State `file`, `sha256` and `lines` for a text; `file`, `sha256` and `pages` for a document without a text, such as
+a scanned PDF; or `url` and `read` for a page on the web.
 """
 
 from __future__ import annotations

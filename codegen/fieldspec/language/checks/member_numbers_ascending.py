@@ -5,7 +5,7 @@ Why: a misprint shows in a table that is sorted by one of its columns.
 
 Example: internal codes 42, 34, 44: the middle one is out of order.
 
-Cure: Correct the number, and write an erratum if the manual prints it that way.
+Fix: Correct the number, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

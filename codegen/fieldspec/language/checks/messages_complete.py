@@ -6,12 +6,12 @@ Why: a decoder identifies a message by its code, and people identify it by its n
 
 Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
-Cure: Add the code, or correct one of them and write an erratum if the manual prints it that way. Where commands
-share a code and have subcodes, give each request the field with its subcode as a `const`, at the same place, or a
-byte whose `range` has numbers that no other of them has. The responses need none: without it, the request determines
-which response is expected. A message that is sent only on links without codes names them under `links`. What reads
-is answered wherever it is sent. An unrequested message has a code that no response has, or a constant
-at the same place.
+Fix: Add the code, or correct one of them and write an erratum if the manual prints it that way. If commands share a
+code and have subcodes, give each request the field with its subcode as a `const`, at the same offset, or a byte with a
+`range` of its own numbers. Responses need no subcode: without it, the request determines the expected response. A
+message that is sent only on links without codes names these links under `links`. A message that reads has a response on
+every link on which it is sent. An unrequested message has a code that no response has, or a constant at the same
+offset.
 """
 
 from __future__ import annotations
@@ -74,12 +74,12 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
 
 
 def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Diagnostic]:
-    """What the device sends of its own accord is known without a request."""
+    """Unrequested messages are identified without a request."""
     answered_messages = [message for message in messages_on(device, link) if message.is_answered_on(link.name)]
     is_coded = any(part.role == "code" for part in link.response)
     for message in (message for message in answered_messages if not message.is_requested):
         if not is_coded:
-            text = f"nothing tells that a frame on {link.name} is {message.name}, which only the device sends"
+            text = f"no code or constant identifies {message.name} on {link.name}, which only the device sends"
             help = "give a part of `response` the role `code`, or name under `links` only links without codes"
             yield finding(_CODE, message.place, "requested", text, help)
             continue
@@ -87,7 +87,7 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
         same = [other for other in answered_messages if other is not message and other.code_of("response") == code]
         places = [_places(device, sizes, other.response) for other in (message, *same)]
         if same and distinct_place(places) is None:
-            text = f"nothing tells {message.name} from the response to {same[0].name}, and only the device sends it"
+            text = f"{message.name} is unrequested, and looks like the response to {same[0].name}"
             help = "correct one of the codes, or give each of them a field with a `const` at the same place"
             related_label = label(same[0].place, "code", same[0].name)
             yield finding(_CODE, message.place, "requested", text, help, related_label)
@@ -150,7 +150,7 @@ def _check_response_code(device: Device, message: Message) -> Iterator[Diagnosti
 
 
 def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:
-    """A message that is sent beside others is no such one itself, and shares a link with each of them."""
+    """A message that supplements others is not supplemented itself, and shares a link with each of them."""
     for name in message.supplements:
         other = device.messages.get(name)
         if other is None:

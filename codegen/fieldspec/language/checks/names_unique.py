@@ -1,5 +1,5 @@
-"""Names in one name space remain distinct in the spelling of every target, including the escaped names of
-reserved words.
+"""Names in one name space remain distinct in the spelling of every output, including the escaped names of reserved
+words.
 
 Why: each output spells a name in its own case, and some targets do not distinguish upper and lower case. If
 two names become equal, one of the declarations is lost or the output does not compile.
@@ -7,7 +7,7 @@ two names become equal, one of the declarations is lost or the output does not c
 Example: `line_1_2` and `line1_2` both become `Line1_2`; a record and an enum with the name zone become one
 type.
 
-Cure: Rename one of them.
+Fix: Rename one of them.
 """
 
 from __future__ import annotations

@@ -132,5 +132,5 @@ def number_objection(register: Register, meaning: str) -> str:
     if value.const is not None:
         return f"it is always {value.const}"
     if value.sentinels:
-        return f"its special value is no {meaning}"
+        return f"its special value is not a valid {meaning}"
     return "its `write_range` differs from what it may be" if value.write_ranges is not None else ""

@@ -5,7 +5,7 @@ does not follow has a misprinted address or number, or a row is missing from one
 
 Example: parameters 11, 12 and 14 at 0x139E, 0x13A0 and 0x13A2.
 
-Cure: Correct the address or the number, and write an erratum if the manual prints it that way, or transcribe
+Fix: Correct the address or the number, and write an erratum if the manual prints it that way, or transcribe
 the missing row.
 """
 

@@ -20,7 +20,7 @@ from fieldspec.language.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class Addressed:
-    """A value that begins `skip` bytes behind an address, and the fact that it belongs to.
+    """A value that begins `skip` bytes after an address, and the fact that it belongs to.
 
     `access` is empty where not printed; `holder` is the fact that states it: the register, the field or its table.
     """
@@ -63,7 +63,7 @@ class Addresses:
     def at(self, space: str, address: int) -> list[Addressed]:
         """The values that begin at an address of a space; an empty name means the first space.
 
-        Of registers and tables at the same address, one is enough.
+        One register or table of those at the same address is enough.
         """
         own = self._device.space_name(space)
         register = self._registers.get((own, address))

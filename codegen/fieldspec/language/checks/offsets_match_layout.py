@@ -5,7 +5,7 @@ an address or a width is misprinted, and the wrong bytes are read.
 
 Example: a table at 0x9010 whose record has a field of two words at 0x9011 and the next field at 0x9012.
 
-Cure: Correct the position or a width, and write an erratum if the manual prints it that way.
+Fix: Correct the position or a width, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations

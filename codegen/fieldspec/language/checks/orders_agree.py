@@ -1,14 +1,14 @@
-"""All links of a device have the same byte order and the same word order. If the device has values of several
-words, such as registers or data counted in words, at least one link states the word order, and so does every
-link whose data is counted in words, and every link with values of several words if another link exchanges words. A
-value may state an order of its own.
+"""All links of a device have the same byte order and the same word order. If the device has values of several words,
+such as registers or data counted in words, at least one link states the word order, and so does every link whose data
+is counted in words, and every link with values of several words if another link exchanges words. A value may override
+the order.
 
-Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have
-two orders. A protocol that has only bytes needs no word order.
+Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have two
+orders. A protocol with only bytes needs no word order.
 
 Example: a register of type `u32` on a device whose link has no `word_order`.
 
-Cure: Add `word_order: big` or `word_order: little`, as inferred with a reason if the manual does not print
+Fix: Add `word_order: big` or `word_order: little`, as inferred with a reason if the manual does not print
 it.
 """
 

@@ -1,13 +1,14 @@
-"""A field of bytes with the value of a parameter is a single field of a message. Where its `sizes` say how many bytes
-count, they name an earlier field of that message with an enum and its members, and no number of bytes twice. Every
-value of the set has a number of bytes that the messages carry, or that follow them in pieces.
+"""A field of bytes with the value of a parameter is a single field of a message. Its `sizes`, if stated, name an
+earlier field of that message with an enum and the members of that enum, and each number of bytes once. The messages
+carry every value of the set, in one message or in segments.
 
-Why: the bytes of a value are read in the type of the parameter. With more or fewer of them it would be another number.
+Why: the bytes of a value are read in the type of the parameter. With more or fewer bytes, the number would be
+different.
 
 Example: `type: bytes, length: 4` for the value, and `sizes` with a case of eight bytes.
 
-Cure: State the numbers of bytes that the manual prints. For a value that is sent in several messages, such as a long
-text, state `segments` for the message that begins to read it, and for one that begins to write it.
+Fix: State the numbers of bytes that the manual prints. For a value that is sent in several messages, such as a long
+text, state `segments` for the message that begins the transfer in each direction.
 """
 
 from __future__ import annotations
@@ -131,7 +132,7 @@ def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]
                     actual_size = plural(value.size, "byte")
                     text = f"{fact.name or parameter.name} has {actual_size}, and no message can {verb} as many"
                     related_label = label(carriers[0].place, "name", "a field with the values of these parameters")
-                    help = "correct the type, or state a message that carries it, or `segments` for values in pieces"
+                    help = "correct the type, or state a message that carries it, or `segments`"
                     yield finding(_CODE, fact.place, "type", text, help, related_label)
 
 

@@ -7,7 +7,7 @@ carries the same signals and more needs the same parameters.
 Example: a reference speed with `messages: [telegram_3]` where telegram 5 carries the signals of telegram 3
 and two more.
 
-Cure: Add the missing messages, and write an erratum. If the parameter really has no effect there, set `allow:
+Fix: Add the missing messages, and write an erratum. If the parameter really has no effect there, set `allow:
 {parameter_messages_complete: <reason>}`.
 """
 

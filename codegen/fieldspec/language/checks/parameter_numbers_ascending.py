@@ -5,7 +5,7 @@ missing.
 
 Example: parameters 12, 13, 15 in a list that is otherwise complete from 0 to 31.
 
-Cure: Transcribe the missing row, as `reserved` if it has no meaning, or correct the number and write an
+Fix: Transcribe the missing row, as `reserved` if it has no meaning, or correct the number and write an
 erratum. If the manual skips numbers, set `allow: {parameter_numbers_ascending: <reason>}` on the parameter
 after them. A set that states its `numbers` may describe only some of them.
 """
@@ -20,7 +20,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 
 _FEW = 4
-"""Of so many steps at most one may skip, or the list has holes by design."""
+"""The number of steps of which at most one may skip; otherwise, the list has gaps by design."""
 
 
 def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:

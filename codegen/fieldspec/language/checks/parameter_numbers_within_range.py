@@ -6,7 +6,7 @@ list does not contain is a parameter without a description.
 
 Example: a range of 1..63 for the number of a parameter, where the set has the parameters 0 to 31.
 
-Cure: Correct the range and write an erratum, or transcribe the missing parameters. If the manual describes
+Fix: Correct the range and write an erratum, or transcribe the missing parameters. If the manual describes
 only some parameters of a set, state all numbers under `numbers`.
 """
 

@@ -1,15 +1,14 @@
-"""The type of a parameter has the size of the field that carries its value. The `number` of a value is a field that
-has a number of the same set, and a field with a number, a subindex or a value is a single one, without a scale or bits
-of its own.
+"""The type of a parameter has the size of the field that carries its value. The `number` of a value names a field with
+a number of the same set. A field with a number, a subindex or a value is a single value without a scale or bits.
 
 Why: a parameter of four bytes cannot be read by a message whose value has two. The manual prints the sizes in the
 list of parameters and again with the messages, so a misprint in one of them shows. Programs look for a value by its
 number, and each parameter has its own scale.
 
-Example: a parameter of the type `u32`, and messages that all have its value as `u16`, or `number: index` where `index`
-has the numbers of another set.
+Example: a parameter of the type `u32`, and messages that all carry its value as `u16`, or `number: index` where `index`
+has the numbers of a different set.
 
-Cure: Correct the type of the parameter, or that of the field. Name the field with the number.
+Fix: Correct the type of the parameter, or that of the field. Name the field with the number.
 """
 
 from __future__ import annotations

@@ -5,8 +5,7 @@ frame ends in it. If two links state one port, its frames can belong to either.
 
 Example: `network: {tcp: 4001}` at a link whose frames contain only data.
 
-Cure: State `udp` in place of `tcp` where each datagram is a frame. State a port at the one link whose frames it
-carries.
+Fix: State `udp` in place of `tcp` if each datagram is a frame. State a port only at the link whose frames it carries.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from fieldspec.language.model.link import Link
 
 _CODE = "ports_usable"
 _ENDING = ("length", "code", "checksum")
-"""The roles of parts that tell where a frame ends."""
+"""The roles of parts that determine the end of a frame."""
 
 
 def ports_usable(device: Device) -> Iterator[Diagnostic]:
@@ -30,7 +29,7 @@ def ports_usable(device: Device) -> Iterator[Diagnostic]:
             continue
         for protocol, port in link.ports:
             if protocol == "tcp" and any(not _is_ended(link, direction) for direction in ("request", "response")):
-                text = f"nothing tells where a frame of {link.name} ends in a TCP connection"
+                text = f"the end of a {link.name} frame in a TCP connection is unknown"
                 help = "state `udp` in place of `tcp` if each datagram is a frame"
                 yield finding(_CODE, link.place, "network", text, help)
             owner = owners.setdefault((protocol, port), link.name)

@@ -5,7 +5,7 @@ user to the wrong alarm.
 
 Example: `printed_as: "AL.{value:03X}"` and a member 0xEE0 with the printed name AL.EEO.
 
-Cure: Correct the name or the value, and write an erratum if the manual prints it that way. Upper and lower
+Fix: Correct the name or the value, and write an erratum if the manual prints it that way. Upper and lower
 case are not distinguished.
 """
 

@@ -4,7 +4,7 @@ Why: narrow columns break identifiers and leave a space at the break. A search f
 
 Example: `printed_name: TARGET_SPEE D`
 
-Cure: Write the name without the space, and an erratum with the printed name.
+Fix: Write the name without the space, and an erratum with the printed name.
 """
 
 from __future__ import annotations

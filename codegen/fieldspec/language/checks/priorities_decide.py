@@ -4,7 +4,7 @@ Why: a table that shows both servo on and servo off for the same command and the
 
 Example: a row `on | off -> on -> off | on -> on -> off` in a table of the kind `priority`.
 
-Cure: Correct the row. If the manual prints it that way, write an erratum and add an allowance to the table.
+Fix: Correct the row. If the manual prints it that way, write an erratum and add an allowance to the table.
 """
 
 from __future__ import annotations

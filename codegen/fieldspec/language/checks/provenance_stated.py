@@ -7,7 +7,7 @@ printed, evidence cannot be distinguished from our own work. A reported value mu
 Example: `origin: computed` beside `source: 8.4 L1790`, or `reported: [{by: a program, how: in its code, unit: mm}]`
 on a register with `unit: mm`.
 
-Cure: Remove the source, the reason or the report, or add what is missing.
+Fix: Remove the source, the reason or the report, or add what is missing.
 """
 
 from __future__ import annotations

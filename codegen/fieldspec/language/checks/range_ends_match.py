@@ -5,7 +5,7 @@ digit is missing.
 
 Example: -2147483648..214748648.
 
-Cure: Correct the other end, and write an erratum. Ranges that end at -1, 0 or 1 and symmetrical ranges are
+Fix: Correct the other end, and write an erratum. Ranges that end at -1, 0 or 1 and symmetrical ranges are
 permitted.
 """
 

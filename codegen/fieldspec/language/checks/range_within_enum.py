@@ -5,7 +5,7 @@ is too wide, or the enum is open.
 
 Example: a range of 0..12 and an enum with the values 0 to 11.
 
-Cure: Transcribe the missing member, correct the range and write an erratum, or set `open: true` on the enum
+Fix: Transcribe the missing member, correct the range and write an erratum, or set `open: true` on the enum
 if values without a name can occur.
 """
 

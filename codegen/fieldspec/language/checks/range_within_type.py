@@ -5,7 +5,7 @@ digit of the bound is wrong.
 
 Example: a range of -1..127 on a `u16`.
 
-Cure: Correct the type or the bound. Use a signed type if the manual prints negative values.
+Fix: Correct the type or the bound. Use a signed type if the manual prints negative values.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ def _sentinel_help(value: Value, bits: int) -> str:
 
 
 def _of_float(fact: Fact, value: Value, precision: Precision) -> Iterator[Diagnostic]:
-    """Bounds and sentinels that the type has exactly, and bits that are those of a NaN."""
+    """Bounds and sentinels that the type has exactly, and bits of a NaN."""
     width, digits = precision.value, significant_bits(precision)
     infinite, quiet = infinity(precision), quiet_nan(precision)
     for bound in (bound for pair in (value.ranges.intervals if value.ranges else ()) for bound in pair):

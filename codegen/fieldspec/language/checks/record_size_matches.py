@@ -5,7 +5,7 @@ following addresses are wrong too.
 
 Example: a record of 16 bytes with fields of 14 bytes, or elements of 14 words with a stride of 12 words.
 
-Cure: Correct the width of a field, the printed size or the stride, and write an erratum.
+Fix: Correct the width of a field, the printed size or the stride, and write an erratum.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 """A record has fields, unless it is the record of exception responses only.
 
-Why: a response that only marks that a request is refused has no data. A field or an element of a table without
-bytes has no meaning.
+Why: an exception response can consist of its mark, without data. A field or an element of a table without bytes has no
+meaning.
 
 Example: a table whose record has `fields: []`.
 
-Cure: Add the fields.
+Fix: Add the fields.
 """
 
 from __future__ import annotations

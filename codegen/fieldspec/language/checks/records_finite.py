@@ -4,7 +4,7 @@ Why: a record that contains itself has no end and no layout.
 
 Example: a record point with a field `record: zone`, and a record zone with a field `record: point`.
 
-Cure: Remove the field from one of them, or name the intended record.
+Fix: Remove the field from one of them, or name the intended record.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ Why: without the referenced fact, a value has no meaning and no layout.
 
 Example: `enum: homing_mod` where the enum has the name homing_mode.
 
-Cure: Correct the name, or define the missing fact.
+Fix: Correct the name, or define the missing fact.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _PARTS = frozenset(
         "unit_addresses",
     )
 )
-"""What a path may name below a fact that is none itself."""
+"""The names below a fact that a path may end in, although they are not facts."""
 
 _SAVING = frozenset(("registers", "parameters", "messages", "records", "tables", "signals"))
 """The sections of what is written to a device or sent to it."""
@@ -151,7 +151,7 @@ def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diag
     sets = {*device.parameters, *(parameter_set.space for parameter_set in device.parameters.values())}
     yield from _named(place, "parameter", "parameter set", part.set, sets)
     if part.part == "values" and len(device.sets(part.set)) > 1:
-        text = f"the values of {part.set} are in several sets, and nothing states their order"
+        text = f"the values of {part.set} are in several sets without an order"
         yield finding("references_resolve", place, "parameter", text, "name one of the sets")
 
 

@@ -1,13 +1,12 @@
-"""A value in a register of words has a whole number of words: a byte alone is half a word, and a text has two bytes in
+"""A value in a register of words has a whole number of words: a single byte is half a word, and a text has two bytes in
 each word that the manual counts.
 
-Why: a manual that counts words prints no bytes. The device sends a whole word, whose first byte is such a value.
+Why: the device sends whole words, and a value of one byte would occupy only the first byte of its word.
 
 Example: a register of type `u8` at 0x2001, or a text with `length: 31` and `words: 16`.
 
-Cure: State the word as `u16` or `i16`, with a `range` if it is known. State the length of all words of the text, and
-its `characters`. If the device has its value in the byte that comes first, set
-`allow: {registers_fill_words: <reason>}`.
+Fix: State the word as `u16` or `i16`, with a `range` if it is known. State the length of all words of the text, and
+its `characters`. If the value really is in the first byte, set `allow: {registers_fill_words: <reason>}`.
 """
 
 from __future__ import annotations

@@ -1,15 +1,15 @@
-"""A field that repeats may have an element, and it is known where it ends: by the end of the data, less the bytes of
-what always follows, or by a field before it that `measures` it. Where something of no fixed size follows, and in
-records that are part of others, that field is a binary number of one or two bytes without a sign. A record of no fixed
-size may be part of messages and of such records, once, `count` times or repeated, if all of its lists, and of its
-texts that vary, are counted so. Data of exceptions and of messages that access registers have lists at their end alone.
+"""A repeated field permits at least one element, and its end is known: by the end of the data, less the fixed bytes
+after it, or by an earlier field that `measures` it. If data of no fixed size follows, and in records within other
+records, that field is a binary number of one or two bytes without a sign. A record of no fixed size may be part of
+messages and of such records, once, `count` times or repeated, if an earlier field measures each of its lists and texts
+of varying width. The data of exceptions, and of messages that access registers, have lists only at their end.
 
-Why: without a field that counts the elements, only the end of the data gives their number, less what always follows.
-Records that differ in size are separated by their own counts.
+Why: without a field that counts the elements, their number follows only from the end of the data. Only their own counts
+separate records that differ in size.
 
-Example: a list of points with `repeat: 1..15` and another list after it, which nothing measures.
+Example: a list of points with `repeat: 1..15` and another list after it, without a field that measures either.
 
-Cure: State the number of elements as `count`, the field that counts them as `measures`, or list the fields in the order
+Fix: State the number of elements as `count`, the field that counts them as `measures`, or list the fields in the order
 of the wire.
 """
 
@@ -58,7 +58,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
         return
     untold = sizes.untold(inner)
     if untold is not None:
-        text = f"{inner.name} has no fixed size, and nothing in it tells where {untold.name} ends"
+        text = f"{inner.name} has no fixed size, and nothing in it marks the end of {untold.name}"
         help = (
             "let a field of it, a `u8` or `u16` before it, count it with `measures`, or let a message have its fields"
         )
@@ -71,7 +71,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
 
 
 def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Iterator[Diagnostic]:
-    """The findings of what is behind a list, or behind a record that differs in size."""
+    """The findings of what is after a list, or after a record that differs in size."""
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
     counts = [
@@ -81,17 +81,17 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
     is_open = field.repeat is not None and (varying is not None or not is_body)
     last = varying or later_fields[-1]
     if is_open and not counts:
-        problem = "behind it has no fixed size" if varying is not None else "comes after it in a record"
-        text = f"nothing says where {field.name} ends, as {last.name} {problem}"
+        problem = "after it has no fixed size" if varying is not None else "comes after it in a record"
+        text = f"the end of {field.name} is unknown, because {last.name} {problem}"
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
     elif is_open and list_count(layer, field) is None:
-        text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is no binary `u8` or `u16`"
+        text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is not a binary `u8` or `u16`"
         help = "state the number as `u8` or `u16`, or a message of its own"
         yield finding(_CODE, counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
     for other in later_fields:
         if other.choice is not None:
-            text = f"{other.name} has several types behind {field.name}, which has no fixed size"
+            text = f"{other.name} has several types after {field.name}, which has no fixed size"
             related_label = label(field.place, "name", "has no fixed size")
             yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", related_label)
         for key in ("span", "word_span"):
@@ -101,7 +101,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
 
 
 def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Iterator[Diagnostic]:
-    """The finding of a list with fields behind it, or of a record that differs in size, where a last list may be."""
+    """The finding of a list with fields after it, or of a record that differs in size, where a last list may be."""
     last = layer.fields[-1]
     problem = f"{last.name} comes after {field.name}" if last is not field else f"{field.name} differs in size"
     if message is not None and (message.accesses is not None or message.access_steps):

@@ -6,9 +6,9 @@ registers, one frame is misprinted or belongs to another sample, or `accesses` n
 
 Example: a request to station 1 and a response from station 2, or a request for 20 words and a response with 25.
 
-Cure: Correct one of the frames and write an erratum, or name the right example under `reply_to`. Correct the `start`,
-`count` and `values` under `accesses` of the message. If the device sends another number, set
-`allow: {replies_agree: <reason>}` on the response.
+Fix: Correct one of the frames and write an erratum, or name the right example under `reply_to`. Correct the `start`,
+`count` and `values` under `accesses` of the message. If the device sends a different number, set `allow:
+{replies_agree: <reason>}` on the response.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _count_mismatch(device: Device, message: Message, request: Example, reply: Example) -> str:
-    """The reason why a response has another number of values than its request asks for, or an empty text."""
+    """The reason why the number of values in a response differs from the requested number, or an empty text."""
     access = message.accesses
     if access is None or access.operation != "read" or reply.direction != "response":
         return ""

@@ -1,4 +1,4 @@
-"""What a fact states, key by key, in a form that compares with a restatement."""
+"""The statements of a fact, key by key, in a form that compares with a restatement."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def as_text(key: str, value: object) -> str:
 
 
 def statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str, object]:
-    """What a fact says, by key; a key that it says nothing about is not there, or None."""
+    """The statements of a fact by key; a key without a statement is absent, or None."""
     return {"available_since": frozenset(fact.since) or None, **_all_statements(device, sizes, fact)}
 
 
@@ -89,7 +89,7 @@ def _all_statements(device: Device, sizes: RecordSizes, fact: Fact) -> dict[str,
 
 
 def _checksum(device: Device, sizes: RecordSizes, part: Part) -> dict[str, object]:
-    """What a part says as a checksum: how it begins, the sum of the longest frame, and the unit of its order."""
+    """The statements of a checksum part: its initial value, the sum of the longest frame, and the unit of its order."""
     if not part.stated_algorithm:
         return {}
     algorithm = checksum_named(part.stated_algorithm)

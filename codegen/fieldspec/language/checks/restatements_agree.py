@@ -5,7 +5,7 @@ Why: two tables of one manual that differ are a contradiction, and a reader of e
 
 Example: a speed of 0..100 in the register table, restated as 1..100 in the chapter on points.
 
-Cure: State the right value in both places, and write an erratum for the one that is misprinted. Omit from
+Fix: State the right value in both places, and write an erratum for the one that is misprinted. Omit from
 `restated` what that place does not print.
 """
 

@@ -6,7 +6,7 @@ guess the target of a motion.
 
 Example: `roles: target_position` on two registers.
 
-Cure: Keep the role on the fact that the task uses. A step can name the other fact by its path.
+Fix: Keep the role on the fact that the task uses. A step can name the other fact by its path.
 """
 
 from __future__ import annotations

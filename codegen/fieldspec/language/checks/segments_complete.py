@@ -1,12 +1,13 @@
-"""A message whose value follows in pieces names another message of the same links, and in it the field with a piece.
-The pieces can be put together again: their number of bytes is known, by `last`, by `unused` or by `size`.
+"""A message that starts a segmented transfer names another message of the same links, and the field with a segment in
+that message. The segments can be reassembled: the number of bytes follows from `last`, `unused` or `size`.
 
-Why: a program reads or writes the value with what is stated here. A piece too much or a byte too few is another value.
+Why: programs read or write the value by these keys. With a segment too many or a byte too few, the value would be
+different.
 
 Example: `segments: {message: upload_segment, when: [segments], data: data}` without `last` and without `size`.
 
-Cure: State what the manual prints: the bit of the last piece, the number of unused bytes, the size of the whole value.
-Give a `const`, a `default` or a `range` to each field of the request that nothing else decides.
+Fix: State the keys that the manual prints: the bit of the last segment, the number of unused bytes, the size of the
+whole value. Give a `const`, a `default` or a `range` to each other field of the request.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ def _of_message(device: Device, first: Message, stated: Segments) -> Iterator[Di
         yield from _writing(device, first, stated)
     piece = device.messages.get(stated.message)
     if piece is None or piece is first or piece.segments is not None:
-        text = f"{stated.message} is no other message that carries a piece"
+        text = f"{stated.message} cannot carry the segments of this message"
         candidates = [name for name, other in device.messages.items() if other is not first and other.segments is None]
         yield _finding(first, text, near(stated.message, candidates))
         return
@@ -64,7 +65,7 @@ def _reading(device: Device, first: Message, stated: Segments) -> Iterator[Diagn
     sizes = _sizes(first.response)
     enum = _enum(device, first.response, sizes)
     if sizes is None or enum is None:
-        text = f"the response of {first.name} has no value in bytes with `sizes`, which would say whether pieces follow"
+        text = f"the response of {first.name} has no value in `bytes` with `sizes` to announce segments"
         yield _finding(first, text, "give it a field of `bytes` with `parameter: {part: value, sizes: ..}`")
         return
     short = {name for case in sizes.cases for name in case.when}
@@ -84,11 +85,13 @@ def _reading(device: Device, first: Message, stated: Segments) -> Iterator[Diagn
 def _writing(device: Device, first: Message, stated: Segments) -> Iterator[Diagnostic]:
     if _part(first.request, "value") is not None:
         text = f"the request of {first.name} has the value itself"
-        yield _finding(first, text, "state a message of its own for values in pieces, or `when` for one that reads")
+        yield _finding(
+            first, text, "use a separate message for segmented values, or add `when` to a message that reads"
+        )
     if stated.size:
         yield from _size(first, first.request, stated.size)
     for field in _open_fields(device, first.request, {stated.size}):
-        yield _finding(first, f"nothing says what {field.name} of {first.name} is", "give it a `const` or a `default`")
+        yield _finding(first, f"{field.name} of {first.name} has no value", "give it a `const` or a `default`")
 
 
 def _size(first: Message, record: Record, name: str) -> Iterator[Diagnostic]:
@@ -101,7 +104,7 @@ def _size(first: Message, record: Record, name: str) -> Iterator[Diagnostic]:
             first, f"{first.name} has no field `{name}` there", near(name, [own.name for own in record.fields])
         )
     elif not (whole or short) or field.count is not None or field.repeat is not None or field.reserved:
-        yield _finding(first, f"{name} is no number of bytes", "name a field with an unsigned whole number")
+        yield _finding(first, f"{name} is not a number of bytes", "name a field with an unsigned whole number")
 
 
 def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) -> Iterator[Diagnostic]:
@@ -112,7 +115,7 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
         yield _finding(first, f"{piece.name} has no field `{stated.data}` there", near(stated.data, names))
     elif not is_octets(data.value.encoding) or data.count is not None or data.repeat is not None or data.reserved:
         yield _finding(
-            first, f"{stated.data} of {piece.name} is no field of bytes", "use `type: bytes` and its `length`"
+            first, f"{stated.data} of {piece.name} is not a field of bytes", "use `type: bytes` and its `length`"
         )
     places = {}
     for key, name, records in (
@@ -138,15 +141,15 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
         yield _finding(first, text, "name a field for 0 and more")
     always = bool(stated.size) and not stated.unsized
     if not always and not (stated.last and stated.unused):
-        text = f"nothing says how many bytes of the pieces of {first.name} are the value"
+        text = f"the number of value bytes in the segments of {first.name} is unknown"
         yield _finding(first, text, "state `size` for all, or `last` and `unused`")
     decided = {stated.data, *(place.field.name for own in places.values() for place in own)}
     for field in _open_fields(device, piece.request, decided):
-        yield _finding(first, f"nothing says what {field.name} of {piece.name} is", "give it a `const` or a `default`")
+        yield _finding(first, f"{field.name} of {piece.name} has no value", "give it a `const` or a `default`")
 
 
 def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[Diagnostic]:
-    """The message that ends a transfer: nobody answers it, and everything in it is known."""
+    """The message that ends a transfer: it has no response, and all its values are known."""
     message = device.messages.get(abort.message)
     if message is None:
         yield _finding(first, f"there is no message `{abort.message}`", near(abort.message, device.messages))
@@ -170,7 +173,7 @@ def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[
                 yield _finding(first, f"{enum.name} has no member `{name}`", help)
     repeated = {own.name for own in first.request.fields}
     for own in _open_fields(device, message.request, {abort.reason, *repeated}):
-        yield _finding(first, f"nothing says what {own.name} of {message.name} is", "give it a `const` or a `default`")
+        yield _finding(first, f"{own.name} of {message.name} has no value", "give it a `const` or a `default`")
 
 
 def _open_fields(device: Device, record: Record, decided: set[str]) -> Iterator[Field]:

@@ -4,7 +4,7 @@ Why: if a manual prints the same text for both, a row was copied and not changed
 
 Example: a bit with `zero: outside the zone` and `one: outside the zone`.
 
-Cure: Correct one of the texts, and write an erratum with the printed text.
+Fix: Correct one of the texts, and write an erratum with the printed text.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """The sentinels of a value have names and values of their own, and none is a member of its enum with another name.
 
-Why: a value with two names means either of two states; a name for two values does
-not say which one to write. A value that can only be one number has no other states. `out_of_range` is the state of a
-number outside of the `range`, which is a quantity all the same.
+Why: a value with two names is ambiguous when it is read; two values with one name are ambiguous when it is written. A
+constant has no other states. The name `out_of_range` is reserved for numbers outside of the `range`, which are
+quantities all the same.
 
 Example: `sentinels: [{value: 0xFFFF, name: not_measured}, {value: 0xFFFF, name: overflow}]`.
 
-Cure: Correct or rename one of them, and write an erratum if the manual prints it that way; or remove the sentinel, and
+Fix: Correct or rename one of them, and write an erratum if the manual prints it that way; or remove the sentinel, and
 describe the member of the enum.
 """
 
@@ -42,13 +42,13 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
                     f"{sentinel.text} of {fact.name} is {OUT_OF_RANGE}, the state of every number outside of its range"
                 )
             elif sentinel.text in names:
-                text = f"{sentinel.text} of {fact.name} is {names[sentinel.text]} and {sentinel.name}"
+                text = f"{sentinel.text} of {fact.name} has two names, `{names[sentinel.text]}` and `{sentinel.name}`"
             elif sentinel.name in texts:
-                text = f"{sentinel.name} of {fact.name} is {texts[sentinel.name]} and {sentinel.text}"
+                text = f"{sentinel.name} of {fact.name} names both {texts[sentinel.name]} and {sentinel.text}"
             elif (other := _shared(value, sentinel)) is not None:
-                text = f"{sentinel.text} of {fact.name} is {sentinel.name}, and {other.text} is {other.name}"
+                text = f"{sentinel.text} of {fact.name} is `{sentinel.name}`, and {other.text} is `{other.name}`"
             elif member is not None and enum is not None:
-                text = f"{sentinel.text} of {fact.name} is {sentinel.name}, and {member.name} of {enum.name}"
+                text = f"{sentinel.text} of {fact.name} is `{sentinel.name}`, but `{member.name}` in {enum.name}"
             elif value.const is not None:
                 text = f"{fact.name} is always {value.const}, and has the sentinel {sentinel.name}"
             if text:

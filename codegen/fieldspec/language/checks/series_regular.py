@@ -1,12 +1,12 @@
-"""Items that the manual numbers consecutively have consecutive places.
+"""Items that the manual numbers consecutively have consecutive numbers, bits or addresses.
 
-Why: inputs 1 to 14, bits 0 to 6 of a point number and similar series are printed in order. If an item is at
-another place, its number or its address is misprinted.
+Why: inputs 1 to 14, bits 0 to 6 of a point number and similar series are printed in order. If an item is out of
+sequence, its number or its address is misprinted.
 
 Example: OUT 1 to OUT 10 are bits 0 to 9, but OUT 4 is bit 5.
 
-Cure: Correct the number, the bit, the value or the address, and write an erratum. If the place is correct,
-set `allow: {series_regular: <reason>}`.
+Fix: Correct the number, the bit, the value or the address, and write an erratum. If the item is correct, set `allow:
+{series_regular: <reason>}`.
 """
 
 from __future__ import annotations

@@ -3,11 +3,11 @@ covers fields that carry the size of another field, because their range follows 
 registers or bits that a message `accesses` follows from its longest frame.
 
 Why: a manual describes the same quantity in many places. If one place differs from all others, it is usually
-misprinted, and a reader of that place alone cannot see it.
+misprinted, and a reader of only that place cannot see it.
 
 Example: six commands with a force of 0..100, and a seventh with 1..100.
 
-Cure: Compare the field with the manual, correct it and write an erratum. If it really differs, set `allow:
+Fix: Compare the field with the manual, correct it and write an erratum. If it really differs, set `allow:
 {siblings_agree: <reason>}`.
 """
 

@@ -5,7 +5,7 @@ signal is in no table, one of the two is misprinted or out of date.
 
 Example: a signal with `direction: request` in a response; OVERRIDE in the list and VERRIDE in a table.
 
-Cure: Correct the list or the table, and write an erratum. If no message carries the signal, state this under
+Fix: Correct the list or the table, and write an erratum. If no message carries the signal, state this under
 its `notes`.
 """
 

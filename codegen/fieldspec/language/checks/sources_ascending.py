@@ -6,7 +6,7 @@ side, each column starts again at the same line. Members of enums may be in anot
 
 Example: rows that cite L1160, L1611 and L1162.
 
-Cure: Correct the line or the order of the rows.
+Fix: Correct the line or the order of the rows.
 """
 
 from __future__ import annotations

@@ -5,10 +5,10 @@ the text is a mistake.
 
 Example: a register without `source`, or `source: 8.2 L16222` where the text has 3100 lines.
 
-Cure: Add the section and the line. Facts of a protocol are cited in the entry of the same name in the device.
-A row may omit the section if its group has one, under `section` or in its `source`. If the manual prints the rows
-of a copied block, each row cites its own line. A fact that a version adds needs no source where the manual does not
-print it: the entry that adds it states the reason.
+Fix: Add the section and the line. Facts of a protocol are cited in the entry of the same name in the device. A row may
+omit the section if its group has one, under `section` or in its `source`. If the manual prints the rows of a copied
+block, each row cites its own line. A fact that a version adds needs no source if the manual does not print it: the
+entry that adds it states the reason.
 """
 
 from __future__ import annotations

@@ -2,15 +2,15 @@
 and if it contains values that can be written, a message writes it. If a message of the device itself writes a space,
 some value there can be written.
 
-Why: a register that no message reaches has no request in any output, and a message for another space would
-read another register. Where nothing can be written, the message accesses the wrong space, or the access of the
-registers is wrong, and no output writes them.
+Why: a register that no message reaches has no request in any output, and a message for another space would read another
+register. If the space contains no writable value, the message accesses the wrong space, or the access of the registers
+is wrong.
 
 Example: a group of input registers in a device whose only reading message accesses holding registers.
 
-Cure: Add the message that reads or writes the space, with `space` under its `accesses`, or move the group to
-the space that the message accesses. Correct the access of the registers; if the device writes what the manual does not
-list, set `allow: {spaces_reachable: <reason>}` on the message.
+Fix: Add the message that reads or writes the space, with `space` under its `accesses`, or move the group to the space
+that the message accesses. Correct the access of the registers; if the manual does not list the values that the message
+writes, set `allow: {spaces_reachable: <reason>}` on the message.
 """
 
 from __future__ import annotations

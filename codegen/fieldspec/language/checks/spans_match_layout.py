@@ -6,7 +6,7 @@ wrong, a field is missing, or the column means something else.
 
 Example: `span: "2"` for a field of two bytes at the start of the data; `word_span: 7` for a field of 32 bits.
 
-Cure: Correct a type or the span, and write an erratum if the manual prints it that way.
+Fix: Correct a type or the span, and write an erratum if the manual prints it that way.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from fieldspec.language.model.sizes import RecordSizes
 
 _SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")
 _UNITS = {"span": ("byte", 1), "word_span": ("word", 2)}
-"""What is counted under a key, and how many bytes it has."""
+"""The unit that a key counts, and its size in bytes."""
 _MOST_ENDS = 65536
 
 _Span = tuple[int, int]
@@ -55,7 +55,7 @@ def _starts(device: Device, sizes: RecordSizes) -> dict[str, list[int]]:
 
 
 def _spans(field: Field, offset: int, sizes: RecordSizes, unit: int) -> list[_Span]:
-    """The first and last unit of a field, counted from 1; those of a repeated one for each number of elements."""
+    """The first and last unit of a field, counted from 1; for a repeated field, for each number of elements."""
     bounds = sizes.field(field)
     if bounds is None or offset % unit:
         return []

@@ -6,7 +6,7 @@ with a timeout that is either a fault or normal.
 
 Example: `{subject: reply, says: always, source: 6 L10}` beside `{subject: reply, says: never, source: 7 L20}`.
 
-Cure: State the correct fact in both places, and write an erratum for the place that prints something else.
+Fix: State the correct fact in both places, and write an erratum for the place that prints something else.
 """
 
 from __future__ import annotations

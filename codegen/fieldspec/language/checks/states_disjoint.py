@@ -6,7 +6,7 @@ or missing.
 Example: a state with `set: [ready]` and one with `set: [ready, operating]`: the first needs `clear:
 [operating]`.
 
-Cure: Add the bits that distinguish the states, and write an erratum if they are misprinted.
+Fix: Add the bits that distinguish the states, and write an erratum if they are misprinted.
 """
 
 from __future__ import annotations

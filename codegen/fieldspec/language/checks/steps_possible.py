@@ -6,7 +6,7 @@ outside its range, the device rejects it or does something else.
 
 Example: `{write: actual_position, argument: position}`, or `{wait: in_position, value: 2}`.
 
-Cure: Name the intended fact by its role or its path, and a value that it can have. Use `pulse` for a bit
+Fix: Name the intended fact by its role or its path, and a value that it can have. Use `pulse` for a bit
 whose edge has the effect, and `set` or `clear` for any other bit.
 """
 
@@ -130,7 +130,7 @@ def _compared(operands: Operands, task: Task, index: int) -> Iterator[Diagnostic
         for operand in operands.target(step.target, message):
             value = operand.value
             if value is None or not is_count(value.encoding) or value.enum or value.flags:
-                text = f"{operand.path} is no number that can be compared with an argument"
+                text = f"{operand.path} is not a number that can be compared with an argument"
                 yield finding(_RULE, step.place, "wait", text, "name the fact that shows where the device is")
                 continue
             for commanded in _argument_targets(operands, before[0], step.argument, message):
@@ -158,7 +158,7 @@ def _same_count(first: Value, second: Value) -> bool:
 def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
     place = step.place
     if (step.action == "send") != isinstance(operand.fact, Message):
-        text = f"{operand.path} is {'a' if step.action != 'send' else 'no'} message"
+        text = f"{operand.path} is {'a' if step.action != 'send' else 'not a'} message"
         yield finding(_RULE, place, step.action, text, "messages are sent; other facts are written or read")
     elif isinstance(operand.fact, Message) and not operand.fact.is_requested:
         text = f"only the device sends {operand.path}, of its own accord"

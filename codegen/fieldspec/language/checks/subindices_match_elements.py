@@ -5,7 +5,7 @@ differ, a row is missing or the number is misprinted.
 
 Example: `elements: 7` for a parameter with the subindices 0 to 5.
 
-Cure: Transcribe the missing elements or correct the number, and write an erratum. If the manual describes
+Fix: Transcribe the missing elements or correct the number, and write an erratum. If the manual describes
 only some elements, set `allow: {subindices_match_elements: <reason>}`.
 """
 

@@ -1,12 +1,12 @@
-"""A switch that takes every number says what reading it gives.
+"""A switch that accepts every number states which number reading it returns.
 
-Why: where every value but 0 switches on, a device may return what was written, or 1. A program that compares what
-it reads with what it wrote, or with 1, works with one device and not with the other.
+Why: if every value except 0 switches on, a device may return the written value, or 1. A program that compares the read
+value with the written value, or with 1, works with some devices only.
 
 Example: a register without a range that can be read and written, with an open enum of 0 `off` and 1 `on`.
 
-Cure: Make the enum closed, or give the register a range, if the device refuses other numbers. If the manual does not
-print what reading gives, state that under `allow`, and write an erratum with `printed: {allow: ~}`.
+Fix: Make the enum closed, or give the register a range, if the device rejects other numbers. If the manual does not
+print the returned number, state that under `allow`, and write an erratum with `printed: {allow: ~}`.
 """
 
 from __future__ import annotations

@@ -141,7 +141,7 @@ CHECKS: tuple[tuple[str, Check], ...] = tuple(
 )
 
 MOST_FINDINGS = 200
-"""How many findings one check may have; more of them help nobody."""
+"""The greatest number of findings of one check; more do not help."""
 
 _BY_NAME = dict(CHECKS)
 
@@ -150,7 +150,7 @@ INSTALLED: dict[str, Check] = {}
 
 
 def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
-    """The findings of all checks, `without` those of some, in order."""
+    """The findings of all checks except those in `without`, in order."""
     all_allowances = list(allowances(device))
     by_check: dict[str, list[Allowance]] = {}
     for allowance in all_allowances:

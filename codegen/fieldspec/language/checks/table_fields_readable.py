@@ -5,7 +5,7 @@ whole, so one register whose value differs from its constant would make the whol
 
 Example: a record of a table with a field `{name: version, type: u16, const: 3}`.
 
-Cure: Use a `range` with only that value and a `default`: both apply only to writing.
+Fix: Use a `range` with only that value and a `default`: both apply only to writing.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ and if the manual has none, the spec says so.
 
 Example: a section `tasks` without an entry for `save`.
 
-Cure: Add a task with `steps`, `not_applicable` or `open`.
+Fix: Add a task with `steps`, `not_applicable` or `open`.
 """
 
 from __future__ import annotations

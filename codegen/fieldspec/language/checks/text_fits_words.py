@@ -1,13 +1,12 @@
-"""The permitted characters of a text fit its bytes, and so does its default. They are fewer than its `length` has room
-for.
+"""The permitted characters of a text fit its bytes, and so does its default. They are fewer than fit into its `length`.
 
 Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator
 is required, because manuals rarely state whether there is one. Characters that the length allows anyway have no effect.
 
 Example: 31 characters in a text of one word, or `length: 4` with `characters: 4`.
 
-Cure: Correct the number of characters, the words or the length, and write an erratum. Remove `characters` where the
-length says it.
+Fix: Correct the number of characters, the words or the length, and write an erratum. Remove `characters` if it equals
+the length.
 """
 
 from __future__ import annotations

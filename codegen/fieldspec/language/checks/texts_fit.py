@@ -1,5 +1,5 @@
-"""A text has room for its characters and its terminator, and only texts have keys for texts. A terminator ends a text
-on the left, UTF-16 and a text with `byte_order: little` have an even number of bytes, packed ASCII has three of them
+"""A text has room for its characters and its terminator, and only texts have keys for texts. Only a left-aligned text
+has a terminator, UTF-16 and a text with `byte_order: little` have an even number of bytes, packed ASCII has three bytes
 for four characters and no zeros, and a default is a text that can be sent. Only fields and registers that are not
 reserved have a special text form.
 
@@ -7,7 +7,7 @@ Why: a text that cannot be written as it is read loses or changes characters wit
 
 Example: `{name: title, type: text, length: 7, encoding: utf_16}`, as the last character has one byte.
 
-Cure: Correct the length, or remove the key.
+Fix: Correct the length, or remove the key.
 """
 
 from __future__ import annotations
@@ -60,7 +60,9 @@ def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
         text = f"{fact.name} is packed ASCII, which does not have the character that ends it"
         yield finding(_CODE, fact.place, "terminator", text, "use a character from the space to `_`, or remove it")
     elif form.is_turned and value.size % 2:
-        text = f"{fact.name} has {plural(value.size, 'byte')}, and `byte_order: little` exchanges those of whole words"
+        text = (
+            f"{fact.name} has {plural(value.size, 'byte')}, but `byte_order: little` exchanges bytes within whole words"
+        )
         yield finding(_CODE, fact.place, "byte_order", text, "correct the length, or remove `byte_order`")
     elif form.is_right and form.terminator is not None:
         text = f"{fact.name} ends before what fills it up, and cannot be on the right"
@@ -76,7 +78,7 @@ def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
 
 
 def _use(fact: Fact) -> str:
-    """What a text is for that outputs do not read in a form of its own; empty for other texts."""
+    """The purpose of a text that outputs do not read in a special form; empty for other texts."""
     if isinstance(fact, (Parameter, Subindex)):
         return "is a parameter"
     return "is reserved" if getattr(fact, "reserved", False) else ""

@@ -5,7 +5,7 @@ trigger.
 
 Example: `trigger: true` with `access: ro`.
 
-Cure: Correct the access and write an erratum, or remove `trigger`.
+Fix: Correct the access and write an erratum, or remove `trigger`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """In a space of bits, every register has the type `bit`, and no other value has it. Only registers of words have
 `words`.
 
-Why: an address of such a space is one bit, which messages pack into bytes. A number needs words, and in a record
-or in words a bit has no place of its own.
+Why: an address of such a space is one bit, which messages pack into bytes. A number needs words, and a record or a word
+has no separate address for a bit.
 
 Example: a register of type `bool16` in a space of coils, or a `bit` among holding registers.
 
-Cure: Use the type `bit` there, without `words`. Elsewhere, use `bool8`, `bool16` or `flags`.
+Fix: Use the type `bit` there, without `words`. Elsewhere, use `bool8`, `bool16` or `flags`.
 """
 
 from __future__ import annotations

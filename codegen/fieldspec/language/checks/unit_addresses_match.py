@@ -1,13 +1,13 @@
-"""The part with the unit address has its role in requests and in responses, where both have such a part.
+"""The part with the unit address has its role in requests and in responses, if both have such a part.
 
-Why: without the role in responses, clients take the answer of another device for that of the device which was asked.
-Without it in requests, the sender has to state the address as an ordinary number. A part of the same name is
-the same address, and an error; another number of the same size may be one, and is a warning.
+Why: without the role in responses, clients accept the response of another device. Without it in requests, the sender
+has to state the address as an ordinary number. A part of the same name without the role is an error; a number of the
+same size could be an address, and is a warning.
 
 Example: `{name: station, role: unit_address, type: u8}` in requests, and `{name: station, type: u8}` in responses.
 
-Cure: Add `role: unit_address` to the other part. If it is something else, give it another name, and set
-`allow: {unit_addresses_match: <reason>}` in the part with the address.
+Fix: Add `role: unit_address` to the other part. If it is not an address, give it a different name, and set `allow:
+{unit_addresses_match: <reason>}` in the part with the address.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def _of_link(link: Link) -> Iterator[Diagnostic]:
         severity = Severity.ERROR if namesake is not None else Severity.WARNING
         text = f"only each {direction} on {link.name} has a unit address, {own.name}"
         likeness = "a part of the same name, without the role" if namesake is not None else "a number of the same size"
-        help = f"add `role: unit_address` to {part.name} of the {other}, or allow this if it is no address"
+        help = f"add `role: unit_address` to {part.name} of the {other}, or allow this if it is not an address"
         related_label = label(part.place, "name", f"the {other} has {likeness}")
         yield finding(_CODE, own.place, "role", text, help, related_label, severity=severity)
 
@@ -70,7 +70,7 @@ def _may_be_address(part: Part) -> bool:
 
 
 def _size(part: Part) -> int:
-    """The bits of a part of an identifier, or those of its bytes."""
+    """The bits of a part of an identifier, or of its bytes."""
     if part.bits is not None:
         return part.bits[1] - part.bits[0] + 1
     return 8 * part.value.size if part.value is not None else 0

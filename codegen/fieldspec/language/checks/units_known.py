@@ -1,13 +1,13 @@
-"""Every unit is one of the language, or the spec declares it under `units`, with a symbol of its own. Its `ucum` has
-the form of a code: symbols with exponents, joined by points and slashes; words in braces say what is counted. A unit
-with a `factor` has a `quantity`.
+"""Every unit is one of the language, or the spec declares it under `units`, with a unique symbol. Its `ucum` has the
+form of a code: symbols with exponents, joined by points and slashes; braces contain the counted object. A unit with a
+`factor` has a `quantity`.
 
-Why: software that converts values must know the unit, and a misspelt unit is unknown. Exports hand the code on to
-software that reads it.
+Why: software that converts values must know the unit, and a misspelt unit is unknown. Exports pass the code to other
+software.
 
 Example: `unit: Pluse`, or `ucum: mm//s`
 
-Cure: Use the intended unit, and write an erratum with the printed one. Declare a unit that the language does not
+Fix: Use the intended unit, and write an erratum with the printed one. Declare a unit that the language does not
 have under `units`, with its quantity and its factor. Correct the code, or remove it.
 """
 
@@ -77,7 +77,7 @@ _OTHER_WORDS = {
 _LOOKALIKES = str.maketrans(
     {"\u00ba": "°", "\u02da": "°", "\u2109": "°F", "\u2103": "°C", "\u03bc": "µ", "\u2126": "Ω"}
 )
-"""Characters that look like those of units: the ordinal indicator and the ring above like the sign of degrees."""
+"""Characters that look like unit symbols: the ordinal indicator and the ring above like the sign of degrees."""
 
 
 def units_known(device: Device) -> Iterator[Diagnostic]:
@@ -97,7 +97,7 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
             text = f"{symbol} has a factor, but no quantity, so that nothing is converted to it"
             yield finding(_CODE, own.place, "factor", text, "state the `quantity` that the unit measures")
         if own.ucum and not is_code(own.ucum):
-            text = f"`{own.ucum}` is no code of UCUM: symbols with exponents, joined by `.` and `/`"
+            text = f"`{own.ucum}` is not a UCUM code, which has symbols with exponents, joined by `.` and `/`"
             yield finding(_CODE, own.place, "ucum", text, "write it as `mm/{rev}`, `m/s2` or `kg.m2`, or remove it")
     known = {*declared, *standard_units()}
     stated: list[tuple[Fact, str]] = [(fact, value.quantity_unit) for fact, value in values(device)]

@@ -5,7 +5,7 @@ misprinted.
 
 Example: a field with a range of 1..100 and the value 0 in a sample frame.
 
-Cure: Correct the range or the value, and write an erratum. If it is a special value outside the range, list
+Fix: Correct the range or the value, and write an erratum. If it is a special value outside the range, list
 it under `sentinels`.
 """
 

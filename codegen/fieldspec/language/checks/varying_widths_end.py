@@ -1,19 +1,18 @@
 """A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
-ends with the message or before a constant of one byte that it cannot have. The number of bytes of a text may be in one
-field before it, a whole number of one or two bytes without a sign, which may be any number of bytes of the text. A
-message with a value that varies in width has no list of free length, no record of no fixed size, no field of several
-types and no other field that measures that value; the fields after it have no printed offset. Texts that are counted so
-may also be fields of a record that is part of messages and of other records; all else in it has a fixed size.
+ends with the message or before a constant of one byte that it cannot have. One field before a text may contain its
+number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text. A message
+with a value that varies in width has no list of free length, no record of no fixed size, no field of several types and
+no other field that measures that value; the fields after it have no printed offset. Such measured texts may also be
+fields of a record within messages and other records, if the other fields of that record have a fixed size.
 
-Why: where such a value ends is seen by what follows it. Without an end that no value can have, the next value would be
+Why: the constant after such a value marks its end. If the value could contain that constant, the next value would be
 read as a part of it.
 
 Example: `{name: weight, type: u32, digits: decimal, length: 8, varies: true}` before a `u16`.
 
-Cure: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or once as the `separator` of all
-fields; `{name: end, type: u8, const: 0}` for a zero behind a text; or its number of bytes before it,
-`{name: length, type: u8, measures: {bytes: label}}`. Remove `varies` where the manual prints a fixed number of
-characters.
+Fix: State the separator as a constant, `{name: comma, type: u8, const: 0x2C}`, or once as the `separator` of all
+fields; `{name: end, type: u8, const: 0}` for a zero after a text; or its number of bytes before it, `{name: length,
+type: u8, measures: {bytes: label}}`. Remove `varies` if the manual prints a fixed number of characters.
 """
 
 from __future__ import annotations
@@ -154,7 +153,7 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
     count, value, measure = text_count(body, text), field.value, field.measures
     assert measure is not None
     if text.value is None or not is_text(text.value.encoding):
-        message = f"{field.name} measures {text.name}, which varies in width and is no text"
+        message = f"{field.name} measures {text.name}, which varies in width and is not a text"
         yield finding(_CODE, field.place, "measures", message, "let a `length` in the frame count the message")
         return
     if count is not field or value is None:
@@ -172,7 +171,7 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
 
 
 def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
-    """The finding of a value whose end nobody sees."""
+    """The finding of a value without a visible end."""
     index = body.fields.index(field)
     if index + 1 == len(body.fields) or text_count(body, field) is not None:
         return
@@ -180,7 +179,7 @@ def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
     end = following.value
     assert value is not None
     if end is None or end.const is None or end.type.name != "u8" or end.digits or following.count is not None:
-        text = f"{field.name} varies in width, and {following.name} is no constant of one byte"
+        text = f"{field.name} varies in width, and {following.name} is not a constant of one byte"
         help = "state what separates them: `{name: comma, type: u8, const: 0x2C}`"
         yield finding(_CODE, field.place, "varies", text, help)
     elif end.const in _own_bytes(value):

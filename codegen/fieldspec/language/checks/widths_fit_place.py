@@ -4,7 +4,7 @@ Why: an output would have to invent bytes that the manual does not print.
 
 Example: a register of words of type `u24`, or five digits in a register of words.
 
-Cure: State the whole words as `u32` or `u48`, or `i32` or `i48` with a sign, with a `range` if it is known; of
+Fix: State the whole words as `u32` or `u48`, or as `i32` or `i48` with a sign, with a `range` if it is known; for
 digits, two in each word.
 """
 
@@ -26,7 +26,7 @@ def widths_fit_place(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
         type_name = value.type.name
         if isinstance(fact, Register) and value.digits and value.size % 2:
-            text = f"the register {fact.name} has {plural(value.size, 'byte')} of digits, which are no whole words"
+            text = f"the register {fact.name} has {plural(value.size, 'byte')} of digits, which are not whole words"
             yield finding(_CODE, fact.place, "length", text, "state the digits of whole words of two bytes")
         elif isinstance(fact, Register) and is_odd(value.encoding) and value.size % device.space(fact.space).unit_size:
             text = f"the register {fact.name} is {type_name}, which has no whole number of words"

@@ -1,12 +1,12 @@
 """The printed number of a parameter on the wire is the base of its set plus its number, and no number belongs
 to two sets of one space.
 
-Why: a manual that prints `Pt25B` and `0x225B` states the same number twice. If the two differ, one of them
-leads the user to another parameter.
+Why: a manual that prints `Pt25B` and `0x225B` states the same number twice. If the two differ, one of them leads the
+user to a wrong parameter.
 
 Example: parameter 0x317 of a set with the base 0x2000 that is printed as 0x2371 on the wire.
 
-Cure: Correct the number, the printed number or the base, and write an erratum if the manual prints it that
+Fix: Correct the number, the printed number or the base, and write an erratum if the manual prints it that
 way.
 """
 

@@ -1,11 +1,11 @@
 """The printed number of words of a register or field is the width of its type.
 
-Why: the type determines how many words are read. If the manual prints another number, a request reads too few
+Why: the type determines how many words are read. If the manual prints a different number, a request reads too few
 words, or words of the next register.
 
 Example: a type `u32` with `words: 1`.
 
-Cure: Correct the type, the length or the words, and write an erratum if the manual prints the words that way.
+Fix: Correct the type, the length or the words, and write an erratum if the manual prints the words that way.
 """
 
 from __future__ import annotations

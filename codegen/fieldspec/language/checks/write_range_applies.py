@@ -7,7 +7,7 @@ messages.
 
 Example: a register with `access: ro` and `write_range: 0..1`.
 
-Cure: Use `range` for the field of a message, or remove `write_range`. Define a separate record for the
+Fix: Use `range` for the field of a message, or remove `write_range`. Define a separate record for the
 message.
 """
 
@@ -56,7 +56,7 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 
 def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
-    """What is wrong with a field of a message, or with those of the records that lie in it."""
+    """The faults of a field of a message, or of the fields of its record."""
     for field in nested_fields(device, [outer]):
         values_here = [field.value] if field.value is not None else []
         values_here += [case.value for case in cases(field)]

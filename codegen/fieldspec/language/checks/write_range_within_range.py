@@ -1,12 +1,11 @@
 """The `write_range` of a value is part of its `range` and contains its special values.
 
-Why: a device returns what was written to it. A value that can be written and never read is a misprint. A
-special value that cannot be written contradicts the `write_range`: a value that is only read is a member of
-an enum.
+Why: a device returns the written value. A value that can be written but never read is a misprint. A special value that
+cannot be written contradicts the `write_range`: a value that is only read is a member of an enum.
 
 Example: a parameter with `range: 0..2, 4` and `write_range: 0..3`.
 
-Cure: Correct one of the ranges, or make the value a member of an enum.
+Fix: Correct one of the ranges, or make the value a member of an enum.
 """
 
 from __future__ import annotations

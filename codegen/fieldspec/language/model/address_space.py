@@ -44,7 +44,7 @@ class AddressSpace(Fact):
     def address_of(self, number: int) -> int | None:
         """The address for which the manual prints a number, such as 40003; None for numbers that may be addresses.
 
-        Where the bounds are not stated, numbers of five or six digits, such as 40001 and 400001, are no addresses.
+        Where the bounds are not stated, numbers of five or six digits, such as 40001 and 400001, are not addresses.
         """
         address = number - self.first_number
         return address if self.has_numbers_apart and address in self.bounds else None

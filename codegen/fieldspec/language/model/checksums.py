@@ -14,11 +14,11 @@ class Checksum:
 
     The polynomial of a CRC is without its highest bit. `reflect_in` takes the lowest bit of each byte first, and
     `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
-    last number that is not complete is filled up with zeros behind its bytes. The bytes of a number are in the order
+    last number that is not complete is filled up with zeros after its bytes. The bytes of a number are in the order
     of the checksum, or in the `unit_order` where it is another one; a CRC takes them in the opposite order of the wire.
     `complement` is `ones`, `twos` or empty.
     A Fletcher checksum has two sums modulo `modulus`: the lower half of its bits is the sum of the numbers, the upper
-    half the sum of all values that the lower one takes. The bytes of `suffix` come behind those that it covers. Each
+    half the sum of all values that the lower one takes. The bytes of `suffix` come after those that it covers. Each
     byte of the result that is one of `avoided` is sent as the byte at the same place of `replacements`.
     """
 
@@ -80,7 +80,7 @@ FLETCHER = {
     "fletcher16": Checksum("fletcher", 16, modulus=0xFF),
     "fletcher32": Checksum("fletcher", 32, unit_size=2, modulus=0xFFFF),
 }
-"""The Fletcher checksums that have public names: those of Fletcher's article, and the one of RFC 1950."""
+"""The Fletcher checksums with public names: from Fletcher's article, and from RFC 1950."""
 
 _DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)(?:_of(\d))?")
 _DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d)([bl]?))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
@@ -185,7 +185,7 @@ def algorithm_name(checksum: Checksum) -> str:
 
 
 def preceded(checksum: Checksum, prefix: bytes, order: str) -> Checksum:
-    """The algorithm whose result is that of some bytes behind a prefix: its computation begins where the prefix ends.
+    """The algorithm whose result is that of some bytes after a prefix: its computation begins where the prefix ends.
 
     `order` is that of the bytes which a sum, an xor or a Fletcher checksum takes as one number; the prefix has whole
     numbers.
@@ -227,7 +227,7 @@ DIGITS = {"decimal": 10, "upper_hex": 16, "lower_hex": 16}
 
 
 def checksum_size(name: str, digits: str) -> int:
-    """The bytes of a checksum in a frame: those of its number, or its characters."""
+    """The bytes of a checksum in a frame: its number, or its characters."""
     checksum = checksum_named(name)
     if digits == "decimal":
         return len(str(checksum.mask))

@@ -1,4 +1,4 @@
-"""What a project chooses to generate: outputs, versions and folders."""
+"""The choices of a project: outputs, versions and folders."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class BlockChoice:
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """What is generated of a device. `outputs` is None for all of them, and `versions` is the choice of any other.
+    """The chosen outputs of a device. `outputs` is None for all of them, and `versions` is the choice of any other.
 
     `blocks` is None for all blocks of controllers.
     """

@@ -57,7 +57,7 @@ class Manual:
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """The value that tells the version of a device.
+    """The value that identifies the version of a device.
 
     `fact` is the path of a register, of a parameter or of a field. `form` is how a number in it is read: `decimal`
     or `hexadecimal` digits, of which `places` follow the point, or `bytes`; it is empty where the manual does not
@@ -89,8 +89,8 @@ class Version:
 class VersionLine:
     """Versions that follow one another, the oldest first. Outputs are written for the versions of the built line.
 
-    `like` is the line whose bounds apply to this one too, or empty; `inferred` is the reason. `detected_by` is
-    the value that tells which of the versions a device has, or None.
+    `like` is the line whose bounds apply to this one too, or empty; `inferred` is the reason. `detected_by` is the
+    value that identifies the version of a device, or None.
     """
 
     name: str
@@ -139,7 +139,9 @@ class Device:
 
     @property
     def detection(self) -> Detection | None:
-        """The value that tells which of the versions with outputs a device has; None where no line states it."""
+        """The value that identifies the version, among those with outputs, of a device; None where no
+        line states it.
+        """
         lines = (line.detected_by for line in self.lines if line.builds or line.like)
         return next((detection for detection in lines if detection is not None), None)
 
@@ -170,7 +172,7 @@ class Device:
         """The exact quantity that is entered for a value, in its unit: `10.5mm`, and `1.05 cm` if the unit is mm.
 
         That of a value with a scale and without a unit has a decimal point, `2.0`, as a whole number is a count; in a
-        spec, it is a decimal. None for what is no such quantity.
+        spec, it is a decimal. None for other quantities.
         """
         text = point_text(entered) if isinstance(entered, float | Decimal) else entered
         if not isinstance(text, str):

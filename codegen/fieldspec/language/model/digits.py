@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from fieldspec.language.model.encoding import Encoding
 
     class Number(Protocol):
-        """The type of the number that the digits are those of."""
+        """The type of the number that the digits represent."""
 
         @property
         def encoding(self) -> Encoding: ...
@@ -62,13 +62,13 @@ def has_sign(value: Digits) -> bool:
     """Whether a sign has a place of its own before the digits.
 
     A hexadecimal number has none, as it is in two's complement. Where blanks are in place of leading zeros, `-` comes
-    behind them, and takes the place of a digit.
+    after them, and takes the place of a digit.
     """
     return value.digits == "decimal" and is_signed(value.type.encoding) and not value.has_blanks
 
 
 def is_complement(value: Digits) -> bool:
-    """Whether the digits are those of a number in two's complement."""
+    """Whether the digits represent a number in two's complement."""
     return is_signed(value.type.encoding) and value.digits in ("upper_hex", "lower_hex")
 
 
@@ -88,7 +88,7 @@ def digits_letters(value: Digits) -> bytes:
 
 
 def widest_digits(value: Digits) -> int:
-    """How many digits a number that varies in width has at most, without those behind the point."""
+    """How many digits a number that varies in width has at most, without those after the point."""
     return value.width - (value.places + 1 if value.places else 0)
 
 

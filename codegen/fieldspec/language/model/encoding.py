@@ -241,7 +241,7 @@ def is_odd(encoding: Encoding) -> bool:
 
 
 def has_single_bytes(encoding: Encoding) -> bool:
-    """Whether each value has bytes of its own: no other bytes behind the end of a text, and no second zero."""
+    """Whether each value has bytes of its own: no other bytes after the end of a text, and no second zero."""
     match encoding:
         case Whole():
             return not encoding.sign.has_two_zeros
@@ -254,7 +254,7 @@ def has_single_bytes(encoding: Encoding) -> bool:
 
 
 def number_of(encoding: Encoding) -> Whole | None:
-    """The type of the whole number that its raw value is; None where it is none, or a truth value."""
+    """The type of the whole number that its raw value is; None if it is not a number, or is a truth value."""
     match encoding:
         case Whole():
             return encoding
@@ -273,7 +273,7 @@ def sign_of(encoding: Encoding) -> Sign:
 
 
 def bounds_of(encoding: Encoding) -> tuple[int, int]:
-    """The least and the greatest whole number that it can have; of digits, those of the type of their number.
+    """The least and the greatest whole number that it can have; for digits, the limits of their number's type.
 
     Those of a real number are what its bits would be as a whole number.
     """
@@ -333,7 +333,7 @@ def _real_letter(precision: Precision) -> str:
 
 
 def whole_number(whole: Whole, bits: int) -> int:
-    """The number that some bits are, from 0 on, of which there are as many as it has."""
+    """The number that some bits represent, from 0 on, one bit for each bit of the encoding."""
     half = 1 << whole.bits - 1
     match whole.sign:
         case Sign.NONE:

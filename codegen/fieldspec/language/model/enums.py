@@ -65,7 +65,7 @@ class Enum(Fact):
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """Adjacent bits of a word from `first` on, which are those of a number from bit `weight` on."""
+    """Adjacent bits of a word from `first` on, which hold a number from its bit `weight` on."""
 
     first: int
     width: int
@@ -73,7 +73,7 @@ class Run:
 
     @property
     def most(self) -> int:
-        """The greatest number of so many bits."""
+        """The greatest number of that many bits."""
         return (1 << self.width) - 1
 
 
@@ -84,9 +84,9 @@ class Bit(Fact):
     Where the bits of a field lie apart, `pieces` are the first and the last of each run of bits that are adjacent, the
     least significant run of the number first; else it is empty.
 
-    A field of several bits may be `signed`, in two's complement, and count in parts of a unit: its number in the
-    unit is count * scale + offset. `ranges` are the counts that may be sent, None for all that the bits hold, and
-    `default` is the count that is sent where nobody gives another one, None where the spec states none.
+    A field of several bits may be `signed`, in two's complement, and count in parts of a unit: its number in the unit
+    is count * scale + offset. `ranges` are the permitted counts, None for all that the bits hold, and `default` is the
+    count that is sent if none is passed, None if the spec states none.
     """
 
     first: int
@@ -181,7 +181,7 @@ class Bit(Fact):
         if self.ranges is not None and 0 not in self.ranges:
             return f"0 is not in {self.ranges.text()}"
         if enum is not None and not enum.open and ((zero := enum.member(0)) is None or zero.unavailable):
-            return f"0 is no member of {enum.name}"
+            return f"0 is not a member of {enum.name}"
         return f"0 is {self.offset:f} {self.unit}".rstrip() if self.offset else ""
 
     @property
@@ -208,7 +208,7 @@ class Bit(Fact):
         return sum((word >> run.first & run.most) << run.weight for run in self.runs)
 
     def placed(self, number: int) -> int:
-        """The word in which the bits are those of a number, and all others are 0."""
+        """The word in which the bits hold a number, and all others are 0."""
         return sum((number >> run.weight & run.most) << run.first for run in self.runs)
 
     @property
@@ -223,7 +223,7 @@ class Bit(Fact):
 
 
 def _unsigned(low: int, high: int, turn: int) -> list[tuple[int, int]]:
-    """The interval of a signed number as those of its bits in two's complement."""
+    """The interval of a signed number as intervals of its bits in two's complement."""
     if low >= 0 or high < 0:
         return [(low % turn, high % turn)]
     return [(0, high), (low % turn, turn - 1)]
@@ -231,7 +231,7 @@ def _unsigned(low: int, high: int, turn: int) -> list[tuple[int, int]]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class State(Fact):
-    """A state that some bits show together: those of `set` are 1 in it, those of `clear` are 0."""
+    """A state that some bits show together: the bits in `set` are 1 in it, the bits in `clear` are 0."""
 
     set: tuple[str, ...]
     clear: tuple[str, ...]

@@ -22,14 +22,14 @@ class Escape:
     """The method is `replace`, `insert`, `add`, `cobs` or `can`; it applies to the parts from `first` to `last`.
 
     `can` packs the first parts into the identifier of a CAN frame, which has `bits` bits. `fields` has the size, the
-    byte order, the first bit and the number of bits of each of these parts. What is sent is a frame as SocketCAN has it
-    in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data; three
-    zeros; the data.
+    byte order, the first bit and the number of bits of each of these parts. The sent bytes are a frame as SocketCAN
+    writes it in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data;
+    three zeros; the data.
 
     `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
-    each occurrence of `pattern`; the search begins anew behind it. `add` sends each byte plus `inserted`, without the
-    carry. Lengths and checksums among these parts are those of the original bytes, all others those of the bytes that
-    are sent. Empty names are the first and the last part.
+    each occurrence of `pattern`; the search restarts after it. `add` sends each byte plus `inserted`, without the
+    carry. Lengths and checksums among these parts apply to the original bytes, all others to the sent bytes. Empty
+    names are the first and the last part.
     """
 
     method: str
@@ -71,7 +71,7 @@ class Escape:
         return b"".join(numbers)
 
     def wrong_header(self, data: bytes) -> int | None:
-        """The offset at which bytes are no CAN frame with such an identifier; None where they are."""
+        """The offset at which bytes are not a CAN frame with such an identifier; None where they are."""
         if len(data) < CAN_HEADER or int.from_bytes(data[:4], "big") & ~((1 << self.bits) - 1) != self.flags:
             return 0
         if data[4] != len(data) - CAN_HEADER or data[4] > CAN_DATA:
@@ -79,14 +79,14 @@ class Escape:
         return 5 if any(data[5:CAN_HEADER]) else None
 
     def header_fault(self, data: bytes, offset: int) -> str:
-        """What is wrong with a CAN frame at an offset that `wrong_header` returns."""
+        """The fault of a CAN frame at an offset that `wrong_header` returns."""
         if offset == 4 and data[4] != len(data) - CAN_HEADER:
             return f"byte 4 says {data[4]} bytes of data, but there are {len(data) - CAN_HEADER}"
         if offset == 4:
             return f"a CAN frame has at most {CAN_DATA} bytes of data, not {data[4]}"
         if offset == 5:
-            return "the three bytes behind the number of the data are not zero"
-        return f"it is no CAN frame with an identifier of {self.bits} bits"
+            return "the three bytes after the data length are not zero"
+        return f"it is not a CAN frame with an identifier of {self.bits} bits"
 
     def byte_text(self, position: int) -> str:
         """`byte 4`, or `byte 2 of the data` of a CAN frame, for a position among the bytes of all parts."""

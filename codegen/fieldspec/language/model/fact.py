@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class Place:
     """The place of a fact: its path, its node, and the nodes of the values of its keys.
 
-    A node is anything with a span. Spans are computed only when they are asked for.
+    A node is anything with a span. Spans are computed on demand.
     """
 
     path: str
@@ -113,10 +113,10 @@ class Report:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fact:
-    """The name, the print, the sources and the caveats of a fact. `roles` are words of the schema.
+    """The name, the printed form, the sources and the caveats of a fact. `roles` are words of the schema.
 
     `inferred` has the reason, and `standard` the clause, for each key that the manual does not print; `reported` is
-    what others say. `unverified` says that nobody has compared it with the manual yet. `since` and `until` have one
+    what others say. `unverified` says that not compared with the manual yet. `since` and `until` have one
     version for each line that they are about.
     """
 

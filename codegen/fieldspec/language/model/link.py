@@ -33,7 +33,7 @@ class Part(Fact):
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
     response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier. The
-    computation of `algorithm` begins behind the `prefix` and ends behind the `suffix`; `stated_algorithm` is the one
+    computation of `algorithm` begins after the `prefix` and ends after the `suffix`; `stated_algorithm` is the one
     that the spec states.
     """
 
@@ -107,7 +107,9 @@ class UnitAddresses:
     sources: tuple[Citation, ...]
 
     def intervals(self, direction: str) -> tuple[tuple[int, int], ...]:
-        """The numbers in frames of one direction: those of devices, and in requests the broadcast address."""
+        """The unit addresses in frames of one direction: the devices' addresses, and in requests the
+        broadcast address.
+        """
         known = self.ranges.intervals if self.ranges is not None else ()
         if direction != "request" or self.broadcast is None:
             return known
@@ -172,7 +174,7 @@ class Network:
 class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
 
-    The delimiters of a response are `response_start` and `response_end`, those of a request `start` and `end`; mostly
+    The delimiters of a response are `response_start` and `response_end`, and of a request `start` and `end`; mostly
     they are the same. `message_name`, `request_name` and `response_name` are the manual's names of a message and of the
     two directions. A device with factory settings uses the link that `is_default`.
     """
@@ -222,7 +224,7 @@ class Link(Fact):
 
     @property
     def is_can(self) -> bool:
-        """Whether the frames are those of a CAN bus."""
+        """Whether the link is on a CAN bus."""
         return self.escape is not None and self.escape.method == "can"
 
     def span(self, direction: str, part: Part) -> tuple[int, int] | None:

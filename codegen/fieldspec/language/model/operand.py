@@ -1,4 +1,4 @@
-"""What the steps of tasks act on: facts that can be read, written or sent, with the roles that they have."""
+"""The operands of steps of tasks: facts that can be read, written or sent, with their roles."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Operand:
 
 
 def operands(device: Device) -> Iterator[Operand]:
-    """All operands of a device. What is a copy of something else, or reserved, is left out."""
+    """All operands of a device. Copies and reserved facts are left out."""
     for register in device.registers():
         if not register.copy_of and not register.reserved:
             yield from _valued(device, REGISTERS, register, register.value, register.roles, register.access)

@@ -48,6 +48,6 @@ def real_text(number: float) -> str:
 
 
 def quantity_of(text: str) -> tuple[Decimal, str] | None:
-    """The number and the unit of a text such as `20.00 mm` or `50%`; None where it is no quantity."""
+    """The number and the unit of a text such as `20.00 mm` or `50%`; None where it is not a quantity."""
     match = _QUANTITY.fullmatch(text)
     return (Decimal(match[1]), match[2]) if match is not None else None

@@ -1,4 +1,4 @@
-"""Intervals of numbers: those of a value, and what they leave out."""
+"""Intervals of numbers: the intervals of a value, and the gaps between them."""
 
 from __future__ import annotations
 

@@ -90,7 +90,7 @@ def byte_places(size: int, order: str, swapped: bool) -> tuple[int, ...]:
 
 
 def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | float | None:
-    """The number in all bytes of a value that is no text and no bytes; None where they are not its digits.
+    """The number in all bytes of a value that is not a text and no bytes; None where they are not its digits.
 
     Raises AssertionError for a text and for bytes.
     """
@@ -107,7 +107,7 @@ def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | flo
         case Digits():
             return digits_number(value, first_to_last)
         case Text() | Octets():
-            raise AssertionError("a text or bytes are no number")
+            raise AssertionError("a text or bytes are not a number")
         case _:
             assert_never(encoding)
 
@@ -123,6 +123,6 @@ def bytes_of_number(value: Value, number: int) -> bytes:
         case Truth():
             return number.to_bytes(value.size, "big")
         case Real() | Text() | Octets():
-            raise AssertionError("its raw value is no whole number")
+            raise AssertionError("its raw value is not a whole number")
         case _:
             assert_never(encoding)

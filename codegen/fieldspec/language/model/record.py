@@ -20,7 +20,7 @@ class Measure:
     plus: int = 0
 
     def number(self, items: int, size: int) -> int:
-        """What the field contains for a number of elements of `size` bytes."""
+        """The content of the field for a number of elements of `size` bytes."""
         return (items * size if self.of == "bytes" else items) + self.plus
 
     def unit(self, size: int) -> int:
@@ -50,7 +50,7 @@ class Field(Fact):
 
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
     places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
-    that `is_separator` stands for a byte of the record's `separator`, behind one of its fields.
+    that `is_separator` stands for a byte of the record's `separator`, after one of its fields.
     """
 
     value: Value | None
@@ -125,7 +125,7 @@ def list_count(record: Record, field: Field) -> Field | None:
 def text_count(record: Record, field: Field) -> Field | None:
     """The field before a text that varies in width that has its number of bytes, None if there is none.
 
-    It is a binary number of one or two bytes without a sign, and nothing but that number.
+    It is an unsigned binary number of one or two bytes without any other meaning.
     """
     if field.value is None or not field.value.width or not is_text(field.value.encoding):
         return None
@@ -215,9 +215,9 @@ class Message(Fact):
 
     A response has the code of its request, or `response_code`. A message without a code may have a `number` by which
     people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
-    those that it `supplements`. It is answered on those of `answered_on`, which is None for all. The lengths are the
-    frame's in bytes, and the words those of the data, as printed. A message that does more with registers than one
-    access has `access_steps` in place of `accesses`; nobody chooses it to read or to write a register.
+    those that it `supplements`. It is answered on the links in `answered_on`, which is None for all. The lengths of the
+    frame are in bytes, and the words count the data, as printed. A message that does more with registers than one
+    access has `access_steps` in place of `accesses`; it is never chosen to read or to write a register.
     """
 
     title: str

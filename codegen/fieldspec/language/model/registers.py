@@ -81,7 +81,7 @@ class RegisterGroup(Fact):
 
 @dataclass(frozen=True, slots=True)
 class PrintedElement:
-    """What the manual prints of one element: its addresses and its words."""
+    """The printed details of one element: its addresses and its words."""
 
     place: Place
     index: int
@@ -189,7 +189,7 @@ class ParameterSet(Fact):
     parameters: tuple[Parameter, ...]
 
     def at_place(self, place: int) -> tuple[Parameter, int] | None:
-        """The parameter and its number at a place among the values of all numbers, in order; None behind the last."""
+        """The parameter and its number at a place among the values of all numbers, in order; None after the last."""
         for parameter in self.parameters:
             if place < parameter.count:
                 return parameter, parameter.number + place

@@ -40,7 +40,7 @@ class NumberPlace:
         return value & ~self.mask | number << self.shift
 
     def number_behind(self, count: int) -> int:
-        """The number of the piece behind `count` others."""
+        """The number of the piece after `count` others."""
         return self.low + count % (self.high - self.low + 1)
 
 

@@ -74,7 +74,7 @@ class RecordSizes:
         return bounds[0] if bounds is not None and bounds[0] == bounds[1] else None
 
     def tells_size(self, name: str) -> bool:
-        """Whether a record has no fixed size, and its bytes tell where it ends."""
+        """Whether a record has no fixed size, but its bytes determine its end."""
         record = self._records.get(name)
         if record is None or name in self.endless or all(self.is_fixed(field) for field in record.fields):
             return False
@@ -85,7 +85,7 @@ class RecordSizes:
         return field.repeat is None and self.element(field) is not None
 
     def untold(self, record: Record) -> Field | None:
-        """The first field of a record of which nothing before it tells where it ends, None where there is none."""
+        """The first field of a record whose end is not determined by earlier fields, None if there is none."""
         has_texts = any(field.value is not None and field.value.width for field in record.fields)
         for field in record.fields:
             if self.is_fixed(field):
@@ -124,7 +124,7 @@ class Shape:
     has_length: bool
 
     def length(self, data: int) -> int:
-        """The bytes of a whole frame with `data` bytes of data, on the wire; of a CAN frame those of its data."""
+        """The size of a whole frame with `data` bytes of data, on the wire; for a CAN frame, the size of its data."""
         if self.link.is_can:
             return data
         parts = self.around + data

@@ -24,8 +24,8 @@ Numbers = tuple[int, ...]
 def constant_at(field: Field, offset: int, order: str, word_order: str) -> tuple[Place, int] | None:
     """The place and the unsigned number of a constant of at most `WIDEST` bytes, None for any other field.
 
-    `order` and `word_order` are those of values without their own. The number is that of the bytes as they are sent, in
-    the order of the bytes of a word: that of 0x12345678 with its low word first is 0x56781234.
+    `order` and `word_order` apply to values without their own. The number is that of the bytes as they are sent, in the
+    order of the bytes of a word: that of 0x12345678 with its low word first is 0x56781234.
     """
     value = field.value
     if value is None or value.const is None or field.reserved or field.count is not None or field.repeat is not None:
@@ -42,7 +42,7 @@ def constant_at(field: Field, offset: int, order: str, word_order: str) -> tuple
 def numbers_at(field: Field, offset: int, order: str, word_order: str) -> tuple[Place, Numbers] | None:
     """The place and the numbers of a field that may tell messages apart, None for any other field.
 
-    The numbers are its constant, or those of the range of an unsigned byte. The orders are as in `constant_at`.
+    The numbers are its constant, or the range of an unsigned byte. The orders are as in `constant_at`.
     """
     constant = constant_at(field, offset, order, word_order)
     if constant is not None:

@@ -30,7 +30,7 @@ class TableRecord:
 def table_records(device: Device) -> dict[str, list[TableRecord]]:
     """Where tables have records, by the names of these, in the order of the tables.
 
-    Of the places of a record in one table, each access has one.
+    One place of a record in a table for each access.
     """
     result: dict[str, list[TableRecord]] = {}
     for table in device.tables.values():

@@ -9,7 +9,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.fact import Citation, Fact, Place, ScalarValue
 
 ACTIONS = ("write", "set", "clear", "pulse", "send", "read", "wait")
-"""What a step does with its target."""
+"""The action of a step on its target."""
 OF_GRIPPERS = ("grip", "release")
 """The kinds of tasks that only grippers have; a device states all others, or why it lacks them."""
 
@@ -55,7 +55,9 @@ def step_text(step: Step) -> str:
 
 
 def stated_text(step: Step) -> str:
-    """What a step writes or waits for: `homing`, `stopped or abnormal_stop`, `<position>`, `start + <distance>`."""
+    """The value that a step writes or waits for: `homing`, `stopped or abnormal_stop`, `<position>`, `start +
+    <distance>`.
+    """
     if step.argument:
         text = argument_text(step.argument)
         if step.argument_bit is not None:

@@ -190,7 +190,7 @@ def text_form_title(value: Text) -> str:
         parts.append(f"ended by {_character(form.terminator)}")
     if form.padding or form.is_right:
         filler = "spaces" if form.padding else "zeros"
-        parts.append(f"filled up with {filler} {'before' if form.is_right else 'behind'} it")
+        parts.append(f"filled up with {filler} {'before' if form.is_right else 'after'} it")
     if form.is_turned:
         parts.append("the low byte of each word first")
     return ", ".join(parts)

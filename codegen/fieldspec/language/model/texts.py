@@ -51,7 +51,7 @@ JUDGEMENT = "judgement"
 
 @dataclass(frozen=True, slots=True)
 class Erratum:
-    """What is printed at a fact, and how the spec departs from it. `proof` names a check, or is `judgement`.
+    """The printed text of a fact, and how the spec differs from it. `proof` names a check, or is `judgement`.
 
     `illegible` is `empty` or `garbled` where nothing can be read there, else it is empty.
     """
@@ -70,7 +70,7 @@ class Erratum:
 
     @property
     def verdict(self) -> str:
-        """`proven` by a check, a `judgement` of a person, or `open`: the manual does not decide it, and nobody has.
+        """`proven` by a check, a `judgement` of a person, or `open`: the manual does not decide it.
 
         A build has run the proof of every erratum that names one, and is refused where one fails to prove.
         """

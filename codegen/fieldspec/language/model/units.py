@@ -33,7 +33,7 @@ class Unit:
 
     @property
     def ascii_symbol(self) -> str:
-        """A symbol without other characters than those of ASCII: `degC`."""
+        """A symbol with only ASCII characters: `degC`."""
         return next((symbol for symbol in (self.symbol, *self.others) if symbol.isascii()), self.word)
 
     def in_unit(self, number: Decimal, unit: Unit) -> Fraction | None:
@@ -52,7 +52,7 @@ class Unit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DeclaredUnit(Fact):
-    """A unit that a spec declares; its attributes are those of `Unit`."""
+    """A unit that a spec declares, with the attributes of `Unit`."""
 
     symbol: str
     title: str

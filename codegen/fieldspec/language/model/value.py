@@ -82,7 +82,7 @@ MOST_PLACES = 22
 
 
 def power_of_ten(scale_by: str) -> str:
-    """The scale whose exponent is in a register, as texts write it behind a count: the sign `times`, `10^power_sf`."""
+    """The scale whose exponent is in a register, as texts write it after a count: the sign `times`, `10^power_sf`."""
     return f"\N{MULTIPLICATION SIGN}10^{scale_by}"
 
 
@@ -104,7 +104,7 @@ class ParameterSizes:
 
 @dataclass(frozen=True, slots=True)
 class ParameterPart:
-    """What a value is in an access to numbered parameters of a set or of a space: number, subindex or value.
+    """The role of a value in an access to numbered parameters of a set or of a space: number, subindex or value.
 
     `sizes` is None where all bytes of a field are the value.
     """
@@ -178,7 +178,7 @@ class Value:
         return self.unit.removeprefix(power_of_ten(self.scale_by)).lstrip() if self.scale_by else self.unit
 
     def number_size(self, size: int) -> int:
-        """The bytes of its number as machines have it, for a value in `size` bytes: those of the type for digits."""
+        """The size of its binary number, for a value in `size` bytes: for digits, the size of the type."""
         return self.type.size if self.digits else size
 
     @property
@@ -226,7 +226,7 @@ class Value:
 
     @property
     def is_low_first(self) -> bool:
-        """Whether hexadecimal digits begin with those of the lowest byte."""
+        """Whether hexadecimal digits begin with the digits of the lowest byte."""
         return self.digits.endswith("hex") and self.byte_order == "little"
 
     @property
@@ -274,7 +274,7 @@ class Value:
         return self if self.write_ranges is None else replace(self, ranges=self.write_ranges, write_ranges=None)
 
     def in_unit(self, raw: float) -> Decimal:
-        """The quantity of a raw count: the exact one, or 120 digits of it where the scale is no decimal number."""
+        """The quantity of a raw count: the exact one, or 120 digits of it where the scale is not a decimal number."""
         if isinstance(self.scale, Decimal):
             number = Decimal(repr(raw)) if isinstance(raw, float) else raw
             return _EXACT.add(_EXACT.multiply(number, self.scale), self.offset)
@@ -295,11 +295,11 @@ class Value:
 
 
 _LARGEST_TERM = 10**18
-"""The greatest numerator and denominator of a scale that is no decimal number."""
+"""The greatest numerator and denominator of a scale that is not a decimal number."""
 
 
 def exact_scale(text: str) -> Decimal | Fraction | None:
-    """`100/2^14` as an exact number: a fraction where it is no decimal number of at most 60 places.
+    """`100/2^14` as an exact number: a fraction where it is not a decimal number of at most 60 places.
 
     None for a divisor of 0, and where numerator or denominator of such a fraction have more than 18 digits.
     """

@@ -1,4 +1,4 @@
-"""What those who carry out tasks need to know: what must hold meanwhile, what is looked at first, what has to end."""
+"""The conditions of running tasks: what must hold meanwhile, what is checked first, and what has to end."""
 
 from __future__ import annotations
 
@@ -15,7 +15,9 @@ LASTING = ("jog", "move_velocity")
 """The tasks that go on until their last step ends them."""
 
 REFUSAL = "fault_code"
-"""The role of what shows that a command was not carried out. What a step waits for there must hold from then on."""
+"""The role of what shows that a command was not carried out. The condition that a step waits for there must hold from
+then on.
+"""
 
 ACCEPTING = (REFUSAL, "command_accepted")
 """The roles of what shows that a command was accepted or refused."""
@@ -31,7 +33,9 @@ STARTING = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class Watch:
-    """What must hold while a task goes on: an operand with a value. `reason` is the error where it does not."""
+    """A condition that must hold while a task runs: an operand with a value. `reason` is the error where
+    it does not.
+    """
 
     operand: Operand
     value: ScalarValue
@@ -39,9 +43,9 @@ class Watch:
 
 
 def watches(device: Device, operands: Operands, task: Task, message: str = "") -> list[Watch]:
-    """What a task is watched by: no alarm, and where it moves, the servo.
+    """The conditions that stop a task: an alarm, and for a motion, the servo.
 
-    What shows them is what the tasks that reset the alarm and switch the servo on wait for behind their commands. What
+    What shows them is what the tasks that reset the alarm and switch the servo on wait for after their commands. What
     switches on looks at the first of it alone: an emergency stop, which a reset ends too, does not refuse it.
     """
     kinds = {"reset_alarm": "alarm"} if task.kind in (*MOVING, "servo_on") else {}
@@ -85,7 +89,7 @@ def is_command(task: Task, index: int) -> bool:
 
 
 def last_command(task: Task) -> int:
-    """The step behind which a task only looks at the device; -1 where it only looks."""
+    """The step after which a task only looks at the device; -1 where it only looks."""
     return max((index for index in range(len(task.steps)) if is_command(task, index)), default=-1)
 
 
@@ -96,9 +100,9 @@ def shows_acceptance(operands: Operands, step: Step, message: str = "") -> bool:
 
 
 def acceptance(operands: Operands, task: Task, message: str = "") -> int:
-    """The step behind which the device has accepted the command of a task that moves.
+    """The step after which the device has accepted the command of a task that moves.
 
-    That is the wait for what shows it or, where nothing does, the last command before the device is looked at.
+    That is the wait for the sign of it or, without one, the last command before the device is read.
     """
     first, ends = before_effect(task), end_steps(task) if task.kind in LASTING else None
     steps = range(first, ends[1] if ends is not None else len(task.steps))
@@ -116,7 +120,7 @@ def acceptance(operands: Operands, task: Task, message: str = "") -> int:
 def conditions(operands: Operands, task: Task, index: int, message: str = "") -> tuple[Step, ...]:
     """The waits from a step on that hold together, in one look at the device.
 
-    What shows that a command is accepted or refused is waited for by itself.
+    Signs that a command is accepted or refused are awaited separately.
     """
     if shows_acceptance(operands, task.steps[index], message):
         return (task.steps[index],)

@@ -21,9 +21,9 @@ JOINT = "+"
 class DeviceSpec:
     """The joined tree of a device, with its protocols, before a version is picked.
 
-    `trees` are those of the versions that are written as changes of others, `bases` the versions that they change. A
-    version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths of
-    all files that it was read from, those of protocols too. `kept` and what follows it remember what was asked for.
+    `trees` are the trees of the versions that are written as changes of others, `bases` the versions that they change.
+    A version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths
+    of all files that it was read from, including protocols. `kept` and the following attributes cache results.
     """
 
     id: str

@@ -163,7 +163,7 @@ class _Expansion:
         return result.with_value("rows", Sequence(copy.file, copy.start, copy.end, tuple(rows)))
 
     def _prints(self, copy: Mapping, originals: dict[str, Mapping]) -> dict[str, dict[str, Node]]:
-        """What is printed for each register of a copy, by the name of its original."""
+        """The printed details of each register of a copy, by the name of its original."""
         prints: dict[str, dict[str, Node]] = {}
         printed_rows = copy.values.get("rows")
         for row in printed_rows.items if isinstance(printed_rows, Sequence) else ():

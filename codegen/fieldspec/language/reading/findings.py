@@ -19,7 +19,7 @@ MOST_FILES = 1000
 
 
 MOST_FINDINGS = 200
-"""How many findings of one kind are reported; more of them help nobody."""
+"""The greatest number of reported findings of one kind; more do not help."""
 
 SYNONYMS = {
     "address": ("at", "unit_addresses", "base", "bounds"),

@@ -1,4 +1,4 @@
-"""What is meant by the name of a checksum that the language does not have."""
+"""The algorithms that the unknown name of a checksum may mean."""
 
 from __future__ import annotations
 

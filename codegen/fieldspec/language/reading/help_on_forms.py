@@ -13,7 +13,7 @@ _BETWEEN = r"\s*(?:\.{2,3}|\u2026|~|-|\u2013|\u2014|\bto\b)\s*"
 _INTERVAL = re.compile(rf"(-?\w+(?:\.\d+)?)(?:{_BETWEEN}(-?\w+(?:\.\d+)?))?", re.ASCII)
 _HEXADECIMAL = re.compile(r"(-?)(?:0[xX])?([0-9A-Fa-f]+)[hH]?")
 _LARGEST = 200
-"""The characters of the longest text that is looked at."""
+"""The length of the longest text that is examined."""
 
 
 def form_help(text: str, pattern: str) -> str:

@@ -1,4 +1,4 @@
-"""What to write instead of a text that is no number: the same number as the language has it."""
+"""What to write instead of a text that is not a number: the same number as the language has it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _NUMBER = re.compile(r"[-+]?(0x[0-9A-Fa-f]{1,16}|[0-9]{1,20}(\.[0-9]{1,20})?)")
 _WHOLE = re.compile(r"([-+]?[0-9]{1,20})\.0{1,20}")
 _COMMA = re.compile(r"([-+]?[0-9]{1,20}),([0-9]{1,20})")
 _NO_NUMBERS = ("nan", ".nan", "inf", ".inf", "null", "none", "true", "false", "yes", "no", "n/a")
-"""Texts of other languages that are no characters of a frame."""
+"""Texts of other languages that are not characters of a frame."""
 _MOST_CHARACTERS = 4
 
 

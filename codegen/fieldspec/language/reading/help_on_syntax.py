@@ -16,7 +16,7 @@ _HELP = (
     ("did not find expected key", f"{_INDENT}; a text with quotes in it is quoted as a whole"),
     ("did not find expected '-' indicator", _INDENT),
     ("expected <block end>", _INDENT),
-    ("could not find expected ':'", "write `: ` behind the key; quote a text that goes on over several lines"),
+    ("could not find expected ':'", "write `: ` after the key; quote a text that continues over several lines"),
     ("unexpected end of stream", _ENDS),
     ("did not find expected <stream", _ENDS),
     ("undefined alias", "define it before as `&NAME`, or quote the text: `*` begins the name of another place"),
@@ -25,7 +25,7 @@ _HELP = (
 
 
 def syntax_help(problem: str, text: str, offset: int) -> str:
-    """The help for a message of the parser about a place of a text; empty for messages that nobody has met."""
+    """The help for a message of the parser about a place of a text; empty for unknown messages."""
     if "cannot start any token" in problem:
         word = re.match(r"[^\s,}\]]*", text[offset:])
         quoted = word[0] if word is not None else text[offset : offset + 1]
@@ -36,5 +36,5 @@ def syntax_help(problem: str, text: str, offset: int) -> str:
             return (
                 "a text with `: ` needs quotes around it, as in `doc: 'a: b'`; one line has one key outside of braces"
             )
-        return "begin the key in the column of the others: indented further, it goes on with the text of the line above"
+        return "begin the key in the column of the others: indented further, it continues the text of the line above"
     return next((help for part, help in _HELP if part in problem), "")

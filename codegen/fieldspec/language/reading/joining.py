@@ -1,4 +1,4 @@
-"""Joins the trees of several files: those of a device, and those of the protocols that it uses."""
+"""Joins the trees of several files: of a device, and of the protocols that it uses."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def _merged(base: Node, override: Node) -> Node:
 
 
 def _misspelt(base: Node, override: Node, is_inside: bool = False) -> Iterator[Diagnostic]:
-    """The parts and fields that an entry adds to those of the protocol under names that are almost theirs."""
+    """The parts and fields that an entry adds to the protocol's under names that are almost theirs."""
     if isinstance(base, Mapping) and isinstance(override, Mapping):
         for key, value in override.values.items():
             existing = base.values.get(key)
@@ -112,7 +112,7 @@ def _misspelt(base: Node, override: Node, is_inside: bool = False) -> Iterator[D
             if name in entries:
                 yield from _misspelt(entries[name], item, True)
             elif is_inside and (like := _similar_name(name, free)) and isinstance(item, Mapping):
-                text = f"`{name}` is none of the protocol's here, and would be added behind them"
+                text = f"`{name}` is not a name of the protocol here, and would be added after its names"
                 help = f"did you mean `{like}`? Another one needs a name that is less like it"
                 yield Diagnostic("references_resolve", text, item.values.get("name", item).span, help=help)
 
@@ -127,7 +127,7 @@ def _similar_name(name: str, known: list[str]) -> str:
 
 
 def _without_standards(base: Mapping, override: Mapping) -> Mapping:
-    """An entry without the clauses of standards for those of its keys that `override` states itself."""
+    """An entry without the clauses of standards for the keys that `override` states itself."""
     standards = base.values.get("standard")
     if not isinstance(standards, Mapping):
         return base

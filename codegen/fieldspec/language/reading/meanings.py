@@ -1,4 +1,4 @@
-"""What names in a tree mean behind the facts that a path finds: bits, fields of records, roles, and named values."""
+"""What names in a tree mean after the facts that a path finds: bits, fields of records, roles, and named values."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, ch
 VALUES = ("values", "arguments")
 """Mappings whose keys are fields of a frame."""
 VALUED = {"write": "value", "wait": "value", "show": "value", "initial": "value", "record": "value", "set": "to"}
-"""What steps and actions name a signal with, and the key of the value that it gets, has or is waited for."""
+"""The keys with which steps and actions name a signal, and the key of its value."""
 _WITH_ROLES = ("registers", "parameters", "messages", "signals", "links", "flags")
 _BEHIND = {"flags": ("flags", "bits"), "record": ("records", "fields")}
-"""By what a fact names: the section of it, and the list of the parts that are also those of the fact."""
+"""The sections of facts that other facts name, and the lists of parts that they share."""
 _NAMED = (("enum", "enums", "members"), ("flags", "flags", "bits"), ("flags", "flags", "states"))
 """By what a fact names: the section of it, and a list of the values that have names."""
 
@@ -75,9 +75,9 @@ class Meanings:
         return self._roles.get(role, [])
 
     def fields(self, holder: Node, above: Node | None) -> Iterator[Mapping]:
-        """The fields that the `values` or `arguments` of an example, a step, an action or a print of one are for.
+        """The fields of the `values` or `arguments` of an example, a step, an action or their printed form.
 
-        The `holder` has the `values`, and what is `above` it has the path of the fact whose print it is.
+        The `holder` has the `values`, and `above` has the path of the fact whose printed value it is.
         """
         fact = value_of(above, "fact")
         example = find(self.tree, fact.text) if isinstance(fact, Scalar) else None

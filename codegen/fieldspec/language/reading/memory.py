@@ -15,7 +15,7 @@ from fieldspec.language.reading.scalars import typed
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 
 MOST_TURNS = 100
-"""How often a device is read anew before all objects of its model are made from nothing."""
+"""How often a device is reread before all objects of its model are created again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,10 +34,10 @@ class FileRead:
 
 @dataclass(frozen=True, slots=True)
 class DeviceRead:
-    """A device as it was read: its files and those of all protocols, what they give, and whether they have errors.
+    """A device as it was read: its files and all protocol files, their results, and whether they have errors.
 
-    The `trees` are those that its files gave, and `joined` are the findings of these together. `turns` says how often
-    it was read anew since its objects were made from nothing.
+    The `trees` are those that its files gave, and `joined` are the findings of these together. `turns` counts the
+    rereads since its objects were created.
     """
 
     files: dict[str, bytes]
@@ -63,9 +63,9 @@ class DeviceRead:
 class Memory:
     """What reading remembers for a project that is read again and again: what has not changed is not read again.
 
-    Of a file that cannot be used, the tree of its last sound text stands in, so that the rest is judged all the same:
-    findings and places in another text than that of `files` are of that one. A device is judged without a file that is
-    new to it and has never been sound. Where memory is `strict`, the findings are those of reading without it.
+    For a file that cannot be used, the tree of its last valid text is used, so that the rest is checked all the same:
+    findings and places in a text other than `files` belong to that text. A device is judged without a file that is new
+    to it and has never been sound. If memory is `strict`, the findings equal the findings without it.
     """
 
     files: dict[str, FileRead] = field(default_factory=dict)

@@ -33,7 +33,7 @@ _ORDERED_BY = ("at", "number", "value", "bit", "base")
 _OF_ALL_VERSIONS = frozenset(("accepts", "audit", "reviews", "uses", "versions"))
 """Sections that are not of one version, so that no overlay changes them."""
 _JUDGING = frozenset(("accepts", "audit", "reviews"))
-"""Sections whose names are those of other versions too."""
+"""Sections whose names other versions share."""
 
 
 def applied(tree: Mapping, overlay: Mapping) -> tuple[Mapping, list[Diagnostic]]:
@@ -63,7 +63,7 @@ def _accepting(tree: Mapping, overlay: Mapping) -> Mapping:
 
 
 def _stating(tree: Mapping, overlay: Mapping) -> Mapping:
-    """The tree with the entries of an overlay, in one list behind those of the versions that it is based on."""
+    """The tree with the entries of an overlay, in one list after the entries of the versions that it is based on."""
     before = tree.values.get("changes")
     entries = [*before.items] if isinstance(before, Sequence) else []
     for part in OVERLAY_PARTS:
@@ -153,12 +153,12 @@ class _Application:
             return True  # the schema says that there is no such key
         if old is not None and not _absent(was) and exact(typed_at(was, (*part, "properties", key))[0]) == exact(old):
             return True
-        state = f"is {quoted(_node_text(old))}" if old is not None else "is not given"
-        text = f"`{key}` {state} in the base version, not {quoted(_node_text(was))}"
-        label = Label((old or fact).span, "the value in the base version")
-        self._refuse(
-            "overlay_base_differs", text, was, "the base has changed: look at both places, and correct `was`", label
-        )
+        state = f"is {quoted(_node_text(old))}" if old is not None else "is absent"
+        text = f"`{key}` {state} in the base version, but `was` is {quoted(_node_text(was))}"
+        label = Label((old or fact).span, "the value in the base version" if old is not None else "the fact")
+        right = quoted(f"was: {_node_text(old) if old is not None else '~'}")
+        help = f"write {right}; if the base has changed since, decide which value is right now"
+        self._refuse("overlay_base_differs", text, was, help, label)
         return False
 
     def _typed(self, node_keys: list[str | int], new: Mapping) -> None:
@@ -196,7 +196,7 @@ class _Application:
             self._refuse("overlay_fact_missing", "this fact has no name", path, "name a fact that has one")
             return
         if to.text == identity(fact) or tuple(node_keys) in self.new_names:
-            self._refuse("overlay_changes_nothing", f"{quoted(to.text)} is no new name", to, "state one other name")
+            self._refuse("overlay_changes_nothing", f"{quoted(to.text)} is not a new name", to, "state one other name")
             return
         self.new_names[tuple(node_keys)] = _NewName(path.text, to)
 
@@ -322,7 +322,7 @@ _LISTS = frozenset(key for key, part in schema()["properties"].items() if part["
 
 
 def _place_of(reference: Reference) -> tuple[int, bool, int]:
-    """What is replaced later has a lower place: what is nearer to the root, a key, and what is nearer to its start."""
+    """Later replacements have a lower place: nearer to the root, a key, nearer to its start."""
     return len(reference.keys), not reference.is_key, reference.start
 
 

@@ -31,7 +31,7 @@ DEEPEST_USE = 16
 MOST_USES = 100
 """Protocols that a device or a protocol may use."""
 MOST_OVERLAYS = 250
-"""Versions of a device that may be written as changes of others, a file each."""
+"""Versions of a device that may be written as changes of others, one file per version."""
 LARGEST_VERSIONS = 32 * 1024 * 1024
 """Bytes of the files of a device, once for each of its versions: what reading all versions takes grows with it."""
 
@@ -42,7 +42,8 @@ _SHARED = f"{PROTOCOLS}/"
 class Project:
     """The devices by id, and what is wrong with the files.
 
-    `broken` are the folders and ids of devices with an error in their files, or in those of a protocol that they use.
+    `broken` are the folders and ids of devices with an error in their files, or in the files of a protocol that they
+    use.
     """
 
     devices: Table[str, DeviceSpec]
@@ -85,11 +86,11 @@ class _Reader:
         self.protocols: dict[str, Mapping | None] = {}
         self.uses: dict[str, set[str]] = {}
         self.folded: dict[str, str] = {}
-        """The files that were read, by their paths without what some file systems do not tell apart."""
+        """The files that were read, by their paths without the distinctions that some file systems ignore."""
         self.incomplete: set[str] = set()
-        """The protocols that lack one that they use; the empty name is that of the last device."""
+        """The protocols that lack a protocol that they use; the empty name stands for the last device."""
         self.trees: dict[str, Mapping | None] = {}
-        """What the files of the last device gave."""
+        """The results of the files of the last device."""
         self.own_findings = 0
         """How many findings there were when its files had been read."""
         self.faulty: set[str] = set()
@@ -263,7 +264,9 @@ class _Reader:
         return all(path not in known if known is not None else _is_of_a_version(path) for path in paths)
 
     def _used(self, name: str) -> set[str]:
-        """The protocols that a protocol uses, and those that they use; for an empty name, those of the last device."""
+        """The protocols that a protocol uses, and those that they use; for an empty name, the protocols of the last
+        device.
+        """
         used: set[str] = set()
         waiting = {name}
         while waiting:

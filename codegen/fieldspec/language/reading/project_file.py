@@ -31,7 +31,7 @@ class ProjectFile:
     tree: Mapping | None = None
 
     def choice(self, device: str) -> Choice:
-        """What is generated of a device."""
+        """The chosen outputs of a device."""
         if self.tree is None:
             return Choice()
         values = dict(self.tree.values)

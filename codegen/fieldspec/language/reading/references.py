@@ -39,7 +39,7 @@ INNER = frozenset(
 HOLDERS = frozenset(("enums", "flags", "links", "messages", "records", "tables"))
 """The sections of facts that have such parts."""
 ASKED = ("request", "fields", "bits", "members", "response")
-"""Their lists, in the order in which a name is looked for: a response repeats what a request asked."""
+"""Their lists, in the order of the search for a name: a response repeats values of the request."""
 
 Keys: TypeAlias = tuple[str | int, ...]
 """The keys and numbers that lead to a node of a tree."""
@@ -79,14 +79,14 @@ class Reference:
 
 
 def unquoted(scalar: Scalar) -> Span:
-    """The place of the text of a scalar, behind its anchor and within its quotation marks."""
+    """The place of the text of a scalar, after its anchor and within its quotation marks."""
     start = unanchored(scalar)
     mark = int(scalar.file.text[start : start + 1] in ("'", '"'))
     return Span(scalar.file, start + mark, scalar.end - mark)
 
 
 def unanchored(node: Node) -> int:
-    """Where a node begins behind its anchor."""
+    """Where a node begins after its anchor."""
     anchor = _ANCHOR.match(node.file.text, node.start, node.end)
     return anchor.end() if anchor is not None else node.start
 
@@ -322,7 +322,7 @@ class _Search:
 
     def _targets(self, text: str, key: str, holder: str, fact: Mapping | None) -> Iterator[tuple[int, int, Mapping]]:
         """The facts that a text names, each with the part of the text that is its name."""
-        path = text.partition("[")[0]  # an element of a list has its number behind its path
+        path = text.partition("[")[0]  # an element of a list has its number after its path
         if path.startswith(IN_USE):
             for message in self.names.get("messages", {}):
                 shift = len(f"messages/{message}/") - len(IN_USE)

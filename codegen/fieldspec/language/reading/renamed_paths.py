@@ -7,7 +7,7 @@ from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, ke
 _STEPS = ("write", "set", "clear", "pulse", "send", "read", "wait", "timeout")
 _PATHS = ("fact", "about", "references", "saved_by", "opposite_of", "sum_of", "within", "limit", *_STEPS)
 _WORDS = ("flags", "enum", "record")
-"""The keys that name what a path goes on in, behind a register or a field."""
+"""The keys that name the fact in which a path continues after a register or a field."""
 
 
 class RenamedPaths:
@@ -32,7 +32,7 @@ class RenamedPaths:
         return with_text(node, self._path(node.text)) if everywhere or key in _PATHS else node
 
     def _path(self, text: str) -> str:
-        """A path under the new names. An element of a list has its number behind its name."""
+        """A path under the new names. An element of a list has its number after its name."""
         old, new = "", []
         for step in text.split("/"):
             name, mark, index = step.partition("[")

@@ -25,7 +25,7 @@ _NO_ITEM = re.compile(r"^(?:---|\.\.\.|%)|\t|\ufeff", re.MULTILINE)
 _ALIAS = re.compile(r"(?:^|[\s\[{,:])\*\S")
 _DASH = re.compile(r" *- +")
 _SIZES: ByIdentity[Mapping, int] = ByIdentity(limit=10)
-"""At most so many values are in these trees, whose texts are so long that there is a limit."""
+"""The limit of the number of values in these trees, whose texts are long."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,7 +191,7 @@ def _replaced(tree: Mapping, file: SourceFile, change: _Change, items: tuple[Nod
 
 
 def _move(node: Node, file: SourceFile, end: int, shift: int) -> None:
-    """Moves a node and all below it to their places in a file: what was behind the `end` of the old lines."""
+    """Moves a node and all below it to their places in a file: what was after the `end` of the old lines."""
     node.file = file
     if node.end >= end:
         node.end += shift

@@ -1,4 +1,4 @@
-"""The order of rows that a device states beside those of its protocols."""
+"""The order of rows that a device states next to the rows of its protocols."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from fieldspec.language.reading.nodes import Node, Sequence, identity
 
 
 def rows_in_order(merged: Node, base: Sequence, override: Sequence) -> Node:
-    """Merged rows with each row that `base` does not have behind the row of `base` that it follows in `override`."""
+    """Merged rows with each row that `base` does not have after the row of `base` that it follows in `override`."""
     assert isinstance(merged, Sequence)
     if any(identity(item) is None for item in (*base.items, *override.items)):
         return merged

@@ -1,4 +1,4 @@
-"""What the rules of reading say, in the words of their documentation: what holds, why, an example, the cure."""
+"""The documentation of the rules of reading: what holds, why, an example, the fix."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ RULES = {
 
 Why: without the anchor, the alias has no value.
 
-Example: `*parameter` where the file has no `&parameter`, or has it further down.
+Example: `*parameter` in a file without `&parameter`, or before it.
 
-Cure: Write the data out, or set the anchor first.
+Fix: Write the data out, or set the anchor first.
 """,
     "aliases_grow": """Aliases do not expand a file without limit.
 
@@ -17,7 +17,7 @@ Why: ten lines of nested aliases can expand to more values than fit into memory.
 
 Example: a list of ten aliases, each of which is a list of ten aliases, and so on.
 
-Cure: Write the data out.
+Fix: Write the data out.
 """,
     "device_id_unique": """No two devices have the same id.
 
@@ -25,7 +25,7 @@ Why: the id names the generated files; one device would overwrite the other.
 
 Example: two folders whose `device` has `id: gadget`.
 
-Cure: Give one of them a different id.
+Fix: Give one of them a different id.
 """,
     "device_section": """One file in the folder of a device identifies the device.
 
@@ -33,7 +33,7 @@ Why: without an id and a manual, nothing can be generated or verified.
 
 Example: a folder with only registers.
 
-Cure: Add the section `device` in `device.yaml`.
+Fix: Add the section `device` in `device.yaml`.
 """,
     "duplicate_key": """A key occurs once in its mapping.
 
@@ -41,7 +41,7 @@ Why: only one of the two values could apply, and YAML readers disagree about whi
 
 Example: a register with two `range` keys.
 
-Cure: Remove one of them.
+Fix: Remove one of them.
 """,
     "duplicate_name": """No two entries of a section have the same name.
 
@@ -49,7 +49,7 @@ Why: paths, references and outputs identify an entry by its name.
 
 Example: two records named point.
 
-Cure: Rename one of them.
+Fix: Rename one of them.
 """,
     "file_empty": """A spec file has content.
 
@@ -57,7 +57,7 @@ Why: an empty file was never written or was truncated.
 
 Example: a file with only a comment.
 
-Cure: Add a section, or remove the file.
+Fix: Add a section, or remove the file.
 """,
     "file_missing": """Every protocol under `uses` has a file.
 
@@ -65,26 +65,26 @@ Why: without the file, the definitions of the protocol are missing from the devi
 
 Example: `uses: [{protocol: wires}]` where the file is `protocols/wire.yaml`.
 
-Cure: Correct the name, or add the file.
+Fix: Correct the name, or add the file.
 """,
-    "file_name_portable": """Every file of the specs, and every file that is written for a version, has a name
-that all file systems of users can have.
+    "file_name_portable": """Every file of the specs, and every file that is written for a version, has a name that all
+file systems of users permit.
 
-Why: somebody who cannot check the specs out, or write the outputs, cannot use them. A name with a line break or
-with another character that cannot be seen misleads the reader.
+Why: users whose file system does not permit the name can neither check out the specs nor write the outputs. A name with
+a line break or another invisible character misleads the reader.
 
 Example: a device `aux`, a version `con`, or `Motion.yaml` beside `motion.yaml`.
 
-Cure: Choose another name.
+Fix: Choose another name.
 """,
     "file_regular": """A spec file is a regular file within the folder of the specs.
 
-Why: reading a pipe can block for ever, and reading a special file may never end. A file outside the folder is
-not part of the specs, and no finding may quote it.
+Why: reading a pipe can block without end, and reading a special file may never end. A file outside the folder is not
+part of the specs, and no finding may quote it.
 
 Example: `device.yaml` is a symbolic link to `/etc/passwd`.
 
-Cure: Put the file itself into the folder.
+Fix: Put the file itself into the folder.
 """,
     "file_too_large": """A spec file has at most 16 MiB and two million values, a folder 1000 files and 32 MiB.
 
@@ -92,7 +92,7 @@ Why: a larger file is not a spec that a person wrote.
 
 Example: a capture of a line, saved with the extension `.yaml`.
 
-Cure: Split it into several files, or move it out of the folder.
+Fix: Split it into several files, or move it out of the folder.
 """,
     "id_matches_path": """The id of a device is the name of its folder, and the id of a protocol is the name
 of its file.
@@ -101,7 +101,7 @@ Why: the command line finds a device by its folder, and `uses` finds a protocol 
 
 Example: `id: gadget_2` in the folder `gadget`.
 
-Cure: Rename the folder or the file, or correct the id.
+Fix: Rename the folder or the file, or correct the id.
 """,
     "import_cycle": """No protocol uses itself, directly or through others.
 
@@ -109,7 +109,7 @@ Why: in a cycle there is no protocol to read first.
 
 Example: a protocol a that uses b, which uses a.
 
-Cure: Remove one of these uses.
+Fix: Remove one of these uses.
 """,
     "key_not_text": """A key is a word.
 
@@ -117,7 +117,7 @@ Why: no key of the language is a list or a mapping.
 
 Example: `? [a, b]`
 
-Cure: Use a word as the key.
+Fix: Use a word as the key.
 """,
     "missing_key": """A mapping has all required keys.
 
@@ -125,7 +125,7 @@ Why: without them, the fact has no layout or no source.
 
 Example: a member of an enum without `value`.
 
-Cure: Add the key.
+Fix: Add the key.
 """,
     "not_utf8": """A spec file is encoded in UTF-8.
 
@@ -133,7 +133,7 @@ Why: labels are in the language of the manual, and another encoding turns them i
 
 Example: a file saved as GB 18030.
 
-Cure: Save the file as UTF-8.
+Fix: Save the file as UTF-8.
 """,
     "overlay_base_differs": """The `was` values in a version file match the base version.
 
@@ -142,7 +142,7 @@ value.
 
 Example: `range: {was: 1..100, is: 1..120}` where the base has 1..90.
 
-Cure: Look at both places, decide which value is right now, and correct `was`.
+Fix: Look at both places, decide which value is right now, and correct `was`.
 """,
     "overlay_changes_nothing": """Every entry in a version file changes something.
 
@@ -151,7 +151,7 @@ Why: an entry without effect is a mistake, or a change that is now in the base.
 Example: `unit: {was: mm, is: mm}`, an added register with a `since` after the version, or a change of a register
 that the same file removes.
 
-Cure: State the new value, or remove the entry.
+Fix: State the new value, or remove the entry.
 """,
     "overlay_cycle": """No version is based on itself, directly or through others.
 
@@ -159,7 +159,7 @@ Why: in a cycle there is no version to start from.
 
 Example: 2.1 is based on 2.2, and 2.2 on 2.1.
 
-Cure: Base one of them on a version that does not depend on it.
+Fix: Base one of them on a version that does not depend on it.
 """,
     "overlay_fact_missing": """The facts that a version file changes are in its base version.
 
@@ -167,7 +167,7 @@ Why: an entry that matches nothing would silently have no effect.
 
 Example: `fact: registers/sped`, or a register that only another version line has.
 
-Cure: Correct the path, or base the version on one that has the fact.
+Fix: Correct the path, or base the version on one that has the fact.
 """,
     "overlay_removal_incomplete": """A fact is removed with its errata, examples, notes and tasks.
 
@@ -175,7 +175,7 @@ Why: they would be about something that the version does not have.
 
 Example: `removes: [{fact: registers/speed, ...}]` where an erratum is about `registers/speed`.
 
-Cure: Remove them in the same file, or change what they are about.
+Fix: Remove them in the same file, or change what they are about.
 """,
     "overlay_name_taken": """A fact that a version file adds or renames has a name that is not in use.
 
@@ -183,7 +183,7 @@ Why: two facts with the same name in one list cannot be distinguished.
 
 Example: a register renamed to `speed` where a register `speed` exists.
 
-Cure: Use another name. To change an existing fact, use `changes`.
+Fix: Use another name. To change an existing fact, use `changes`.
 """,
     "section_twice": """A section that is not a list occurs in only one file of a device.
 
@@ -191,7 +191,7 @@ Why: lists are joined, but only one of two other sections could apply.
 
 Example: `device` in two files of a folder.
 
-Cure: Remove one of them.
+Fix: Remove one of them.
 """,
     "several_documents": """A spec file is one YAML document.
 
@@ -199,7 +199,7 @@ Why: a second document would be ignored.
 
 Example: a line `---` in the middle of a file.
 
-Cure: Move the second document to its own file.
+Fix: Move the second document to its own file.
 """,
     "tab_indent": """Lines are indented with spaces.
 
@@ -207,7 +207,7 @@ Why: YAML does not permit tabs there, because their width is not defined.
 
 Example: a line that begins with a tab.
 
-Cure: Indent with spaces.
+Fix: Indent with spaces.
 """,
     "tag_used": """A spec contains data without tags.
 
@@ -216,7 +216,7 @@ is.
 
 Example: `!!python/name:os.system`
 
-Cure: Remove the tag.
+Fix: Remove the tag.
 """,
     "too_deep": """A file is nested at most 64 levels deep.
 
@@ -224,7 +224,7 @@ Why: the language needs about a dozen levels; more is a mistake or an attack.
 
 Example: a thousand opening brackets.
 
-Cure: Use fewer levels.
+Fix: Use fewer levels.
 """,
     "too_many_findings": """A file has at most 200 findings, and so does a check.
 
@@ -232,18 +232,18 @@ Why: more findings do not help; most of them repeat the same mistake.
 
 Example: a file in another format with ten thousand lines.
 
-Cure: Correct the first findings.
+Fix: Correct the first findings.
 """,
-    "type_present": """The spec states the type of every value on the wire, once, and what belongs to a value where the
-value is.
+    "type_present": """The spec states the type of every value on the wire, once, and the keys of a value at the value
+itself.
 
-Why: width and sign are never guessed. A field with a record has no value of its own: what is stated there of a unit, a
-range or a meaning would reach nothing.
+Why: width and sign are never guessed. A field with a record has no value of its own, so a unit, a range or a meaning
+there would have no effect.
 
 Example: a register without `type`, a text without `length`, a field with both `type` and `record`, or with `record` and
 `unit`.
 
-Cure: Add the type, as inferred with a reason if the manual only implies it. State the keys of values at the fields of
+Fix: Add the type, as inferred with a reason if the manual only implies it. State the keys of values at the fields of
 the record. Bytes without a meaning are `type: bytes`, with their `length` and `reserved: true`.
 """,
     "unknown_key": """Every key is part of the language.
@@ -252,15 +252,15 @@ Why: a misspelt key would be ignored together with its value.
 
 Example: `acces: rw`
 
-Cure: Correct the key; `docs/language.md` lists all keys.
+Fix: Correct the key; `docs/language.md` lists all keys.
 """,
-    "unknown_word": """A word is one of those that its key permits.
+    "unknown_word": """A word is one of the words that its key permits.
 
 Why: other words have no meaning there.
 
 Example: `access: readonly`
 
-Cure: Use one of the words that the finding lists.
+Fix: Use one of the words that the finding lists.
 """,
     "uses_bounded": """A device or a protocol uses at most 100 protocols, and a chain of uses has at most 16
 protocols.
@@ -269,7 +269,7 @@ Why: reading a folder of specs must take a bounded time, even if its author is h
 
 Example: a chain of seventeen protocols, each of which uses the next.
 
-Cure: Combine related protocols, and let each protocol use the ones that it needs directly.
+Fix: Combine related protocols, and let each protocol use the ones that it needs directly.
 """,
     "version_never": """The bounds of a fact leave it at least one version.
 
@@ -278,7 +278,7 @@ Why: outputs contain only facts of versions, so an error in an unused fact, or a
 Example: `since: "2.0"` and `until: "1.0"` at one register, or a member with `until: "1.0"` in an enum that has
 `since: "2.0"`.
 
-Cure: Correct the bounds, or remove the fact.
+Fix: Correct the bounds, or remove the fact.
 """,
     "version_twice": """A version is declared once and has one place in its line.
 
@@ -286,15 +286,15 @@ Why: `since` and `until` must name a single place in a line.
 
 Example: two members with the id `1.17`.
 
-Cure: Give each version its own identifier. If two files follow the same version, add `after`.
+Fix: Give each version its own identifier. If two files follow the same version, add `after`.
 """,
     "version_unknown": """`since`, `until` and `only` name versions that the device declares.
 
-Why: the compiler cannot tell in which versions a fact with an unknown bound applies.
+Why: the compiler cannot determine in which versions a fact with an unknown bound applies.
 
 Example: `since: "2.00"` where the version is declared as `2.0`.
 
-Cure: Correct the identifier, or declare the version.
+Fix: Correct the identifier, or declare the version.
 """,
     "versions_bounded": """A device has at most 250 version files, and 32 MiB, counted once for each version.
 
@@ -302,7 +302,7 @@ Why: every version is built from the files, so a large spec with thousands of ve
 
 Example: a file in `versions/` for each day of a year.
 
-Cure: Make a version that is in use the base, and remove the files of earlier versions.
+Fix: Make a version that is in use the base, and remove the files of earlier versions.
 """,
     "wrong_form": """A value has the form that its key requires.
 
@@ -310,7 +310,7 @@ Why: a value in another form would have to be guessed.
 
 Example: `range: 5-10` instead of `5..10`, or a bound that is not a whole number of counts.
 
-Cure: Use the form in the description of the key.
+Fix: Use the form in the description of the key.
 """,
     "wrong_size": """A list or a row of a table has the required number of entries.
 
@@ -318,7 +318,7 @@ Why: if a row is too short, its cells move to other columns.
 
 Example: a row of two cells in a table of three columns.
 
-Cure: Write `~` for an empty cell.
+Fix: Write `~` for an empty cell.
 """,
     "wrong_type": """A value has the type that its key requires: a number, a text, a list or a mapping.
 
@@ -326,7 +326,7 @@ Why: a value of another type has no meaning for the key.
 
 Example: `at: servo`
 
-Cure: Use a value of the required type.
+Fix: Use a value of the required type.
 """,
     "wrong_value": """A number is within the bounds of its key.
 
@@ -334,7 +334,7 @@ Why: a number outside the bounds cannot occur on the wire.
 
 Example: `at: 0x12000`
 
-Cure: Correct the number.
+Fix: Correct the number.
 """,
     "yaml_syntax": """A spec file is valid YAML.
 
@@ -342,6 +342,6 @@ Why: a file that cannot be parsed has no content.
 
 Example: `label: a: b` without quotes.
 
-Cure: Look at the place of the finding and just before it. Quote texts that contain `: `, `#`, `{` or `[`.
+Fix: Look at the place of the finding and just before it. Quote texts that contain `: `, `#`, `{` or `[`.
 """,
 }

@@ -1,6 +1,6 @@
 """Types the scalars of a node tree by the schema, and validates the result against it.
 
-Until here every scalar is text, so `on`, `010` and `12:30` are no surprises: a scalar becomes a number or a
+Until here every scalar is text, so `on`, `010` and `12:30` are not surprises: a scalar becomes a number or a
 truth value only where the schema wants one and the text is one.
 """
 
@@ -207,7 +207,8 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
     text = node.text if isinstance(node, Scalar) else None
     if keyword == "required":
         missing = facts["property"]
-        help = described(part.get("properties", {}).get(missing, {}))
+        purpose = described(part.get("properties", {}).get(missing, {}))
+        help = f"add `{missing}`: {purpose[:1].lower()}{purpose[1:]}" if purpose else f"add `{missing}`"
         return Diagnostic("missing_key", f"the key `{missing}` is missing", _head(node), help=help)
     if keyword == "enum" and text is not None:
         options = [str(option) for option in part.get("enum", [])]
@@ -299,7 +300,7 @@ def _known_key(key: str, known: Schema) -> str:
 
 
 def _misplaced(key: str, known: Schema) -> str:
-    """The help for a key of other mappings, which is no slip of the pen; empty for others."""
+    """The help for a key of other mappings, which is not a typing error; empty for others."""
     from difflib import get_close_matches
 
     if key not in _all_keys() or get_close_matches(key, known, 1, _SLIP):
@@ -357,7 +358,7 @@ def _node_at(root: Node, path: list[str | int]) -> Node:
 
 
 def _head(node: Node) -> Span:
-    """The first line of a node: underlining a whole block helps nobody."""
+    """The first line of a node: underlining a whole block does not help."""
     if isinstance(node, Scalar):
         return node.span
     end = node.file.text.find("\n", node.start)

@@ -29,7 +29,7 @@ def _items(node: Node | None) -> tuple[Node, ...]:
 
 
 def _with_inner(names: set[str | None], records: dict[str | None, Node]) -> set[str | None]:
-    """Names of records with those of the records in them."""
+    """Names of records and of the records in them."""
     reached: set[str | None] = set()
     waiting = names
     while waiting:

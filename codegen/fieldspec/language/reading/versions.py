@@ -299,7 +299,7 @@ class Lines:
         return free
 
     def _never(self, node: Mapping, holders: tuple[Mapping, ...]) -> Iterator[Diagnostic]:
-        """A finding where no version of a line that a fact names is within its bounds and those of what holds it."""
+        """A finding where no version of a line that a fact names is within its bounds and the bounds of its parents."""
         bounds = [key for key in ("since", "until", "only") if key in node.values]
         if len(bounds) + len(holders) < 2:
             return
@@ -311,7 +311,7 @@ class Lines:
                 text = f"no version is within {' and '.join(f'`{key}`' for key in bounds)}"
                 if any(self._holds(node, version) for version in versions):
                     text += " and the bounds of what holds this"
-                help = "correct the bounds, or remove what no version has"
+                help = "correct the bounds, or remove the entry"
                 yield Diagnostic("version_never", text, node.values[bounds[0]].span, help=help)
                 return
 

@@ -48,7 +48,7 @@ _TAG = re.compile(r"!(<[^>]*>|[^\s,\[\]{}]*)")
 _BREAK = "\n\r\x85\u2028\u2029"
 
 Size: TypeAlias = tuple[int, int]
-"""What a node counts: its values, with those below it, and the levels below it."""
+"""The counts of a node: its values, including all below it, and the levels below it."""
 
 # Classes of events, as plain values: there are no types to be narrowed where every instruction counts.
 _SCALAR: Any = ScalarEvent
@@ -86,7 +86,7 @@ def decoded(path: str, data: bytes) -> tuple[SourceFile, list[Diagnostic]]:
 
 def _kind(sign: str) -> str:
     """The kind of a code point that texts must not contain."""
-    return "control character" if ord(sign) < 0xA0 else "code point that is no character,"
+    return "control character" if ord(sign) < 0xA0 else "code point that is not a character,"
 
 
 def parsed(file: SourceFile) -> tuple[Node | None, list[Diagnostic]]:
@@ -132,7 +132,7 @@ def parsed_items(file: SourceFile, lines: str, depth: int) -> Sequence | None:
 
 
 def _indenting_tab(file: SourceFile) -> int | None:
-    """Where a line is indented with a tab: most parsers then say something that helps nobody."""
+    """Where a line is indented with a tab: the message of most parsers does not help."""
     if "\t" not in file.text:
         return None
     line_start = 0
@@ -303,7 +303,7 @@ class _Builder:
         return Mapping(file, event.start_mark.index, key.end_mark.index, values, ALL_THERE)
 
     def _misplaced(self, name: str | None, key: Event | Node, first: dict[str, Any]) -> None:
-        """Adds a finding for a key that is no word, or that occurs twice in its mapping."""
+        """Adds a finding for a key that is not a word, or that occurs twice in its mapping."""
         span = self._place(key)
         if name is None:
             self.findings.append(Diagnostic("key_not_text", "a key must be a word", span, help="use a word"))
@@ -327,7 +327,7 @@ def closing(text: str) -> str:
                 closers.append(closer if event.flow_style else "")
             elif isinstance(event, CollectionEndEvent):
                 closers.pop()
-    except (yaml.YAMLError, ValueError, OverflowError):  # where the text ends, or is no YAML
+    except (yaml.YAMLError, ValueError, OverflowError):  # where the text ends, or is not YAML
         pass
     return "".join(reversed(closers))
 

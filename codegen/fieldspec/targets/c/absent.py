@@ -130,7 +130,7 @@ def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:
     ]
     return [
         *constants,
-        comment(f"Whether {absent.title} is no quantity: {states}.", any_nan),
+        comment(f"Whether {absent.title} is not a quantity: {states}.", any_nan),
         Function(
             Type("bool"),
             absent.function(naming),
@@ -176,7 +176,7 @@ def sentinel_literal(naming: Naming, value: Value, sentinel: Sentinel) -> Expres
 def _absent_test(naming: Naming, value: Value) -> Expression:
     """`value == 65535u`. Floating-point numbers are compared in order, as compilers warn of `==`.
 
-    A NaN is told by its bits, as compilers may take comparisons with it for what they are not, with -ffast-math.
+    A NaN is recognized by its bits, because with -ffast-math compilers may remove comparisons with it.
     """
     encoding = value.encoding
     match encoding:

@@ -233,7 +233,7 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], li
 
 
 def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> tuple[str, str]:
-    """The constants of declarations, and the rest of them, each behind an empty line; empty where there is none."""
+    """The constants of declarations, and the rest of them, each after an empty line; empty where there is none."""
     if isinstance(block, FactBlock):
         declare = block.declare
         return piece(
@@ -328,7 +328,7 @@ def _code_texts(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
 
 
 def _claim_names(naming: Naming, version: str, versions: Sequence[str]) -> None:
-    """Claims the names that every header has before those of the device are."""
+    """Claims the names of every header before the names of the device."""
     for name in _OWN_TYPES:
         naming.own(name)
     for name in (*_OWN_MACROS, *runtime_macros()):

@@ -108,7 +108,7 @@ def _array(data: bytes) -> str:
 
 
 def _suffix_words(kind: Checksum) -> dict[str, str]:
-    """How a loop takes the bytes that a checksum covers, and those behind them."""
+    """How a loop takes the bytes that a checksum covers, and those after them."""
     words = {"INDEX": "size_t at;", "SIZE": "size", "BYTE": "in[at]"}
     if kind.suffix:
         index = f"static const uint8_t suffix[{len(kind.suffix)}] = {_array(kind.suffix)};\n    size_t at;"

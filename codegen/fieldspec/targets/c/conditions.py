@@ -1,4 +1,4 @@
-"""What is accepted of the numbers of values, as tests of C that hold for what is refused."""
+"""The accepted numbers of values, as C conditions that hold for rejected numbers."""
 
 from __future__ import annotations
 

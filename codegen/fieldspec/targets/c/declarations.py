@@ -188,7 +188,7 @@ def describe_fact(fact: Fact, *paragraphs: str) -> Comment:
 
 
 def describe_value(value: Value | None) -> str:
-    """What a count of a value is, which counts it may be, and what some of them stand for."""
+    """The meaning of a count of a value, the permitted counts, and the special values."""
     if value is None:
         return ""
     facts = []

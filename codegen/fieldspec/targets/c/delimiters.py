@@ -92,7 +92,7 @@ def _wrong_delimiters(start: bytes, end: bytes) -> list[Expression]:
 
 
 def _read_characters(naming: Naming, start: int, length: Expression, too_small: Body) -> Body:
-    """Refuses what is no hexadecimal digit, then joins two digits to each byte."""
+    """Refuses what is not a hexadecimal digit, then joins two digits to each byte."""
     digit = naming.own("digit")
     is_no_digit = greater(Call(digit, (Element(_FRAME, add(unsigned(start), INDEX)),)), unsigned(15))
     first = Call(digit, (Element(_FRAME, add(unsigned(start), multiply(unsigned(2), INDEX))),))

@@ -1,4 +1,4 @@
-"""Texts that are not ASCII filled up with zeros behind them, which C has in UTF-8: their functions and arguments."""
+"""Texts that are not ASCII filled up with zeros after them, which C has in UTF-8: their functions and arguments."""
 
 from __future__ import annotations
 

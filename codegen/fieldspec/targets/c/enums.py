@@ -58,7 +58,7 @@ from fieldspec.targets.c.statements import CountUp, If, Return, Statement, Table
 _LEAST, _LARGEST = -(2**15) + 1, 2**15 - 1
 _LARGEST_CODE = INT64.bounds[1]
 
-# Enums that are no tables of codes, and have no texts but their members' comments.
+# Enums that are not tables of codes, and have no texts but their members' comments.
 _KINDS_WITHOUT_TEXTS = ("enum", "function", "type")
 
 
@@ -160,7 +160,7 @@ def integer_reason(device: Device, value: Value) -> str:
 
 
 def _closed_enum(device: Device, value: Value) -> Enum | None:
-    """The closed enum of an integer that is no constant."""
+    """The closed enum of an integer that is not a constant."""
     if not value.enum or value.const is not None or not is_count(value.encoding):
         return None
     enum = device.enums[value.enum]

@@ -36,9 +36,9 @@ ElementBody = Callable[[Expression, Expression], Body]
 
 
 def is_set_by_user(field: FieldLayout) -> bool:
-    """Whether users set the field: it is no constant, measures no other field, and has a meaning.
+    """Whether users set the field: it is not a constant, measures no other field, and has a meaning.
 
-    Of a record in which they set nothing, they set how often it is repeated.
+    In a record without values to set, they set the number of repetitions.
     """
     if field.record is not None and not members(field.record):
         return field.field.repeat is not None
@@ -47,7 +47,9 @@ def is_set_by_user(field: FieldLayout) -> bool:
 
 
 def words_around_images(naming: Naming, record: RecordLayout) -> dict[str, str]:
-    """The names in the functions of a record that call those of its image, where each field has a place of its own."""
+    """The names in the functions of a record that call the functions of its image, where each field has
+    its own offset.
+    """
     struct = naming.type("record", record.name) if members(record) else ""
     verbs = ("encode", "decode", "encode_image", "decode_image")
     return {

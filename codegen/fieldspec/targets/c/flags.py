@@ -144,7 +144,7 @@ def joined_bits(bit: Bit, word: Expression, kind: str, size: int) -> Expression:
 
 
 def _placed_bits(bit: Bit, number: Expression, kind: str, size: int) -> Expression:
-    """The word in which the bits are those of a number, where they lie apart."""
+    """The word in which separate bits hold a number."""
     return _moved_bits(number, kind, size, [(run.weight, run.most, run.first) for run in bit.runs])
 
 

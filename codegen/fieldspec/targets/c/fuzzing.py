@@ -156,7 +156,7 @@ def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
 def _value_macro(
     naming: Naming, device: Device, noun: Noun, names: tuple[str, ...], wire: WireValue, size: int, trigger: bool
 ) -> Call:
-    """Of a trigger whose enum is closed the device may answer anything."""
+    """A device may return any number for a trigger, even if its enum is closed."""
     answer = wire.value.as_answer(trigger)
     kind = Identifier(accessed_type(naming, device, answer))
     functions = _names(*(naming.function(noun, *names, verb) for verb in ("decode", "encode")))

@@ -1,4 +1,4 @@
-"""Records with fields behind lists: functions around those of their image, in which all lists come last."""
+"""Records with fields after lists: functions around the functions of their image, in which all lists come last."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ _ESCAPED = re.compile(r'[^ -~]|[\\"?]')
 
 @lru_cache(maxsize=_CACHE_SIZE)
 def string(text: str) -> Literal:
-    """A string in UTF-8. Octal escapes have three digits, so that no digit behind them joins in."""
+    """A string in UTF-8. Octal escapes have three digits, so that no digit after them joins in."""
     return Literal(f'"{_ESCAPED.sub(_escape, text)}"')
 
 
@@ -80,7 +80,7 @@ def hexadecimal(value: int, size: int) -> Literal:
 
 
 def hexadecimal_digits(value: int, digits: int = 1, unsigned_mark: str = "") -> Literal:
-    """A constant in hexadecimal with at least so many digits: `0x3A`"""
+    """A constant in hexadecimal with at least this number of digits: `0x3A`"""
     return Literal(f"0x{value:0{digits}X}{unsigned_mark}")
 
 
@@ -90,7 +90,7 @@ def whole_double(value: int) -> Literal:
 
 
 def real(value: float, precision: Precision) -> Literal:
-    """A number as a float, `16384.0f`, which those of half precision are too, or as a double: `16384.0`"""
+    """A number as a float, `16384.0f`, also for half precision, or as a double: `16384.0`"""
     text = repr(value) if isinstance(value, float) else f"{value}.0"
     match precision:
         case Precision.HALF | Precision.SINGLE:
@@ -102,7 +102,7 @@ def real(value: float, precision: Precision) -> Literal:
 
 
 def double(value: float) -> Literal:
-    """A number as a double, with as many digits as tell it from all others."""
+    """A number as a double, with the digits that distinguish it from all others."""
     return Literal(repr(value))
 
 

@@ -57,12 +57,12 @@ def machine(encoding: Encoding) -> Machine:
 
 
 def machine_bits(bits: int) -> int:
-    """The bits of the narrowest number of a machine that has so many."""
+    """The width of the narrowest machine number with at least this number of bits."""
     return next(width for width in MACHINE_BITS if width >= bits)
 
 
 def machine_whole(whole: Whole) -> Whole:
-    """The number of C that has all numbers of another one, and perhaps more: that of `int32_t` has those of 24 bits."""
+    """The number of C that has all numbers of another one, and perhaps more: `int32_t` holds all numbers of 24 bits."""
     return Whole(machine_bits(whole.bits), Sign.COMPLEMENT if whole.sign.is_signed else Sign.NONE)
 
 
@@ -104,7 +104,7 @@ def of_bits(naming: Naming, encoding: Encoding, bits: Expression) -> Expression:
             function = machine(encoding).from_bits
             return Call(naming.own(function), (bits,)) if function else bits
         case Text() | Octets():
-            raise AssertionError("a text or bytes are no number")
+            raise AssertionError("a text or bytes are not a number")
         case _:
             assert_never(encoding)
 
@@ -120,13 +120,13 @@ def to_bits(naming: Naming, encoding: Encoding, number: Expression) -> Expressio
                 return Call(naming.own(kind.to_bits), (number,))
             return Cast(kind.word, number) if kind.is_cast else number
         case Text() | Octets():
-            raise AssertionError("a text or bytes are no number")
+            raise AssertionError("a text or bytes are not a number")
         case _:
             assert_never(encoding)
 
 
 def fixed_bits(encoding: Encoding, number: int) -> Literal:
-    """A number that no user sets, as its bits. Raises AssertionError for what is no such number."""
+    """A number that no user sets, as its bits. Raises AssertionError for other values."""
     match encoding:
         case Whole():
             bits = whole_bits(encoding, number)
@@ -135,7 +135,7 @@ def fixed_bits(encoding: Encoding, number: int) -> Literal:
         case Truth():
             bits = number
         case Digits() | Text() | Octets():
-            raise AssertionError("digits, texts and bytes are no bits of a number")
+            raise AssertionError("digits, texts and bytes are not bits of a number")
         case _:
             assert_never(encoding)
     return integer(bits, Whole(encoding.bits, Sign.NONE))
@@ -153,7 +153,7 @@ def literal(encoding: Encoding, number: int) -> Literal:
         case Real():
             return real(number, encoding.precision)
         case Text() | Octets():
-            raise AssertionError("a text or bytes are no number")
+            raise AssertionError("a text or bytes are not a number")
         case _:
             assert_never(encoding)
 

@@ -47,14 +47,14 @@ _MEMBERS = C | _FRAME
 
 
 _NUMBERED: set[str] = set()
-"""The names that have ever had a number behind them, so that their words alone do not say whether they are free."""
+"""The names that have ever had a number after them, so that their words alone do not say whether they are free."""
 
 
 class Naming:
     """The names in the header of one device: each fact has one name, and no two names are equal.
 
-    A thing is known by what it is and by the names of what it belongs to. Of two things whose words are the same
-    joined, the one that is asked for first gets them; the other one has a number behind them.
+    A thing is known by what it is and by the names of what it belongs to. If two facts have the same joined words, the
+    first request gets them, and the second gets a number after them.
     """
 
     def __init__(self, device: str) -> None:
@@ -69,7 +69,7 @@ class Naming:
 
     @contextmanager
     def noting(self) -> Iterator[RequestedNames]:
-        """Meanwhile, notes what is asked for, and the names that are given. A piece has no pieces."""
+        """Meanwhile, records the requests and the names. A piece has no pieces."""
         assert self._noted is None
         self._noted = {}, {}
         try:
@@ -155,14 +155,14 @@ class Naming:
 
 
 def member(name: str) -> str:
-    """A member of a struct; a word of C gets an underscore behind it."""
+    """A member of a struct; a word of C gets an underscore after it."""
     return f"{name}_" if name in C else name
 
 
 def argument(part: PartLayout) -> str:
     """The parameter for a part of a frame, `unit_address` for the unit address.
 
-    A word of C, or a name that the function itself uses, gets an underscore behind it.
+    A word of C, or a name that the function itself uses, gets an underscore after it.
     """
     if part.role == "unit_address":
         return part.role

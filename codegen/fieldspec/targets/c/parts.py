@@ -46,7 +46,7 @@ def part_value(part: PartLayout) -> WireValue:
 
 
 def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
-    """`in + 2`, or behind the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
+    """`in + 2`, or after the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
     return add(pointer, decimal(part.offset) if part.offset >= 0 else add_size(total, part.offset))
 
 
@@ -120,7 +120,9 @@ def address_literal(address: int) -> Expression:
 
 
 def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -> Expression | None:
-    """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is none of the link's."""
+    """`!((unit_address >= 1 && unit_address <= 16) || (unit_address == 0))`: whether it is not a unit address of the
+    link.
+    """
     addresses = link.link.unit_addresses
     if addresses is None or addresses.ranges is None:
         return None

@@ -274,12 +274,12 @@ def _declarator(kind: Type, name: str) -> str:
 
 
 def _remark_text(remark: str) -> str:
-    """A comment behind what it is about."""
+    """A comment after what it is about."""
     return f" /**< {remark} */" if remark else ""
 
 
 def _fold(line: str, indent: str, longest_line: int) -> list[str]:
-    """A line that is too long, in several: it goes on behind `||`, or else behind commas and `&&`."""
+    """A line that is too long, in several lines: it breaks after `||`, or else after commas and `&&`."""
     ends = (" || ",) if " || " in line else (", ", " && ")
     for end in ends:
         line = line.replace(end, f"{end}\n")

@@ -317,7 +317,7 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
 
 
 def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
-    """`out->points_count = load_u8(in + 1) / 4u;` for each list of an image that has another one behind it."""
+    """`out->points_count = load_u8(in + 1) / 4u;` for each list of an image that another list follows."""
     body: Body = ()
     for room in record.rooms:
         if not room.count:

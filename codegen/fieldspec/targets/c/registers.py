@@ -99,8 +99,8 @@ def access_functions(
 ) -> list[Declaration]:
     """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
 
-    What the device answers is read whatever it is. Only what is written must be the constant or, of a `trigger`, a
-    member of its closed enum. A value of a closed enum has the type of the enum where that holds all that it may be.
+    The response of the device is always read. Only what is written must be the constant or, of a `trigger`, a member of
+    its closed enum. A value of a closed enum has the type of the enum where that holds all that it may be.
 
     `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
     """
@@ -192,7 +192,7 @@ def declare_table(naming: Naming, device: Device, layout: TableLayout) -> list[D
     if device.several_spaces:
         access = f"In the address space {device.space_name(table.space)}. {access}".strip()
     read_only = f"Read only: {', '.join(layout.read_only)}." if layout.read_only else ""
-    count_text = f"The register {table.count_by} has how many there are, at most so many." if table.count_by else ""
+    count_text = f"The register {table.count_by} has the actual number." if table.count_by else ""
     base_text = f"The register {table.base_by} has the address of the first one." if table.base_by else ""
     constants = [
         ("usual_address" if table.base_by else "address", hexadecimal(table.base, 2)),
@@ -242,7 +242,7 @@ def _address_function(
         Variable(Type("uint32_t"), "number"),
         Variable(Type("uint16_t", pointer=True), "address"),
     )
-    start = " The first one is at `base`, behind which all must fit." if moving is not None else ""
+    start = " The first one is at `base`; all must fit after it." if moving is not None else ""
     return [
         comment(f"The address of {subject}; other numbers are refused.{start}"),
         Function(status_type(naming), naming.function(noun, name, "at"), parameters, body),

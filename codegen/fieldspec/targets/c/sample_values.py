@@ -175,8 +175,8 @@ def record_value(device: Device, record: RecordLayout) -> dict[str, Any]:
 
 
 def fitting(values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:
-    """The values with as many bytes of packed bits as their number takes where that is the field `changed`, and with
-    another number of bits elsewhere.
+    """The values with the packed bytes of their bit count if that is the field `changed`, and with a different bit
+    count otherwise.
     """
     for field in record.fields:
         if field.bits_of and field.name == changed:

@@ -24,7 +24,7 @@ from fieldspec.targets.c.statements import CompileIf, Statement, Variable, assig
 from fieldspec.targets.c.values import type_name
 
 _GREATEST = 1e38
-"""What a double can be on machines where it has 32 bits."""
+"""The range of a double on machines where it has 32 bits."""
 
 _WHOLE_FLOATS = 1 << 24
 """Below it, a float has every whole number."""

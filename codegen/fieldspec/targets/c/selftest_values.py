@@ -126,7 +126,7 @@ def _test_states(naming: Naming, word: Flags) -> Iterator[Statement]:
 
 
 def _test_enum(naming: Naming, enum: Enum) -> Iterator[Statement]:
-    """Compares the numbers that the function of a closed enum knows with those of its members."""
+    """Compares the numbers that the function of a closed enum accepts with the numbers of its members."""
     members = available_members(enum)
     largest = max((member.value for member in members), default=0)
     wide = largest >= 2**63
@@ -187,7 +187,9 @@ def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statemen
 def _test_last(
     naming: Naming, function: str, kind: str, result: str, last: int, expected: int, before: tuple[Expression, ...] = ()
 ) -> Block:
-    """What a function from numbers to addresses gives for the last number, and that it refuses the one behind it."""
+    """Tests a function from numbers to addresses: its result for the last number, and that it rejects
+    the next number.
+    """
     variable = Identifier(result)
 
     def result_of(number: int) -> Call:
@@ -220,7 +222,7 @@ def test_value(
     size: int,
     trigger: bool,
 ) -> Iterator[list[Statement]]:
-    """The value of a register or a parameter at its bounds; nothing for what is no number."""
+    """The value of a register or a parameter at its bounds; nothing for what is not a number."""
     if not is_count(value.encoding):
         return
     encode, decode = naming.function(noun, *names, "encode"), naming.function(noun, *names, "decode")

@@ -59,7 +59,7 @@ def read_subcode(naming: Naming, frame: FrameLayout, code: int, subcode: Subcode
 
 
 def _differences(member: Expression, subcode: Subcode) -> Iterator[Expression]:
-    """The tests that a number is none of a subcode: one for each number, or for each run of them."""
+    """The tests that a number is not in a subcode: one for each number, or for each run of numbers."""
     for message in dict.fromkeys(message.name for message in subcode.messages.values()):
         own = next(other for other in subcode.messages.values() if other.name == message)
         for low, high in subcode.intervals_of(own):

@@ -338,9 +338,9 @@ def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
 
 
 def store_whole(naming: Naming, wire: WireValue, number: Expression, target: Expression) -> Evaluation:
-    """`store_u16_be(out, (uint16_t)value);`: writes a whole number that has another type of C, such as an enum.
+    """`store_u16_be(out, (uint16_t)value);`: writes a whole number with a different C type, such as an enum.
 
-    Raises AssertionError for a value that is no whole number.
+    Raises AssertionError for a value that is not a whole number.
     """
     encoding, kind = wire.encoding, machine(wire.encoding)
     match encoding:
@@ -370,7 +370,7 @@ def store_constant(naming: Naming, wire: WireValue, number: int, target: Express
 
 
 def fixed_number(value: Value) -> int:
-    """What is written for a field that no user sets: its constant, or its default, or 0."""
+    """The value that is written for a field that no user sets: its constant, or its default, or 0."""
     if value.const is not None:
         return value.const
     return value.default if isinstance(value.default, int) else 0

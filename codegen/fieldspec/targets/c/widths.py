@@ -1,4 +1,6 @@
-"""Records whose values vary in width: functions around those of their image, in which each value has all its bytes."""
+"""Records whose values vary in width: functions around the functions of their image, in which each value has all its
+bytes.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sentinels that are no number, which functions for programmable controllers cannot tell from a disturbance."""
+"""Sentinels that are not a number, which functions for programmable controllers cannot tell from a disturbance."""
 
 from __future__ import annotations
 

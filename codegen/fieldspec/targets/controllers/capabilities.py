@@ -59,7 +59,7 @@ CONSTRUCTS = {
     "remedies": "causes and remedies of codes",
     "labels": "labels in the manual's language",
 }
-"""What a device is made of, and how the matrix calls it."""
+"""The constructs of a device, and their names in the matrix."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from fieldspec.targets.controllers.statements.routine import Routine, called
 from fieldspec.targets.controllers.structs import Struct
 
 _UNITS = ("words", "bytes")
-"""What the process data of a telegram are given as."""
+"""The form of the process data of a telegram."""
 
 
 def chosen_routines(world: World, routines: Sequence[Routine]) -> tuple[Routine, ...]:
@@ -100,7 +100,7 @@ def _needed_structs(structs: Sequence[Struct], words: set[str], spelling: Spelli
     """The structs that are among some words, and those that are members of these."""
     reached: set[str] = set()
     names = set(words)
-    for struct in reversed(structs):  # each stands behind those that are in it
+    for struct in reversed(structs):  # each follows those that are in it
         if struct.name in names:
             reached.add(struct.name)
             names |= {word for member in struct.members for word in _words(type_text(member.type, spelling))}

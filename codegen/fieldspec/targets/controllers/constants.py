@@ -33,7 +33,7 @@ class Constant:
 
 @dataclass(frozen=True, slots=True)
 class ConstantList:
-    """Constants of one kind, by the name of their list. `key` is one of those of `LISTS`."""
+    """Constants of one kind, by the name of their list. `key` is a key of `LISTS`."""
 
     name: str
     key: str
@@ -131,7 +131,7 @@ def _parameters(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 
 
 def _numbered(parameter_set: ParameterSet, parameter: Parameter) -> str:
-    """What a parameter is called, with its printed number where neither the constant nor the printed name says it."""
+    """The name of a parameter, with its printed number if neither the constant nor the printed name contains it."""
     number, name = parameter_set.number_text(parameter.number), printed(parameter)
     known = (str(parameter_set.base + parameter.number), *name.split())
     return name if number in known else f"{number} {name}"
@@ -251,7 +251,7 @@ LISTS: Mapping[str, tuple[str, str, _Make]] = {
     "masks": ("mask", "Masks of bits, and the lowest bits of fields of several bits", _masks),
     "codes": ("", "Numbers of what enums list", _codes),
     "ranges": ("range", "Least and greatest counts of values", _ranges),
-    "absent": ("absent", "Counts that stand for a state and are no quantity", _absent),
+    "absent": ("absent", "Counts that stand for a state and are not a quantity", _absent),
     "limits": ("limit", "Limits of the device", _limits),
 }
 """The lists of constants: the word in names that stand alone, if they need one, what the list is, and what makes it."""

@@ -42,10 +42,10 @@ _STATUS = "codec_status"
 
 @dataclass(frozen=True, slots=True)
 class Declarations:
-    """What is declared for a device, in the order in which it can be.
+    """The declarations of a device, in a valid order.
 
     `structs` hold values, for programs; `images` are what lies on the wire, the process data of telegrams and whatever
-    else is in the dialect's memory as it is there. Each stands behind those that lie in it. `world` has the same names
+    else is in the dialect's memory as it is there. Each follows those that lie in it. `world` has the same names
     for the routines. `status` is also the first one of `enums`. `findings` are the errors that forbid an output, and
     the warnings of what it leaves out, the `omissions`.
     """
@@ -135,7 +135,7 @@ class _Declaring:
         return form.format(self.device.pascal(), Name.of(name).pascal())
 
     def _enum_name(self, name: str, fact: Fact | None) -> str:
-        """The name of an enum; where it is no type, what the names of its constants begin with."""
+        """The name of an enum; where it is not a type, what the names of its constants begin with."""
         if self.dialect.enums:
             return self.scope.take(self._form(self.dialect.enum, name), fact)
         return (self.device + Name.of(name)).upper()

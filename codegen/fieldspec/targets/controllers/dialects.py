@@ -17,7 +17,7 @@ from fieldspec.targets.controllers.statements.routine import SECTIONS
 class Spelling:
     """What differs between dialects where a routine is written.
 
-    With `siemens_names` variables are called as Siemens calls them: `names` has those of the routine that is written.
+    With `siemens_names` variables are called as Siemens calls them: `names` has the names of the current routine.
     `variable` and `routine` hold a name, `shift` holds the function, the value and the number of bits. `member` holds
     an enum, a member and its number; where `enums` is false, the dialect has none, and a variable has the type of the
     numbers. `struct` holds the name of a declared type. `array` is the form of the names of array types, which the
@@ -82,11 +82,11 @@ class Dialect:
 
     `enums` says whether enums are types, of at least `enum_members` members; else their form is empty. `widest` are the
     bytes of its widest whole number; wider ones are split in two. `nested_arrays` says that elements of arrays may be
-    arrays, `wide_texts` that texts of codes may have other characters than those of ASCII. `bits` says whether words of
-    flags lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images,
-    and `longest_image` the most bytes of process data. `packs` says that a struct can be told to have no gaps; `texts`
-    is empty where constants cannot be texts of codes. `has_status` says that blocks have a WORD that says how they are,
-    in place of the number of an error. `foreign` is what tools of others lose of it, empty for nothing.
+    arrays, `wide_texts` that texts of codes may have characters outside of ASCII. `bits` says whether words of flags
+    lie in an image as a struct of BOOL (`packed`) or as a `word`. `target` is the model of memory of its images, and
+    `longest_image` the most bytes of process data. `packs` says that a struct can be told to have no gaps; `texts` is
+    empty where constants cannot be texts of codes. `has_status` says that blocks have a WORD that says how they are, in
+    place of the number of an error. `foreign` is what tools of others lose of it, empty for nothing.
 
     `comment` is the form of a comment, `byte_order_mark` what its files begin with, `line_end` how lines end there.
     """
@@ -227,7 +227,7 @@ _IDENTIFIER = re.compile("[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
 class Scope:
     """Names that must differ, whatever the case of their letters. `what` says what they are names of.
 
-    Names are taken in the order of the spec, so that a new fact behind the others changes none of theirs.
+    Names are taken in the order of the spec, so that a new fact after the others changes none of theirs.
     """
 
     dialect: Dialect
@@ -272,7 +272,7 @@ def _same(scope: Scope, text: str, fact: Fact, other: str, first: Fact | None) -
 def _long(scope: Scope, text: str, fact: Fact, limit: int) -> Diagnostic:
     return Diagnostic(
         "plc_names_fit",
-        f"{text} is no {scope.what} in {scope.dialect.title}: {limit} letters, digits and single underscores",
+        f"{text} is not a valid {scope.what} in {scope.dialect.title}: {limit} letters, digits and single underscores",
         fact.place["name"],
         help="give it a shorter name",
     )

@@ -47,7 +47,7 @@ KINDS = ("alarm", "fault", "warning", "error", "exception")
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """What a code means, in a line that an operator reads."""
+    """The meaning of a code, in one line for an operator."""
 
     code: int
     text: str

@@ -14,7 +14,7 @@ _GREATEST_DECIMAL = (1 << 63) - 1
 def whole(literal: Whole) -> str:
     """A number; with its type where a compiler may take it for another one.
 
-    Not every compiler knows a sign behind the mark of the type, so it stands before it.
+    Not every compiler knows a sign after the mark of the type, so it stands before it.
     """
     value, kind, hexadecimal = literal.value, literal.type, literal.hexadecimal
     # Translators to C write decimal numbers without a suffix, and none beyond 63 bits has a type there.
@@ -34,7 +34,7 @@ def fraction(literal: Fraction) -> str:
 
 
 def initial(value: int | Decimal, kind: Elementary, hexadecimal: bool) -> str:
-    """What a constant has in its declaration, which says its type; hexadecimal where the manual writes it so."""
+    """The literal of a constant in its declaration, which states the type; hexadecimal if the manual writes it so."""
     if isinstance(value, Decimal) or kind.family == "real":
         return real(Decimal(value))
     if hexadecimal and value >= 0:
@@ -49,7 +49,7 @@ def real(value: Decimal) -> str:
 
 
 def narrow(text: str) -> bool:
-    """Whether a text fits STRING, which has no other characters than those of ASCII on every controller."""
+    """Whether a text fits STRING, which has only ASCII characters on some controllers."""
     return text.isascii()
 
 

@@ -138,7 +138,7 @@ def _lists_of_texts(layout: DeviceLayout) -> Iterator[FieldLayout]:
 def _unknown_numbers(layout: DeviceLayout, dialect: Dialect) -> Iterator[tuple[Fact, Primitive]]:
     """The facts with numbers that the functions of the dialect do not convert: 64-bit reals, and odd ones too wide.
 
-    The numbers of parts and conversions are not split: whoever calls a function gives them as a whole.
+    The numbers of parts and conversions are not split: the caller of a function passes them as a whole.
     """
     unknown_facts: set[int] = set()
     for fact, value in stated_values(layout):

@@ -66,7 +66,7 @@ def _without_tasks(layout: DeviceLayout, remaining: DeviceLayout) -> DeviceLayou
 def _needed(layout: DeviceLayout, operands: Operands, task: Task, messages: set[str]) -> Iterator[str]:
     """The paths of the operands of a task and of what it is watched by.
 
-    Of a task that works with several telegrams, those that are left out do not count, unless all of them are.
+    Omitted telegrams of a task with several telegrams do not count, unless all of them are omitted.
     """
     names = [name for name in task.messages if name in messages] or [*task.messages] or [""]
     for name in names:

@@ -9,32 +9,32 @@ Why: in these dialects a text is an array of bytes, and TIA Portal does not supp
 
 Example: a field with `type: text, length: 8, count: 4`.
 
-Cure: Do without what is left out, or state the list as a record with one text and a `count`.
+Fix: Do without the omitted facts, or state the list as a record with one text and a `count`.
 """,
-    "plc_frames_supported": """The functions for controllers can build and check every frame of the device.
+    "plc_frames_supported": """The PLC functions can build and check every frame of the device.
 
-Why: a controller that cannot compute a checksum neither sends a frame nor accepts one.
+Why: a PLC that cannot compute a checksum can neither send nor accept a frame.
 
 Example: a link whose frames end with `algorithm: crc32_iso_hdlc`.
 
-Cure: Exclude the output for the device (`--to`).
+Fix: Exclude the output for the device (`--to`).
 """,
-    "plc_spaces_supported": """The functions for controllers convert the registers of spaces of words and of bits.
+    "plc_spaces_supported": """The PLC functions convert the registers of spaces of words and of bits.
 
-Why: a program that took bytes for words would read every second value from the wrong address.
+Why: a program that reads bytes as words would read every second value from the wrong address.
 
 Example: the control table of a servo, in a space with `unit: byte`.
 
-Cure: Exclude the output for the device (`--to`).
+Fix: Exclude the output for the device (`--to`).
 """,
     "plc_images_exact": """A struct that overlays process data has its members at the offsets of the wire, and
 no extra bytes.
 
 Why: compilers insert padding to align numbers, and every value after the padding would be wrong.
 
-Example: a telegram with a byte before a word, for a controller that aligns words to even bytes.
+Example: a telegram with a byte before a word, for a PLC that aligns words to even bytes.
 
-Cure: Use the functions that convert bytes.
+Fix: Use the functions that convert bytes.
 """,
     "plc_names_distinct": """Any two names of a device remain distinct in every dialect that is built.
 
@@ -42,7 +42,7 @@ Why: some dialects ignore case and underscores, so one declaration would replace
 
 Example: the enums `axis_1` and `axis1`, which both become E_Gadget_Axis1.
 
-Cure: Rename one of them.
+Fix: Rename one of them.
 """,
     "plc_names_fit": """Every name is a valid identifier of the dialect and not too long.
 
@@ -50,16 +50,16 @@ Why: an engineering tool reports such a name only when it compiles, long after t
 
 Example: a message with a name of 130 characters.
 
-Cure: Use a shorter name.
+Fix: Use a shorter name.
 """,
     "plc_numbers_fit": """The dialect has a type for every number, or can split the number into two.
 
-Why: an S7-1200 has no 64-bit integers. A single one can be split, but not a list of them, and not one of 40, 48
-or 56 bits, or whose highest bit alone is its sign.
+Why: an S7-1200 has no 64-bit integers. A single 64-bit integer can be split, but not a list of them, an integer of 40,
+48 or 56 bits, or an integer in sign and magnitude.
 
 Example: a field with `type: u64, count: 4`.
 
-Cure: Do without what is left out, or state the numbers as separate fields.
+Fix: Do without the omitted facts, or state the numbers as separate fields.
 """,
     "plc_enums_fit": """One type holds all numbers of an enum, and one holds all codes that have texts.
 
@@ -67,68 +67,68 @@ Why: a member is compared with the number on the wire in one type, and lists of 
 
 Example: an enum with -1 and 0x8000000000000000.
 
-Cure: Exclude the output for the device (`--to`), or state two enums.
+Fix: Exclude the output for the device (`--to`), or state two enums.
 """,
     "plc_numbers_binary": """Every number is binary on the wire.
 
-Why: the functions of controllers do not convert digits, so the characters would be read as a number.
+Why: the PLC functions do not convert digits, so the characters would be read as a number.
 
 Example: a field with `type: u16, digits: decimal, length: 5`.
 
-Cure: Do without what is left out, or state the digits as a text.
+Fix: Do without the omitted facts, or state the digits as a text.
 """,
     "plc_texts_ascii": """Every text is ASCII of one length, padded with zeros.
 
-Why: the functions of controllers copy the bytes of a text, so other encodings, spaces and terminators would be read as
-characters of the text.
+Why: the PLC functions copy the bytes of a text, so other encodings, spaces and terminators would be read as characters
+of the text.
 
 Example: a field with `type: text, length: 8, padding: space`.
 
-Cure: Do without what is left out, or state the text as `bytes`.
+Fix: Do without the omitted facts, or state the text as `bytes`.
 """,
     "plc_lists_last": """A list of free length comes last in its message, and its elements have one size.
 
-Why: after such a list, and in a list whose elements differ in size, the offset of a field differs from frame to
-frame, and the functions of controllers have one place for each field.
+Why: after such a list, and in a list whose elements differ in size, the offset of a field differs from frame to frame,
+and the PLC functions have one offset for each field.
 
 Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` after it.
 
-Cure: Do without what is left out, or use another output.
+Fix: Do without the omitted facts, or use another output.
 """,
     "plc_addresses_constant": """Every record table begins at a constant address.
 
-Why: the functions of controllers have the addresses of all elements as constants, which are wrong where a register of
-the device says that the table begins elsewhere.
+Why: the PLC functions contain the addresses of all elements as constants, which are wrong if a register of the device
+contains a different base address.
 
 Example: a table with `base: 0x1000, base_by: log_address`.
 
-Cure: Do without what is left out. Python, JavaScript and C take the address that the device says.
+Fix: Do without the omitted facts, or use Python, JavaScript or C, which use the address from the device.
 """,
-    "plc_values_whole": """No value of a parameter is read or written in pieces.
+    "plc_values_whole": """No value of a parameter is read or written in segments.
 
-Why: nothing in a controller puts the pieces of such a value together. Its messages alone would leave that to programs
-that nobody has tested.
+Why: the PLC functions do not reassemble segments. Functions for only the messages would leave the transfer to untested
+programs.
 
 Example: a message with `segments: {message: upload_segment, when: [segments], data: data, unused: unused, last: last}`.
 
-Cure: Do without what is left out. Clients in Python read and write such values.
+Fix: Do without the omitted facts. Python clients read and write such values.
 """,
     "plc_reals_fit": """Floating-point numbers have 16 or 32 bits.
 
-Why: dialects differ in what a conversion between 64 bits and LREAL does, and the functions do not compute it.
+Why: the conversion between 64 bits and LREAL differs between dialects, and the functions do not implement it.
 
 Example: a field with `type: f64`.
 
-Cure: Do without what is left out, or state the number as a `u64` of bits.
+Fix: Do without the omitted facts, or state the number as a `u64` of bits.
 """,
     "plc_reals_present": """No special value of a floating-point number is a NaN.
 
-Why: controllers compare NaN in different ways, so the functions reject every NaN. One missing value would
-then make the whole message invalid.
+Why: PLCs compare NaN in different ways, so the functions reject every NaN. One missing value would then make the whole
+message invalid.
 
 Example: `sentinels: [{bits: 0x7FC00000, name: not_measured}]` on an `f32`.
 
-Cure: Do without what is left out, or state the value as a `u32` of bits, that of an `f16` as a `u16`.
+Fix: Do without the omitted facts, or state the bits of the value as a `u32`, or as a `u16` for an `f16`.
 """,
     "plc_telegrams_fit": """The process data of a telegram fits into a frame of the fieldbus.
 
@@ -136,6 +136,6 @@ Why: no engineering tool can configure more, so the types would be useless.
 
 Example: a telegram of 2000 bytes.
 
-Cure: Correct the sizes of the fields.
+Fix: Correct the sizes of the fields.
 """,
 }

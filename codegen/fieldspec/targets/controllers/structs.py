@@ -47,7 +47,7 @@ def places(size: int, order: str, swapped: bool) -> list[int]:
 class StructMember:
     """A member of a struct. `remark` is what a comment says of it.
 
-    In an image, `at` is its place in bytes behind the begin of the record, and `order` and `swapped` are as in a
+    In an image, `at` is its place in bytes after the begin of the record, and `order` and `swapped` are as in a
     layout; `bit` is its place within the byte where it is a BOOL. Elsewhere `at` is None.
     """
 
@@ -80,7 +80,7 @@ class Struct:
 
 
 def wire_type(value: Value) -> Type:
-    """The type with as many bytes as a value has on the wire: whole numbers for numbers, bit strings for bits.
+    """The type with the size of a value on the wire: integers for numbers, bit strings for bits.
 
     A number of a width that no type has is its bytes, and so is one that is sent as digits. A number that no type has
     as it is sent is its bits.
@@ -114,7 +114,7 @@ def _real_type(precision: Precision) -> Elementary:
 
 
 def bits_remark(value: Value | None) -> str:
-    """What a comment says of a member of an image that has the bits of a number and not the number; else nothing."""
+    """The comment of an image member that has the bits of a number instead of the number; otherwise empty."""
     if value is None or is_odd(value.encoding) or value.flags:
         return ""
     is_bits = is_real(value.encoding) or has_magnitude(value.encoding)
@@ -135,7 +135,7 @@ def bit_places(size: int, order: str, swapped: bool) -> Iterator[tuple[int, int,
 
 
 def bit_names(flags: Flags) -> dict[int, tuple[str, Fact]]:
-    """The name of each bit of a word that has one, and what states it; bits of a field have their numbers behind it."""
+    """The name of each bit of a word that has one, and what states it; bits of a field have their numbers after it."""
     names: dict[int, tuple[str, Fact]] = {}
     for bit in flags.bits:
         if bit.reserved:

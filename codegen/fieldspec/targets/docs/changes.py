@@ -36,7 +36,7 @@ NAME = "changes"
 """The page's name, without its ending. No version takes it from the page: see `page_name`."""
 
 COLUMNS = (
-    TableColumn("What has changed", "wide", unbroken=True),
+    TableColumn("Change", "wide", unbroken=True),
     TableColumn("Fact", unbroken=True),
     TableColumn("Remarks"),
 )
@@ -44,7 +44,7 @@ COLUMNS = (
 MEANINGS = {
     Effect.WIRE: (
         "On the wire",
-        "Bytes have another meaning. Programs for the older version do not work correctly with the newer one.",
+        "Bytes have a different meaning. Programs for the older version do not work correctly with the newer one.",
     ),
     Effect.SOURCE: (
         "In the source code",
@@ -92,7 +92,7 @@ def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
 
 
 def page_name(version: str) -> str:
-    """The name of a version's page; those that other pages of the device have get an underscore behind them."""
+    """The name of a version's page; those that other pages of the device have get an underscore after them."""
     return f"{version}_" if version.lower() in (NAME, "index", "readme", "lab") else version
 
 
@@ -206,7 +206,7 @@ class _Pages:
 
 VERSION_COLUMNS = (
     TableColumn("Version", unbroken=True),
-    TableColumn("What it is", "wide"),
+    TableColumn("Description", "wide"),
     TableColumn("Registers", "number"),
     TableColumn("Messages", "number"),
     TableColumn("Parameters", "number"),

@@ -1,4 +1,4 @@
-"""What a checksum is, in words."""
+"""The description of a checksum."""
 
 from __future__ import annotations
 

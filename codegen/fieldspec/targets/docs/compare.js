@@ -69,7 +69,7 @@
       section.append(element("p", { textContent: "No line of versions leads from one to the other." }));
     } else {
       const rows = taken.flatMap(([, at, changes]) => changes.map((change) => row(data, change, at)));
-      const titles = ["With", "Effect", "What has changed", "Fact"].map((title) => element("th", { scope: "col", textContent: title }));
+      const titles = ["With", "Effect", "Change", "Fact"].map((title) => element("th", { scope: "col", textContent: title }));
       const table = element("table", {}, element("caption", { textContent: `${rows.length} changes; the facts below are marked` }),
         element("thead", {}, element("tr", {}, ...titles)), element("tbody", {}, ...rows));
       section.append(element("div", { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Changes" }, table));

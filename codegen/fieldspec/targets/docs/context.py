@@ -1,4 +1,6 @@
-"""What every part of a page needs: the layout, the notes about each fact, and the sections that versions share."""
+"""The common data of all parts of a page: the layout, the notes about each fact, and the sections that
+versions share.
+"""
 
 from __future__ import annotations
 
@@ -67,7 +69,7 @@ class Holding:
         return () if versions == self.all else ((styled(f"only {', '.join(versions)}", "badge"),),)
 
     def lines(self, path: str) -> tuple[Line, ...]:
-        """For which versions a fact holds; nothing where there is but one."""
+        """The versions for which a fact holds; empty for a device with one version."""
         versions = self.of(path)
         if len(self.all) < 2:
             return ()
@@ -123,7 +125,7 @@ class Context:
         if fact.doc:
             yield (text_piece(fact.doc),)
         if fact.unverified:
-            yield (styled("unverified", "badge"), text_piece(" Nobody has compared it with the manual yet."))
+            yield (styled("unverified", "badge"), text_piece(" Not compared with the manual yet."))
         if fact.since:
             yield (styled(f"since {', '.join(fact.since)}", "badge"),)
         if fact.until:

@@ -24,7 +24,7 @@ from fieldspec.targets.docs.document import (
 )
 from fieldspec.targets.fact_texts import number_text
 
-VERSIONS = (TableColumn("Version"), TableColumn("What it is"), TableColumn("Source"))
+VERSIONS = (TableColumn("Version"), TableColumn("Description"), TableColumn("Source"))
 
 
 def identity(context: Context) -> Section:
@@ -74,7 +74,7 @@ def _versions(line: VersionLine, present: str) -> DocumentTable:
 
 
 def _detection(detection: Detection) -> Line:
-    """What tells the version, how a number is read, and where the manual states it."""
+    """The value that identifies the version, the interpretation of its number, and its source."""
     texts = [number_text(detection), detection.doc]
     if detection.inferred:
         texts.append(f"Inferred: {detection.inferred}")

@@ -59,8 +59,8 @@ class Cell(NamedTuple):
 class TableColumn:
     """A column; `unbroken` says that it stays where all of its cells are empty.
 
-    `search` is `key` where its cells identify rows, such as addresses, and `text` where their words are searched;
-    those of the style `wide` always are.
+    `search` is `key` where its cells identify rows, such as addresses, and `text` where their words are searched; cells
+    of the style `wide` always are.
     """
 
     title: str
@@ -192,7 +192,7 @@ Block: TypeAlias = DocumentTable | Paragraph | Facts | Bits | Strips | StateDraw
 class RenderedSection:
     """The text of a section in one form.
 
-    `paths` are where its links within the page lead; `lost` are those of them that the form has left out.
+    `paths` are where its links within the page lead; `lost` are the details that the form has left out.
     """
 
     text: str
@@ -232,7 +232,7 @@ def _piece(text: str, style: str, link: str) -> Piece:
 
 
 def text_piece(text: str, link: str = "") -> Piece:
-    """A piece of running text that is no identifier, with a link if it has one."""
+    """A piece of running text that is not an identifier, with a link if it has one."""
     return _piece(text, "", link)
 
 

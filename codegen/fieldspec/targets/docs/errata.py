@@ -1,4 +1,4 @@
-"""The ledger of errata: where the spec departs from the print, the worst effect first."""
+"""The ledger of errata: the differences between the spec and the manual, the worst effect first."""
 
 from __future__ import annotations
 
@@ -41,10 +41,10 @@ COLUMNS = (
     TableColumn("Source", "source"),
 )
 EFFECTS = {
-    "bytes": ("Wrong bytes", "A reader who trusts the print gets wrong bytes."),
-    "range": ("Wrong range", "A reader who trusts the print gets a wrong range."),
-    "name": ("Wrong name", "A reader who trusts the print gets a wrong name."),
-    "ambiguous": ("Ambiguous", "A reader who trusts the print cannot decide."),
+    "bytes": ("Wrong bytes", "A reader who trusts the manual gets wrong bytes."),
+    "range": ("Wrong range", "A reader who trusts the manual gets a wrong range."),
+    "name": ("Wrong name", "A reader who trusts the manual gets a wrong name."),
+    "ambiguous": ("Ambiguous", "A reader who trusts the manual cannot decide."),
 }
 VERDICTS = ("proven", "judgement", "open")
 COUNTS = (
@@ -53,9 +53,9 @@ COUNTS = (
     *(TableColumn(verdict.capitalize(), unbroken=True) for verdict in VERDICTS),
 )
 INTRODUCTION = (
-    "What the manual prints, and what is used instead. Proven: the named check fails when the printed value is "
+    "The printed values, and the values that are used instead. Proven: the named check fails when the printed value is "
     "put back. The compiler verifies this at every build, and writes nothing if the check passes. A judgement "
-    "is the decision of a person. What is open is decided neither by the manual nor by anybody else."
+    "is the decision of a person. An open question is decided neither by the manual nor by a person."
 )
 
 
@@ -152,7 +152,7 @@ def _value_text(value: object) -> str:
 
 
 def _spec_value(holder: Holder | None, key: str) -> str:
-    """What the spec has under a key, empty where it has nothing."""
+    """The value of a key in the spec, empty without one."""
     if key == "present":
         return "belongs there"
     if isinstance(holder, Claim):

@@ -63,7 +63,7 @@ REFUSALS = {
     "wrong_check": "its checksum is wrong",
     "unknown_code": "its code is unknown",
     "unknown_value": "a value is not a member of its enum",
-    "wrong_const": "a constant has another value",
+    "wrong_const": "a constant has a different value",
     "wrong_measure": "a field that measures another one is wrong",
     "out_of_range": "a value is out of range",
 }

@@ -62,7 +62,7 @@ class FrameTable:
         characters = link.link.encoding == "hex_ascii"
         self.start, self.width = len(self.shape.start), 2 if characters else 1
         if link.link.escape is not None and link.link.is_can:
-            self.start = -link.link.escape.fields_size  # places are those in the data, behind the identifier
+            self.start = -link.link.escape.fields_size  # places are those in the data, after the identifier
         self.unit = "Character" if characters else "Byte"
 
     def table(self, caption: str, record: RecordLayout | None, code: int | None = None) -> DocumentTable:
@@ -109,7 +109,7 @@ class FrameTable:
         )
 
     def _role(self, part: PartLayout, record: RecordLayout | None, message_code: int | None) -> Iterator[Line]:
-        """What a part of a frame contains, in words, by its role."""
+        """The description of a frame part's content, by its role."""
         if part.role == "code" and message_code is not None:
             in_decimal = () if part.form == "decimal" else (text_piece(f" ({message_code})"),)
             yield (code(part.number_text(message_code)), *in_decimal)
@@ -167,7 +167,7 @@ class FrameTable:
                 yield TableRow((cell(place), name, Cell(), Cell(), Cell(), meaning, sources(part)), self._anchor(part))
 
     def _tail(self, record: RecordLayout | None) -> Iterator[TableRow]:
-        """The parts behind the body, counted from the end where the size of the body is open."""
+        """The parts after the body, counted from the end where the size of the body is open."""
         fixed = None if record is None or record.size is None else self.shape.header_size + record.size
         for part in self.shape.trailer:
             row = self._part(part, Position(0), record, None)

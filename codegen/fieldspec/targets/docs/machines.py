@@ -34,8 +34,8 @@ COLUMNS = (
     TableColumn("Source", "source"),
 )
 INTRODUCTION = (
-    "The states as the simulator of this device has them. What the manual does not print is marked as assumed; in the "
-    "drawings these transitions are dashed."
+    "The states of the simulated device. Transitions that the manual does not print are marked as assumed, and "
+    "dashed in the drawings."
 )
 _EVENTS = {
     "write": "{} is written",

@@ -55,7 +55,7 @@ def _contents(sections: tuple[Section, ...], indent: str) -> Iterator[str]:
 
 
 def _sections(sections: tuple[Section, ...], hashes: str, page: _Page) -> Iterator[str]:
-    """All sections in order, those within a section behind it."""
+    """All sections in order, those within a section after it."""
     for section in sections:
         yield page.section(section, hashes)
         yield from _sections(section.sections, hashes + "#", page)

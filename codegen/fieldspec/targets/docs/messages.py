@@ -35,7 +35,7 @@ DIRECTIONS = ("request", "response")
 
 
 def messages(context: Context) -> Section:
-    """All messages by code, those without a code by their numbers behind them."""
+    """All messages by code, those without a code by their numbers after them."""
     inner = tuple(
         _message(context, message_layout) for message_layout in sorted(context.layout.messages.values(), key=_by_code)
     )
@@ -62,7 +62,7 @@ def _message(context: Context, message_layout: MessageLayout) -> Section:
 
 
 def _code(context: Context, message: Message, number: int) -> str:
-    """A code of a message in as many digits as the widest of the parts that carry it."""
+    """A code of a message with the digits of the widest part that carries it."""
     links = context.layout.links.values()
     carriers = [link for link in links if message.name in link.messages]
     parts = [part for link in carriers for direction in DIRECTIONS if (part := link.frame(direction).role("code"))]
@@ -234,7 +234,7 @@ def telegrams(context: Context) -> Section:
 
 
 def _has_process_data(link: LinkLayout) -> bool:
-    """Whether a link has messages that only their number tells apart, all of whole words."""
+    """Whether a link has messages that only their number distinguishes, all of whole words."""
     bare = all(
         not link.frame(direction).header and not link.frame(direction).trailer for direction in TELEGRAM_DIRECTIONS
     )
@@ -275,14 +275,14 @@ def _title(link: LinkLayout, message: MessageLayout, direction: str) -> str:
 
 
 def _word_cell(record: RecordLayout, word: int) -> Cell:
-    """What lies in a word: the field that starts there, or that goes on there."""
+    """The content of a word: the field that starts or continues there."""
     field = next(
         (candidate for candidate in record.fields if candidate.offset <= 2 * word < (candidate.end or 0)), None
     )
     if field is None:
         return Cell()
     if field.offset < 2 * word:
-        return cell(styled("goes on", "quiet"))
+        return cell(styled("continued", "quiet"))
     if field.field.reserved:
         return cell(styled("reserved", "badge"))
     return _field_cell(field)

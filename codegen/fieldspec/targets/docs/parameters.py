@@ -75,7 +75,7 @@ def _set_section(context: Context, parameter_set: ParameterSet) -> Section:
 def _numbering(parameter_set: ParameterSet) -> Iterator[tuple[str, tuple[Line, ...]]]:
     """How the numbers of a set are those on the wire, and which it has besides its rows."""
     if parameter_set.space != parameter_set.name:
-        yield "Numbers are those of", ((code(parameter_set.space),),)
+        yield "Numbers belong to", ((code(parameter_set.space),),)
     if parameter_set.base:
         yield "On the wire", ((text_piece("its number + "), code(f"0x{parameter_set.base:X}")),)
     if parameter_set.numbers is not None:

@@ -9,7 +9,7 @@ from fieldspec.foundation.classes import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """A place in a frame: `fixed` bytes and so many times the steps, as in `3 + 16k`."""
+    """A place in a frame: `fixed` bytes plus multiples of the steps, as in `3 + 16k`."""
 
     fixed: int
     steps: tuple[tuple[int, str], ...] = ()
@@ -23,7 +23,7 @@ class Position:
         return Position(self.fixed, (*self.steps, (size, letter)))
 
     def text(self, length: int, start: int = 0, width: int = 1) -> str:
-        """`4`, `4..7`, `3 + 16k`: bytes, or characters where each byte is `width` of them behind `start`."""
+        """`4`, `4..7`, `3 + 16k`: bytes, or characters where each byte is `width` of them after `start`."""
         first = start + self.fixed * width
         last = first + length * width - 1
         steps = "".join(_step(size * width, letter) for size, letter in self.steps)
@@ -46,7 +46,7 @@ def field_starts(record: RecordLayout) -> list[Position]:
 
 
 def _starts_around(record: RecordLayout, inner: InnerLists) -> list[Position]:
-    """Where each field of a record begins with fields behind a list: `4 + 2 times number of samples`."""
+    """Where each field of a record begins with fields after a list: `4 + 2 times number of samples`."""
     lists = {own.name: own for own in inner.lists}
     position = Position(0)
     starts = []

@@ -161,7 +161,7 @@ class _Holder:
 
 
 def _table_rows(holder: _Holder, field: FieldLayout) -> Iterator[TableRow]:
-    """The row of a field, and those of the fields of its record, which have their anchors at that record."""
+    """The row of a field, and the rows of its record's fields, which have their anchors at that record."""
     row = _table_row(holder, field)
     yield row._replace(anchor="") if holder.path else row
     if field.record is None:

@@ -306,7 +306,7 @@
   // A link to a fact that the page does not have searches for its name.
   function arrive() {
     let anchor = location.hash.slice(1);
-    try { anchor = decodeURIComponent(anchor); } catch { /* it is no escape, but text */ }
+    try { anchor = decodeURIComponent(anchor); } catch { /* it is not an escape, but text */ }
     if (!anchor || anchor.includes("=")) { return; }  // with values it is the state of a page, not a fact
     const target = document.getElementById(anchor);
     if (target) {

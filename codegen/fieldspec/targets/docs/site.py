@@ -39,7 +39,7 @@ def device_place(
 
 
 def policy(style: str, scripts: bool) -> str:
-    """The Content-Security-Policy of a page with one style sheet in it: nothing but that, and scripts beside it."""
+    """The Content-Security-Policy of a page with one style sheet in it: only that, and its scripts."""
     digest = b64encode(sha256(style.encode("utf-8")).digest()).decode("ascii")
     sources = {
         "default-src": "'none'",

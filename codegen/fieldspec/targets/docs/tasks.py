@@ -106,7 +106,7 @@ def _step(number: int, step: Step, task: Task, operands: Operands) -> TableRow:
 
 
 def _targets(step: Step, task: Task, operands: Operands) -> Iterator[Line]:
-    """What a step acts on: the role, and the fact that has it, in each message that differs."""
+    """The target of a step: the role, and its fact, in each message that differs."""
     if "/" not in step.target:
         yield (text_piece(step.target),)
     targets: set[Piece] = set()

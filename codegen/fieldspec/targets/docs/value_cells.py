@@ -50,7 +50,7 @@ def value_cells(value: Value, inferred: Mapping[str, str], marks: Inferences) ->
 
 
 def _with(lines: list[Line], marks: Line) -> Cell:
-    """Lines with marks behind the first one."""
+    """Lines with marks after the first one."""
     if not marks:
         return cell(*lines)
     first = lines[0] if lines else ()
@@ -76,7 +76,7 @@ def type_lines(value: Value) -> list[Line]:
 
 
 def _constant_text(value: Value, number: int) -> str:
-    """A constant: in hexadecimal digits, as many as it has bytes, where it is a pattern rather than a number."""
+    """A constant: with the hexadecimal digits of its bytes if it is a pattern rather than a number."""
     return f"0x{number:0{2 * value.size}X}" if number > 9 else str(number)
 
 
@@ -167,7 +167,7 @@ def _named_by(context: Context, value: Value) -> Iterator[Line]:
 
 
 def _meanings(context: Context, value: Value) -> Iterator[Item]:
-    """Values that stand for something: those of a short enum, and sentinels."""
+    """Values with names: members of a short enum, and sentinels."""
     enum = context.device.enums[value.enum] if value.enum else None
     if enum is not None and _short(enum):
         yield from (Item(_member(member)) for member in enum.members)

@@ -22,7 +22,9 @@ RUNTIME = (
     "encoding",
     "explainer",
 )
-"""The modules in an order in which each imports only earlier ones and those of `SHARED`. No name is declared twice."""
+"""The modules in an order in which each imports only earlier modules and modules of `SHARED`. No name is declared
+twice.
+"""
 
 
 def runtime_path(name: str) -> str:

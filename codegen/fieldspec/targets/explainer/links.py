@@ -92,7 +92,7 @@ def _openings(link: LinkLayout) -> dict[str, Data]:
 
 
 def _code_texts(link: LinkLayout, direction: str) -> dict[str, Data]:
-    """What a code should be, for each message; empty where frames carry none."""
+    """The expected code of each message; empty if frames carry none."""
     if link.frame(direction).role("code") is None:
         return {}
     return {name: link.code_text(message, direction) for name, message in link.carried(direction).items()}

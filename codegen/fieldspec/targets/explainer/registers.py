@@ -95,7 +95,7 @@ def set_data(words: ParameterSet) -> dict[str, Data]:
 
 
 def _digits(form: str) -> list[Data]:
-    """How a number is printed: the digits at least, their base, and the text behind them."""
+    """How a number is printed: the digits at least, their base, and the text after them."""
     inner, _, suffix = form.partition("{")[2].partition("}")
     code = inner.partition(":")[2]
     upper, base = code[-1:] == "X", 16 if code[-1:] in ("x", "X") else 10

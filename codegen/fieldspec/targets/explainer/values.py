@@ -52,7 +52,7 @@ def intervals(ranges: Ranges | None) -> Data:
 
 
 def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str, Data]:
-    """A value with the places of its bytes. Its keys are those of `Value`, where their meanings are the same."""
+    """A value with the places of its bytes. Its keys are named like the attributes of `Value` with the same meaning."""
     parameter = value.parameter
     return stated(
         {
@@ -113,7 +113,7 @@ def _digits(value: Value) -> dict[str, Data]:
 
 
 def _text_form(value: Value) -> dict[str, Data]:
-    """The form of a text, and what people call it, also where it varies in width; empty for what is no text."""
+    """The form of a text, and what people call it, also where it varies in width; empty for what is not a text."""
     if not is_text(value.encoding):
         return {}
     form = value.text_form

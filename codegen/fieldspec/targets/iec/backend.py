@@ -40,7 +40,7 @@ class Source:
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
-    """Of a device's newest version the types and functions as one source, and the constants for a configuration."""
+    """For a device's newest version: the types and functions as one source, and the constants for a configuration."""
     layout = newest(versions)
     name = stem(layout.device.id, layout.device.version)
     iec_source = source(layout)
@@ -63,7 +63,7 @@ def shared() -> dict[str, str]:
 
 
 def program_text(iec_source: Source, program: ProgramSource) -> str:
-    """A ready program, to be put behind the types and functions."""
+    """A ready program, to be put after the types and functions."""
     return "\n".join([*_remarks([*about(iec_source.declared), "", *program.remarks]), "", program.text])
 
 
@@ -78,7 +78,7 @@ def source(layout: DeviceLayout) -> Source:
 
 
 def text(iec_source: Source) -> str:
-    """The text of types, each behind those that it uses, then of functions, each behind those that it calls."""
+    """The text of types, each after those that it uses, then of functions, each after those that it calls."""
     lines = _remarks([*about(iec_source.declared), "", *_guide(iec_source)])
     declared: set[str] = set()
     for struct in iec_source.declared.structs:

@@ -20,7 +20,7 @@ def struct_lines(struct: Struct, spelling: Spelling) -> list[str]:
 
 
 def type_lines(kind: ArrayType, spelling: Spelling) -> list[str]:
-    """The name of an array type, and behind it the lines that declare it.
+    """The name of an array type, and after it the lines that declare it.
 
     An array of arrays states its initial value, because matiec has none for it and writes wrong C.
     """

@@ -1,4 +1,4 @@
-"""What a module declares: the JavaScript, and its types."""
+"""The declarations of a module: the JavaScript, and its types."""
 
 from __future__ import annotations
 

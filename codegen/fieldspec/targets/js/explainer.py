@@ -10,9 +10,9 @@ from fieldspec.targets.js.text import PURE, comment
 _TYPES = """\
 import type { Explainer } from "../runtime/explain/explainer.js";
 
-/** The explanation of a frame. Throws for a text that is no frame, and for unknown options; no bytes make it throw. */
+/** The explanation of a frame. Throws for a text that is not a frame or unknown options; no bytes make it throw. */
 export declare const explain: Explainer["explain"];
-/** The explanations of the lines of a log; `error` says why a line is no frame. */
+/** The explanations of the lines of a log; `error` says why a line is not a frame. */
 export declare const explainLog: Explainer["explainLog"];
 """
 

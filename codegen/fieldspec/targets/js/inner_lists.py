@@ -1,4 +1,4 @@
-"""Records with fields behind lists: their table, and the functions that write them through an image."""
+"""Records with fields after lists: their table, and the functions that write them through an image."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def list_length(key: str, highest_count: int) -> str:
 
 
 def list_table(record: RecordLayout, name: str) -> list[str]:
-    """Where the lists of a record with fields behind them are; nothing for others."""
+    """Where the lists of a record with fields after them are; nothing for others."""
     if record.inner_lists is None:
         return []
     data = inner_lists_data(record.inner_lists)

@@ -59,7 +59,7 @@ def module_scope() -> Scope:
 
 
 def property_scope() -> Scope:
-    """The scope of the properties of an object, where reserved words are no problem."""
+    """The scope of the properties of an object, where reserved words are not a problem."""
     scope = Scope()
     scope._taken.clear()
     return scope

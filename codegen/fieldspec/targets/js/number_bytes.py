@@ -11,7 +11,7 @@ BYTES_OF_OPERATOR = 4
 """The bytes of the widest number that operators on bits take."""
 
 BYTES_OF_DOUBLE = 6
-"""The bytes of the widest whole number that is no bigint."""
+"""The bytes of the widest whole number that is not a bigint."""
 
 
 def byte(base: str, offset: int) -> str:
@@ -91,7 +91,7 @@ def _long(terms: list[str]) -> str:
 
 
 def stored_bits(number: str, targets: Sequence[str]) -> list[str]:
-    """The statements that write the bits of a number, or those of its two's complement, the last byte first.
+    """The statements that write the bits of a number, or of its two's complement, the last byte first.
 
     It is given by the name of a variable, and `targets` by their expressions, the most significant one first.
     """

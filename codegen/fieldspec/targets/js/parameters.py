@@ -75,7 +75,7 @@ def _carrier(parameter_set: ParameterSet, layout: DeviceLayout) -> FieldLayout |
 
 
 def _carried_signed(row: Parameter, carrier: FieldLayout | None) -> str:
-    """The sign of the number in a message, where the value has as many bytes and another sign."""
+    """The sign of the number in a message, if the value has the same size but a different sign."""
     if carrier is None or carrier.value is None or row.subindices or carrier.size != row.value.size:
         return ""
     sign = sign_literal(carrier.value)

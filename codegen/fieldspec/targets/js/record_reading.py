@@ -121,7 +121,7 @@ def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names, 
 
 
 def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]:
-    """The statements that read the fields, and compare the sizes in them with those of the fields that they measure."""
+    """The statements that read the fields, and compare the sizes in them with the fields that they measure."""
     lines = []
     last = record.fields[-1] if record.fields else None
     if last is not None and last.count is None and last.size > 1:
@@ -164,7 +164,7 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
 
 
 def _count_number(record: RecordLayout, room: InnerList, names: Names) -> str:
-    """The expression of the number in an image that counts a list which has another one behind it."""
+    """The expression of the number in an image that counts a list followed by another list."""
     count = record.named(room.count)
     assert count is not None
     return slot_of(count, names).number("o", count.offset)

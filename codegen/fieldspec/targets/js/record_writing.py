@@ -33,7 +33,7 @@ def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
 
 
 def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The function that checks the fields of a value and writes them, those that measure others behind these.
+    """The function that checks the fields of a value and writes them, those that measure others after these.
 
     So of several mistakes the one is named that other codecs name.
     """

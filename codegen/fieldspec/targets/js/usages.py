@@ -196,7 +196,7 @@ class _Usages:
     def _access(
         self, known: Sequence[Access], space: str, operation: str, words: int
     ) -> tuple[Access, LinkLayout] | None:
-        """The message that accesses so many words, and the first link that carries it."""
+        """The message that accesses `count` words, and the first link that carries it."""
         for access in known:
             if access.space == space and access.operation == operation and words <= access.most:
                 link = self._carrier(access.message)

@@ -87,7 +87,7 @@ class Slot:
             case Digits():
                 return self._digits(encoding, base, offset)
             case Text() | Octets():
-                raise AssertionError("a text or bytes are no number")
+                raise AssertionError("a text or bytes are not a number")
             case _:
                 assert_never(encoding)
 
@@ -108,7 +108,7 @@ class Slot:
     def _form(self, digits: Digits) -> str:
         """The arguments for digits: bytes, characters that they may be, places, whether there is a sign, and bits.
 
-        Behind blanks, digits are decimal: bytes, places, and whether there may be a sign.
+        After blanks, digits are decimal: bytes, places, and whether there may be a sign.
         """
         if digits.has_blanks:
             return f"{digits.size}, {digits.places}, {flag(digits.number.sign.is_signed)}"
@@ -132,7 +132,7 @@ class Slot:
                 function = "putBlankDigits" if encoding.has_blanks else "putDigits"
                 return [f"{function}({number}, b, {place(base, offset)}, {self._form(encoding)});"]
             case Text() | Octets():
-                raise AssertionError("a text or bytes are no number")
+                raise AssertionError("a text or bytes are not a number")
             case _:
                 assert_never(encoding)
 

@@ -18,7 +18,7 @@ from fieldspec.language.model.value import Value
 
 @dataclass(frozen=True, slots=True)
 class PlacedValue:
-    """A value of `size` bytes that begins `start` bytes behind the begin of its area, as on the wire.
+    """A value of `size` bytes that begins `start` bytes after the begin of its area, as on the wire.
 
     There are `elements` of it, `stride` bytes apart, the first numbered `first`. `order` and `swapped` are as in a
     layout. `value` is None for a check. `case` says when the value lies there, `fixed` is what it always is. `reserved`
@@ -83,7 +83,7 @@ def of_register(register_layout: RegisterLayout, index: int, start: int) -> Plac
 def of_table(
     name: str, record: RecordLayout, access: str, count: int, stride: int, first: int
 ) -> Iterator[PlacedValue]:
-    """The fields of a table's record; each stands for those of all elements, `stride` bytes apart."""
+    """The fields of a table's record; each represents the fields of all elements, `stride` bytes apart."""
     for field in record.fields:
         for inner in _of_field(field, f"{name}[{{}}]." if count > 1 else f"{name}.", 0, "", as_elements=False):
             placed_value = PlacedValue(
@@ -196,8 +196,8 @@ def _elements(
 class Area:
     """Words that follow each other. Each holds `unit` bytes of the wire; of two, the first one is the upper half.
 
-    `size` is in bytes. `tag` stands before the names of its values in comments. `address` is that of the first
-    register, None where it holds no registers.
+    `size` is in bytes. `tag` stands before the names of its values in comments. `address` is the first register's, None
+    if it holds no registers.
     """
 
     name: str
@@ -225,7 +225,7 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
 
 
 def frames_in_words(link: LinkLayout) -> bool:
-    """Whether the bytes that a link sends are those of the parts of its frames, between the delimiters."""
+    """Whether the bytes that a link sends equal the parts of its frames, between the delimiters."""
     return link.link.encoding == "binary" and link.link.escape is None
 
 
@@ -276,7 +276,7 @@ def _table(table_layout: TableLayout) -> Area:
 
 
 def _message(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> Iterator[Area]:
-    """The frames of a message. Of one that reads or writes registers, the areas of registers are all there is."""
+    """The frames of a message. A message that reads or writes registers has only the areas of registers."""
     if layout.device.word_access(message.message) is not None:
         return
     on_several_links = sum(message.name in other.messages for other in layout.links.values()) > 1

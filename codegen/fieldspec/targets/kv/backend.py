@@ -63,7 +63,7 @@ def remaining(layout: DeviceLayout) -> Expressed:
 
 
 def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[int, str], AreaRows]) -> AreaRows:
-    """The rows of an area: those of another version, where nothing of it differs there."""
+    """The rows of an area: the rows of another version if they are equal."""
     device = layout.device
     meanings = word_map.meanings(device, area)
     before = known.get((base, area.name))
@@ -80,7 +80,7 @@ def shared() -> dict[str, str]:
 
 
 def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:
-    """The areas with the numbers of their first words, one behind the other."""
+    """The areas with the numbers of their first words, one after the other."""
     address = dialect.base
     for area in areas(layout):
         yield address, area
@@ -96,11 +96,11 @@ _NOT_EXACT = {
     "bits": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
     "escaped_frames": refused("have other bytes than their parts: output_frames_words"),
     "hex_frames": refused("have two characters for each byte: output_frames_words"),
-    "can_frames": refused("are no words of a serial line: output_frames_words"),
+    "can_frames": refused("are not words of a serial line: output_frames_words"),
     "byte_registers": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
     "moving_tables": refused("addresses are constants: output_addresses_constant"),
     "pieces": adapted("are messages whose words are in the map; nothing puts them together"),
-    "choices": adapted("stand once for each type, with the values that decide it"),
+    "choices": adapted("are listed once for each type, with the values that select it"),
     "aliases": adapted("have the name to write"),
     "other_frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
     "frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
@@ -114,8 +114,8 @@ _NOT_EXACT = {
     "ranges": adapted(_TABLE),
     "told_ranges": adapted(_TABLE),
     "constants": adapted(_TABLE),
-    "code_texts": refused("are no words: see the output for operator panels"),
-    "remedies": refused("are no words: see the output for operator panels"),
+    "code_texts": refused("are not words: see the output for operator panels"),
+    "remedies": refused("are not words: see the output for operator panels"),
     "labels": adapted("are in the table; comments are ASCII"),
 }
 

@@ -1,4 +1,4 @@
-"""What a controller whose memory is words expects, as a row of facts."""
+"""The requirements of a controller with word memory, as a row of facts."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from fieldspec.foundation.classes import dataclass, field
 
 @dataclass(frozen=True, slots=True)
 class WordDialect:
-    """`letters` are those of its data memory, `base` the number of the first word that is used, `last` the last one.
+    """`letters` name its data memory, `base` is the number of the first used word, `last` of the last.
 
     Areas begin at multiples of `step`. A comment has at most `width` characters of ASCII. A value of 32 bits has its
-    less significant word first where `low_word_first` is set. `suffixes` are what its instructions write behind a
+    less significant word first where `low_word_first` is set. `suffixes` are what its instructions write after a
     device for a type.
     """
 

@@ -1,4 +1,4 @@
-"""What is in no word of a map: registers of bits and bytes, and links whose frames differ from their parts."""
+"""The facts that a word map lacks: registers of bits and bytes, and links whose frames differ from their parts."""
 
 from __future__ import annotations
 
@@ -15,12 +15,14 @@ from fieldspec.targets.kv.areas import frames_in_words, has_frame_areas
 
 
 def register_refusals(layout: DeviceLayout) -> Iterator[Refusal]:
-    """A refusal of each register in a space of bits or bytes; those of a group have one finding."""
+    """A refusal of each register in a space of bits or bytes, with one finding per group."""
     for group in layout.device.groups:
         space = layout.device.space(group.space)
         if space.unit == WORD:
             continue
-        text = f"an address of the registers in {group.name} is a {space.unit}, and a word map has one register a word"
+        text = (
+            f"an address of the registers in {group.name} is a {space.unit}, and a word map has one register per word"
+        )
         finding = Diagnostic("output_registers_words", text, group.place["group"], help=LEAVE_OUT)
         for register in group.registers:
             yield Refusal(register, finding)
@@ -54,7 +56,7 @@ def _refused_links(layout: DeviceLayout) -> Iterator[tuple[LinkLayout, list[str]
         if frames_in_words(link) or not messages:
             continue
         if link.link.is_can:
-            yield link, messages, "can", f"{link.name} is a CAN bus, whose frames are no words of a serial line"
+            yield link, messages, "can", f"{link.name} is a CAN bus, whose frames are not words of a serial line"
         elif link.link.escape is not None:
             reason = f"{link.name} escapes bytes, so the words of its parts are not what is sent"
             yield link, messages, "escape", reason

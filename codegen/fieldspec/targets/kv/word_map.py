@@ -157,7 +157,7 @@ def _place_cells(area: Area, placed_value: PlacedValue) -> Cells:
 
 
 def _in_memory(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str:
-    """What is to be done before an instruction reads a number: its words are rearranged, and its bits converted."""
+    """The steps before an instruction reads a number: its words are rearranged, and its bits converted."""
     rearranged = _rearrangement(text, placed_value, dialect)
     if placed_value.value is None or _has_instruction(placed_value.value.encoding):
         return rearranged

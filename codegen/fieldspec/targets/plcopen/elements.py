@@ -178,7 +178,7 @@ def text_type(form: TextForm) -> Element:
     code, text = form.members
     kind = element("wstring" if form.wide else "string", length=str(form.longest))
     members = (variable(code, _type_name_element(form.code), None, ""), variable(text, kind, None, ""))
-    return _declared(form.name, element("struct", *members), (), "What a code means.")
+    return _declared(form.name, element("struct", *members), (), "A code and its meaning.")
 
 
 # The order in which CODESYS exports them.

@@ -16,7 +16,7 @@ ADAPTERS = "adapters and programs"
 _SPACE = uuid.uuid5(uuid.NAMESPACE_DNS, "plcopen.fieldspec")
 _FOLDERS = {"type": "Types", "list": "Constants", "function": "Functions", "block": "Blocks"}
 _BEFORE = ("documentation",)
-"""What stands behind the data of vendors in an element."""
+"""What follows the data of vendors in an element."""
 
 
 def identifier(name: str) -> str:

@@ -9,7 +9,7 @@ from fieldspec.targets.python.text import literal
 
 
 def fills(number: str, packed: str, operator: str) -> str:
-    """The comparison of the bytes that a number of bits takes with those of a list."""
+    """The comparison of the bytes of a bit count with the bytes of a list."""
     return f"({number} + 7) // 8 {operator} len({packed})"
 
 

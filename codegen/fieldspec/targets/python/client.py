@@ -51,10 +51,10 @@ class GroupView:
 
 @dataclass(frozen=True, slots=True)
 class ClientView:
-    """What the template of a client needs.
+    """The data for the template of a client.
 
-    `single`: messages are sent one by one, so that there is a class `Client`. `parameters` are those of its
-    constructor, `session` the lines that begin its body, `parameter_sets` those that create its parameters. `reply`
+    `single`: messages are sent one by one, so that there is a class `Client`. `parameters` are the parameters of its
+    constructor, `session` the first lines of its body, `parameter_sets` the lines that create its parameters. `reply`
     is the type of responses.
     """
 
@@ -141,7 +141,7 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
 
 _CLIENT_DOC = (
     "`timeout` is how long a response may take, `pause` how long the line is silent before a request, `settle` how "
-    "long the device may take to show what it was asked for, `begin` how long a motion may take to begin, all in "
+    "long the device may take to show the requested state, `begin` how long a motion may take to begin, all in "
     "seconds. None stands for what the manual prints; where it prints nothing, a response may take a second. Reads are "
     "sent again `retries` times.",
 )
@@ -182,7 +182,7 @@ def _choices(links: Sequence[ClientLinkView]) -> Iterator[tuple[str, str, str, b
 
 
 def _choices_doc(links: Sequence[ClientLinkView]) -> list[str]:
-    """What the keywords for parts of requests mean."""
+    """The meanings of the keywords for parts of requests."""
     return [
         f"`{keyword}` is the value of this part in every request; each link whose requests have it needs it."
         for keyword, _, _, _ in _choices(links)

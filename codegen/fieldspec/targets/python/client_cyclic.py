@@ -76,12 +76,12 @@ def cyclic_view(names: ClientNames, operands: Operands, link: LinkLayout, exchan
 def initial_bytes(device: Device, record: RecordLayout) -> bytes:
     """The bytes of a request in which everything is 0 but constants and initial values.
 
-    Raises NoTask for a number whose words are exchanged or that is sent as digits, for fields behind a list, and where
+    Raises NoTask for a number whose words are exchanged or that is sent as digits, for fields after a list, and where
     nothing says what to send in place of a 0 that is another quantity or is not permitted.
     """
     if record.inner_lists is not None:
         raise NoTask(
-            f"{record.inner_lists.lists[0].name} is a list with fields behind it, or of elements that differ in size"
+            f"{record.inner_lists.lists[0].name} is a list with fields after it, or of elements that differ in size"
         )
     data = bytearray(record.size or 0)
     for field in record.fields:
@@ -199,13 +199,13 @@ class _CyclicTask:
         if words:
             self.draft.steps.append("task.settle()")
             self.draft.remarks.append(
-                "Clears the bits that switch on and start first, so that nothing goes on by itself afterwards."
+                "Clears the bits that switch on and start first, so that nothing starts by itself afterwards."
             )
 
     def _slot(self, operand: Operand, direction: str) -> Slots:
         slot = self.names.attribute(self.exchange, direction, operand.holder)
         if slot is None or slot.field.value is None or slot.is_list:
-            raise NoTask(f"`{operand.path}` is no single value of the {direction} of {self.exchange.message.name}")
+            raise NoTask(f"`{operand.path}` is not a single value of the {direction} of {self.exchange.message.name}")
         return slot
 
     def _condition(self, operand: Operand, stated: Sequence[ScalarValue], reason: str) -> str:

@@ -199,7 +199,7 @@ def _timeout(layout: DeviceLayout, link: LinkLayout) -> float | None:
 
 
 def seconds(limit: Limit) -> float | None:
-    """The most that a limit permits, in seconds; None where it is no time."""
+    """The most that a limit permits, in seconds; None where it is not a time."""
     factor = _UNITS.get(limit.unit)
     return None if factor is None or limit.most is None else round(float(limit.most) * factor, 9)
 

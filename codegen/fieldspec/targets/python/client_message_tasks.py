@@ -58,11 +58,11 @@ class MessageTask:
     def _exchange(self, step: Step) -> Exchange:
         message = self.draft.target(step).fact
         if step.action != "send" or not isinstance(message, Message):
-            raise NoTask(f"`{step.target}` is no message")
+            raise NoTask(f"`{step.target}` is not a message")
         return self.names.request(message.name)
 
     def _send(self, index: int, watched: list[str]) -> int:
-        """Adds a message with what is looked at in its response; gives the place of the next one."""
+        """Adds a message with the checks of its response; returns the place of the next message."""
         draft, steps = self.draft, self.task.steps
         step = steps[index]
         exchange = self._exchange(step)
@@ -115,7 +115,7 @@ class MessageTask:
         operand = self.draft.target(look)
         slot = self.names.attribute(exchange, "response", operand.holder)
         if operand.bit is not None or slot is None or slot.field.value is None or slot.is_list:
-            raise NoTask(f"`{operand.path}` is no single value in the response of {exchange.message.name}")
+            raise NoTask(f"`{operand.path}` is not a single value in the response of {exchange.message.name}")
         name = self.names.scaled_name(exchange, "response", slot)
         self.draft.results.append(self.names.answer_type(slot.value))
         return literal(f"message.{name}")

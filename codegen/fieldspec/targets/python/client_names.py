@@ -1,4 +1,4 @@
-"""What the code of a client refers to: the names of a version's module, and values as expressions."""
+"""The references in the code of a client: the names of a version's module, and values as expressions."""
 
 from __future__ import annotations
 
@@ -46,14 +46,14 @@ class ClientNames:
     records: Mapping[str, RecordView]
 
     def place(self, operand: Operand) -> str:
-        """The expression of a register or of a parameter. Raises NoTask for one that is no single value."""
+        """The expression of a register or of a parameter. Raises NoTask for one that is not a single value."""
         fact = operand.holder
         path = fact.place.path
         if isinstance(fact, Register) and fact.count == 1 and path in self.registers:
             return f"{CODEC}.{self.registers[path]}"
         if isinstance(fact, Parameter) and fact.count == 1 and path in self.parameters:
             return f"{CODEC}.{self.parameters[path]}"
-        raise NoTask(f"`{operand.path}` is no single register or parameter")
+        raise NoTask(f"`{operand.path}` is not a single register or parameter")
 
     def owner(self, element: Subindex) -> str:
         """The expression of the parameter that an element belongs to."""
@@ -84,10 +84,10 @@ class ClientNames:
         return kind
 
     def request(self, message: str) -> Exchange:
-        """The classes of a message. Raises NoTask for one that nobody answers."""
+        """The classes of a message. Raises NoTask for a message without a response."""
         exchange = self.exchanges.get(message)
         if exchange is None or not exchange.response_name:
-            raise NoTask(f"nobody answers {message}")
+            raise NoTask(f"{message} has no response")
         return exchange
 
     def attribute(self, exchange: Exchange, direction: str, fact: Fact) -> Slots | None:
@@ -103,14 +103,14 @@ class ClientNames:
 
 
 def is_scaled(value: Value) -> bool:
-    """Whether the count of a value is another number than its quantity."""
+    """Whether the count of a value differs from its quantity."""
     return is_exact(value.encoding) and value.scaled and not value.enum and not value.flags
 
 
 def wanted(layout: DeviceLayout, operand: Operand, value: Value | None, stated: ScalarValue) -> tuple[str, str]:
     """The number and the mask of a value that a step waits for, as expressions; the mask is empty for whole values.
 
-    Raises NoTask for what is no number.
+    Raises NoTask for what is not a number.
     """
     bit = operand.bit
     number = raw_number(layout, value, bit, stated)
@@ -131,4 +131,4 @@ def raw_number(layout: DeviceLayout, value: Value | None, bit: Bit | None, state
         for sentinel in value.sentinels if value is not None else ():
             if sentinel.name == stated and not sentinel.is_nan:
                 return int(sentinel.value)
-    raise NoTask(f"`{stated}` is no number")
+    raise NoTask(f"`{stated}` is not a number")

@@ -36,7 +36,7 @@ ARGUMENTS = frozenset({"self", "limit", "task"})
 class TaskView:
     """A task as a method: what its arguments are and how they are passed on, the type of its result, its docstring.
 
-    `lines` are those of the generator that carries it out. A `jog` goes on until it is ended.
+    `lines` are the lines of the generator that carries it out. A `jog` continues until it is ended.
     """
 
     name: str
@@ -92,14 +92,14 @@ class TaskDraft:
     def target_of(self, step: Step, value: Value | None, place: str, count: str) -> str:
         """The local variable with the target of a wait, whose `count` is an expression. Raises NoTask."""
         if value is None:
-            raise NoTask(f"`{step.target}` is no number")
+            raise NoTask(f"`{step.target}` is not a number")
         name_argument = f", name={literal(step.target)}" if "/" not in step.target else ""
         name = self.scope.take("target")
         self.locals.append(f"{name} = _Target({place}, {count}{self.window(step, value)}{name_argument})")
         return name
 
     def accepted(self) -> int:
-        """The step behind which the device has accepted the command."""
+        """The step after which the device has accepted the command."""
         return acceptance(self.operands, self.task, self.message)
 
     def waited(self, index: int) -> tuple[Step, ...]:
@@ -119,7 +119,7 @@ class TaskDraft:
         return halting_task(self.layout.device, self.message) if ends else None
 
     def _limit(self, waits: Sequence[Step]) -> float:
-        """The seconds that a task may take: those of its waits where the manual prints all of them."""
+        """The seconds that a task may take: the sum of its waits if the manual prints all of them."""
         limits = {limit.place.path: limit for limit in self.layout.device.limits}
         known = [seconds(limits[step.timeout]) if step.timeout in limits else None for step in waits]
         printed = [time for time in known if time is not None]

@@ -128,7 +128,7 @@ class WordTask:
     def _read_element(self, element: Subindex) -> str:
         indices = element.indices.intervals
         if len(indices) > 1 or indices[0][0] != indices[0][1] or is_scaled(element.value):
-            raise NoTask(f"`{element.name}` is no single number")
+            raise NoTask(f"`{element.name}` is not a single number")
         self.draft.results.append(self.names.answer_type(element.value, True))
         return f"task.read_element({self.names.owner(element)}, {indices[0][0]})"
 

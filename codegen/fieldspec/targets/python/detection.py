@@ -1,4 +1,4 @@
-"""What the choice by firmware needs in a generated package."""
+"""The data for the choice by firmware in a generated package."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from fieldspec.targets.python.text import WIDTH, literal
 
 
 def detection_view(layout: DeviceLayout) -> dict[str, Any]:
-    """What the choice by firmware needs: the path as a literal, the argument's type, and what a number stands for.
+    """The data for the choice by firmware: the path as a literal, the argument's type, and the meaning of a number.
 
     `fact` is empty where no line states what tells its version; `reads` says whether a value is more than a text.
     """

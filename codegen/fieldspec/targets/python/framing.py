@@ -80,7 +80,7 @@ def framer(
         arguments += [f"flag={link.link.exception_response.flag}", f"refusal={_extent_row(extents.refusal, frame)}"]
     open_ended = [name for name, own, _ in carried if own is not None and extents.of_message(name, own).kind == OPEN]
     paragraphs.append("Code and count of the repeated part determine where a frame ends; an unknown code is garbage.")
-    paragraphs += ["Of messages that share a code, the subcode determines it."] * bool(extents.by_subcode)
+    paragraphs += ["For messages that share a code, the subcode determines it."] * bool(extents.by_subcode)
     paragraphs += ["The end delimiter ends frames whose values vary in width."] * extents.has(DELIMITED)
     if open_ended:
         paragraphs.append(f"No part of {', '.join(open_ended)} determines its length: only `idle` ends such a frame.")
@@ -108,7 +108,7 @@ def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
 def _extent_row(extent: FrameExtent, frame: FrameLayout) -> tuple[int | str | bool, ...]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit.
 
-    Behind these is the order of a count that has another one than the unit address, and whether the bytes of its words
+    After these is the order of a count that has another one than the unit address, and whether the bytes of its words
     have the opposite one.
     """
     if extent.kind == BY_COUNT:

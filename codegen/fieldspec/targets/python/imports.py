@@ -18,7 +18,7 @@ class ImportsView:
 
 
 def imports_view(words: AbstractSet[str]) -> ImportsView:
-    """What a module with some words needs; the tables are defined from names that are imported too."""
+    """The imports of a module with some words; the tables are defined from names that are imported too."""
     tables = [line for names, line in _TABLES if not words.isdisjoint(names)]
     used = words | all_words("\n".join(tables))
     shared = [

@@ -1,4 +1,4 @@
-"""The definition of the lists of a record that have other fields behind them."""
+"""The definition of the lists of a record that have other fields after them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from fieldspec.targets.python.text import filled, literal
 
 
 def inner_lists_lines(variable: str, name: str, lists: Sequence[Slots], inner: InnerLists, letters: str) -> list[str]:
-    """The definition of the lists of a record, in the order of the wire; `letters` are those of all other fields."""
+    """The definition of the lists of a record, in the order of the wire; `letters` are the letters of
+    all other fields.
+    """
     by_name = {field.title: field for field in lists}
     rows = [_inner_list_row(own, by_name[own.name].letters) for own in inner.lists]
     return filled(f"{variable} = _InnerLists(", [literal(name), literal(letters), *rows], ")", 0)

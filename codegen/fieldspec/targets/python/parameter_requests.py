@@ -83,7 +83,7 @@ class _Candidate:
 
     @property
     def extra(self) -> list[Slots]:
-        """The fields of the request that nothing but an argument decides."""
+        """The fields of the request that only an argument decides."""
         own = self.by if "value" in self.request else ""
         parts = self.request.values()
         return [field for field in self.exchange.request.stored if field not in parts and field.title != own]
@@ -209,7 +209,7 @@ def _member(field: Slots, number: int, words: Words) -> str:
 
 
 def _elements(layout: DeviceLayout, name: str, start: str, is_list: bool) -> str:
-    """The arguments of the test whether elements may be written; empty where those of a parameter are all alike."""
+    """The arguments of the test whether elements may be written; empty if all elements of a parameter are alike."""
     rows = (row for parameter_set in layout.device.sets(name) for row in parameter_set.parameters)
     if not any(inner.access for row in rows for inner in row.subindices):
         return ""

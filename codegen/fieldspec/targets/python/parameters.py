@@ -118,7 +118,7 @@ def parameter_set_view(
 def space_views(
     layout: DeviceLayout, sets: Sequence[ParameterSetView], words: Words, exchanges: Sequence[Exchange], scope: Scope
 ) -> list[SpaceView]:
-    """The views of the spaces that several sets share, or that have another name than their set."""
+    """The views of the spaces that several sets share, or whose name differs from their set's."""
     views = []
     device = layout.device
     names = {
@@ -170,7 +170,7 @@ def _numbers(sets: Sequence[ParameterSet]) -> list[NumberView]:
 
 
 def _digits(number: int, parameter_set: ParameterSet) -> str:
-    """A number in the base in which the manual writes those of its set."""
+    """A number in the base in which the manual writes the numbers of its set."""
     return (
         f"0x{number:X}"
         if "x}" in parameter_set.printed_as.lower() or (parameter_set.base and not parameter_set.printed_as)

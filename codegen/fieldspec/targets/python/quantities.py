@@ -57,7 +57,7 @@ class ConstantView:
 
 
 def sentinel_views(stored: list[Slots], scope: Scope) -> list[ConstantView]:
-    """The views of the sentinels of all fields; of a field with cases, those of each case."""
+    """The views of the sentinels of all fields; for a field with cases, of each case."""
     return [
         ConstantView(
             scope.take((Name.of(name) + Name.of(sentinel.name)).upper()),
@@ -247,7 +247,7 @@ def power_views(
                 f"[{read} for item in self.{field.name}]" if field.is_list else read,
                 f"[{write} for item in value]" if field.is_list else write,
                 field.name,
-                docstring([f"{text} {ends} Raises CodecError for an exponent that is none, and out of range."], 8),
+                docstring([f"{text} {ends} Raises CodecError for an invalid exponent, and out of range."], 8),
             )
         )
     return units, views

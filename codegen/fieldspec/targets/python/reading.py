@@ -46,20 +46,20 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
 
 @dataclass(frozen=True, slots=True)
 class ListPlace:
-    """A place in a tuple `raws`, behind a number of slots and of lists whose sizes are in `counts`."""
+    """A place in a tuple `raws`, after a number of slots and of lists whose sizes are in `counts`."""
 
     slots: int
     lists: int
     total: int
 
     def behind(self, field: Slots) -> ListPlace:
-        """The place behind a field."""
+        """The place after a field."""
         if field.in_room and not field.decided:
             return replace(self, lists=self.lists + 1)
         return replace(self, slots=self.slots + (0 if field.skipped else field.parted or field.count))
 
     def text(self, lists: int = 0) -> str:
-        """The place, or the one behind more lists, as an expression: `5 + counts[0]`."""
+        """The place, or the one after more lists, as an expression: `5 + counts[0]`."""
         return " + ".join([str(self.slots), *(f"counts[{number}]" for number in range(self.lists + lists))])
 
     @property
@@ -206,7 +206,7 @@ def _from_bytes(field: Slots, raw: str) -> str:
         case Truth():
             return _whole_of_bytes(field, raw, Sign.NONE)
         case Digits() | Text() | Octets():
-            raise AssertionError("characters and bytes are no number in another order")
+            raise AssertionError("characters and bytes are not a number in another order")
         case _:
             assert_never(encoding)
 
@@ -260,7 +260,9 @@ CASE = "case"
 
 
 def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], letters: str, order: str) -> list[str]:
-    """The statement that defines the `Choice` of a record; `letters` are those of the fields before the decided one."""
+    """The statement that defines the `Choice` of a record; `letters` are the letters of the fields before the decided
+    field.
+    """
     selector, decided = record.selector, fields[-1]
     assert selector is not None
     repeat = decided.field.field.repeat

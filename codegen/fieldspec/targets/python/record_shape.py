@@ -40,7 +40,7 @@ class RecordShape:
 
     @property
     def letters(self) -> str:
-        """The letters of all fields but those of `lists` and one that is decided."""
+        """The letters of all fields except `lists` and a decided field."""
         return "".join(field.letters * field.count for field in self.fields if not field.in_room)
 
     @property

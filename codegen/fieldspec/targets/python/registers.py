@@ -312,7 +312,7 @@ def table_view(
     count_text = f"up to {table.count}, as {names[table.count_by]} says," if table.count_by else str(table.count)
     facts = [
         f"{count_text} records of {layout.words} words, {table.index_from} to {last}",
-        f"the first {_base_text(table, names)}, each {table.stride} words behind the one before",
+        f"the first {_base_text(table, names)}, each {table.stride} words after the one before",
     ]
     if space:
         facts.append(f"in {space}")

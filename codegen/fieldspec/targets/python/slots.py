@@ -172,7 +172,7 @@ class Slots:
 
     @property
     def deferrable(self) -> bool:
-        """Whether it is one word of bits, or one member of an open enum that is no truth value.
+        """Whether it is one word of bits, or one member of an open enum that is not a truth value.
 
         Every such word is valid when it is read, so it can be converted later.
         """
@@ -237,7 +237,7 @@ def value_type(value: Value, words: Words) -> str:
 
 
 def native_order(fields: tuple[FieldLayout, ...]) -> str:
-    """The byte order of a Struct that holds some fields: that of the first number of several bytes."""
+    """The byte order of a Struct that holds some fields: the order of the first number of several bytes."""
     for field in fields:
         if field.value is not None and field.size > 1 and struct_letter(field.value.encoding) != "s":
             return field.order

@@ -81,7 +81,7 @@ def _wrapped(text: str, width: int) -> tuple[str, ...]:
 
 
 def filled(start: str, items: Sequence[str], end: str, indent: int) -> list[str]:
-    """`start`, items with commas, and `end` on one line where they fit; else indented rows of as many items as fit.
+    """`start`, items with commas, and `end` on one line if they fit; otherwise filled, indented rows.
 
     `indent` is the indentation of the statement, which the lines do not include.
     """

@@ -238,7 +238,7 @@ def _foreign_number(field: Slots, raw: str, sign: Sign) -> str:
 
 
 def sent_order(field: Slots) -> str:
-    """The order of all bytes of a number, once those of each word are exchanged where its words are."""
+    """The order of all bytes of a number, after the bytes of each word are exchanged if its words are."""
     return "big" if (field.field.order == "big") != field.field.swapped else "little"
 
 
@@ -248,7 +248,7 @@ def real_letters(field: Slots, real: Real) -> str:
 
 
 def real_word(precision: Precision) -> str:
-    """What the runtime calls a floating-point number."""
+    """The name of a floating-point format in the runtime."""
     match precision:
         case Precision.HALF:
             return "half"
@@ -261,7 +261,7 @@ def real_word(precision: Precision) -> str:
 
 
 def digits_letters(value: Value, order: str, swapped: bool) -> str:
-    """What the runtime knows of digits: order and type, their form, the bytes, and the places behind a point."""
+    """The arguments of the runtime for digits: order and type, their form, the bytes, and the places after a point."""
     sign = ">" if (order == "big") != swapped and not value.is_low_first else "<"
     form = "blank_decimal" if value.has_blanks else value.digits
     return f"{sign}{value.type.name} {form} {value.size} {value.places}"

@@ -21,7 +21,7 @@ def shared() -> dict[str, str]:
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
-    """The refusals of digits, forms of texts, moving tables and lists with fields behind them."""
+    """The refusals of digits, forms of texts, moving tables and lists with fields after them."""
     return [finding for layout in versions for finding in remaining(layout).findings]
 
 

@@ -43,7 +43,8 @@ class Fault:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """The columns and findings of a query. Each of `levels` has columns by name, made of those of the level before.
+    """The columns and findings of a query. Each of `levels` has columns by name, computed from the columns of the level
+    before.
 
     `refusals` are in the order of a codec's tests. Each is a condition with its reason, or the expression of a reason.
     `exponents` has the expressions of the registers with exponents of scales, by their names.

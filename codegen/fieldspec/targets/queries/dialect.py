@@ -1,4 +1,4 @@
-"""What a language of queries must be able to say. Every function returns an expression, and null for a null."""
+"""The operations of a query language. Every function returns an expression, and null for a null."""
 
 from __future__ import annotations
 
@@ -52,7 +52,8 @@ class Slot:
 class DecimalScale:
     """quantity = count * scale + offset as an exact decimal number.
 
-    `digits` are those of the greatest count, `places` follow the point, and `precision` are all digits of a quantity.
+    `digits` are the digits of the greatest count, `places` follow the point, and `precision` are all digits of a
+    quantity.
     """
 
     scale: Decimal
@@ -120,7 +121,7 @@ class Dialect(Protocol):
         """Whether a number is in one of some intervals."""
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is no number."""
+        """Whether a floating-point number is not a number."""
 
     def size(self, data: str) -> str:
         """The expression of the number of bytes of the data."""
@@ -159,7 +160,7 @@ class Dialect(Protocol):
         """The first of what `body` says of each element that is not null."""
 
     def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
-        """The reason behind the first condition that is true; null where none is."""
+        """The reason after the first condition that is true; null where none is."""
 
     def words(self, address: str, size: int, unit: int = 2) -> str:
         """The bytes at an address of the registers whose words, from the address `start` on, are the payload.

@@ -134,7 +134,7 @@ class Polars:
         return f"{'_is_within' if reals else '_is_in'}({number}, {list(intervals)!r})"
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is no number."""
+        """Whether a floating-point number is not a number."""
         return f"{number}.is_nan()"
 
     def size(self, data: str) -> str:
@@ -186,7 +186,7 @@ class Polars:
         return f"{self.each(data, offset, size, count, body)}.list.drop_nulls().list.first()"
 
     def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
-        """The reason behind the first condition that is true; null where none is."""
+        """The reason after the first condition that is true; null where none is."""
         rows = ", ".join(f'({condition}, "{reason}")' for condition, reason in refusals)
         return f"_reason([{rows}])"
 

@@ -34,7 +34,7 @@ def decimal_text(number: Decimal) -> str:
 
 
 def type_of(size: int, signed: bool) -> str:
-    """The narrowest type of whole numbers with so many bytes."""
+    """The narrowest integer type with that number of bytes."""
     return ("" if signed else "U") + _TYPES[next(width for width in _TYPES if width >= size)]
 
 
@@ -258,7 +258,7 @@ class Sql:
         return f"({' OR '.join(tests)})" if tests else "false"
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is no number."""
+        """Whether a floating-point number is not a number."""
         return f"isnan({number})"
 
     def size(self, data: str) -> str:
@@ -319,7 +319,7 @@ class Sql:
         return f"list_filter({self.each(data, offset, size, count, body)}, lambda own: own IS NOT NULL)[1]"
 
     def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
-        """The reason behind the first condition that is true; null where none is."""
+        """The reason after the first condition that is true; null where none is."""
         rows = [f"WHEN {condition} THEN {literal(reason)}" for condition, reason in refusals]
         return f"CASE {' '.join(rows)} END"
 

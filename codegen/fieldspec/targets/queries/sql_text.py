@@ -102,7 +102,7 @@ def _query_macros(schema: str, query: Query) -> Iterator[str]:
     yield from _from(levels, query)
     yield ";"
     yield ""
-    yield _comment("What is wrong with these values: one row for each finding.")
+    yield _comment("The faults of these values: one row per finding.")
     yield f"CREATE OR REPLACE MACRO {name(schema)}.{name(f'{query.name}_findings')}({arguments}) AS TABLE"
     yield "SELECT"
     if query.elements is not None:

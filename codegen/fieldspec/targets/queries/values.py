@@ -50,7 +50,7 @@ MOST_DIGITS = 38
 
 @dataclass(frozen=True, slots=True)
 class ValueColumn:
-    """A column of a value: the words behind the name of the value, and its expression."""
+    """A column of a value: the words after the name of the value, and its expression."""
 
     suffix: str
     read: Reader
@@ -92,7 +92,7 @@ class ValueQuery:
             case Whole() | Truth() | Digits():
                 return self.dialect.whole(data, slot)
             case Text() | Octets():
-                raise AssertionError("a text or bytes are no number")
+                raise AssertionError("a text or bytes are not a number")
             case _:
                 assert_never(encoding)
 
@@ -179,7 +179,7 @@ class ValueQuery:
             yield ValueRule("unknown_value", lambda data, offset: dialect.negated(self._is_known(data, offset, False)))
 
     def findings(self) -> Iterator[ValueRule]:
-        """What an audit reports of the value: what a codec refuses, and what it lets pass."""
+        """The findings of an audit about the value: rejected by a codec, or accepted in spite of the spec."""
         yield from self.faults()
         value, dialect = self.value, self.dialect
         enum, flags = self.device.enums.get(value.enum), self.device.flags.get(value.flags)
@@ -291,7 +291,7 @@ def quantity(dialect: Dialect, number: str, value: Value, bounds: tuple[int, int
 
 
 def decimal_scale(value: Value, bounds: tuple[int, int]) -> DecimalScale | None:
-    """The scale of a value whose counts are between `bounds`; None where its quantities are no decimal numbers."""
+    """The scale of a value whose counts are between `bounds`; None where its quantities are not decimal numbers."""
     if not isinstance(value.scale, Decimal):
         return None
     scale, offset = Fraction(value.scale), Fraction(value.offset)

@@ -49,7 +49,7 @@ def head(project: Project) -> list[str]:
 
 
 def types(project: Project) -> Iterator[list[str]]:
-    """All types, each behind those that it uses."""
+    """All types, each after those that it uses."""
     declared = project.declared
     for image in declared.images:
         yield _image(project, declared.placed(image))
@@ -67,7 +67,7 @@ def _image(project: Project, placed: Placed) -> list[str]:
     ]
     members = []
     for member in placed.members:
-        swapped = "" if direct(placed, member) else " Bytes are in another order than the PLC reads them."
+        swapped = "" if direct(placed, member) else " Its bytes are not in the PLC's order."
         place = f"{member.at}.{member.bit or 0}"
         members.append(
             (member.member.name, _type(project, member.member.type), f"{place} {member.member.remark}{swapped}")
@@ -109,7 +109,7 @@ def _type_lines(project: Project, name: str, paragraphs: list[str], members: lis
 
 
 def functions(project: Project) -> Iterator[list[str]]:
-    """All functions, each behind those that it calls."""
+    """All functions, each after those that it calls."""
     for routine in project.routines:
         yield routine_text(routine, project.declared.dialect.spelling)
 

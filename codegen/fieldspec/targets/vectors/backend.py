@@ -105,7 +105,7 @@ def idle_vector(layout: DeviceLayout, read: IdleRead) -> Vector:
 
 
 def _json_value(raw: Raw) -> Json:
-    """A raw value as JSON has it: bytes as hexadecimal digits; what is no number as its name."""
+    """A raw value as JSON has it: bytes as hexadecimal digits; what is not a number as its name."""
     if isinstance(raw, bytes):
         return raw.hex()
     if isinstance(raw, list):

@@ -25,8 +25,8 @@ from fieldspec.language.model.value import Value
 class IdleRead:
     """A block of registers, the request that reads it, the response of an idle device, and what they mean.
 
-    `values` has the raw value of each register, element of a register, and element of a table in the block by name;
-    of an element that is only partly in the block, those of its fields.
+    `values` has the raw value of each register, element of a register, and element of a table in the block by name; for
+    an element that is only partly in the block, the values of its fields.
     """
 
     block: ReadBlock
@@ -103,7 +103,7 @@ def _answer_of_bits(access: RegisterAccess, words: bytes) -> dict[str, Raw]:
 
 
 def _frame(codec: FrameCodec, direction: str, message: str, values: dict[str, Raw]) -> bytes:
-    """A frame of a message; its parts have their least legal values, and the body those of `values` that it has."""
+    """A frame of a message; its parts have their least legal values, and the body the matching `values`."""
     body = codec.link.messages[message].data(direction)
     parts = codec.link.frame(direction).parts
     own = {name: value for name, value in values.items() if body.named(name) is not None}

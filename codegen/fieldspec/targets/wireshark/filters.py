@@ -94,7 +94,7 @@ class Filters:
         return self.take(tuple(f"{name}.quantity" for name in names), row)
 
     def of_bits(self, names: tuple[str, ...], value: Value) -> str | None:
-        """The name below which the filter names of a word's bits are; None where a value is no word."""
+        """The name below which the filter names of a word's bits are; None where a value is not a word."""
         if not value.flags:
             return None
         flags = self.device.flags[value.flags]

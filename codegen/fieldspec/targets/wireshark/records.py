@@ -104,7 +104,9 @@ def record_data(
 
 
 def _placed(record: RecordLayout, message: Message | None) -> set[str]:
-    """The names of the fields whose place is asked for: what others measure, and what a message reads or writes."""
+    """The names of the fields whose offset is needed: fields that others measure, and that a message
+    reads or writes.
+    """
     measured = {field.field.measures.field for field in record.fields if field.field.measures is not None}
     accessed = {message.accesses.values} if message is not None and message.accesses is not None else set()
     return measured | accessed | {field.bits_of for field in record.fields}
@@ -125,7 +127,7 @@ def opaque_data(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
 
 
 def message_data(layout: DeviceLayout, message: MessageLayout, is_decoded: bool = True) -> dict[str, Data]:
-    """A message; its records are those of `record_key`. Of one that is not decoded, no access to registers is shown."""
+    """A message with the records of `record_key`. A message that is not decoded shows no access to registers."""
     own = message.message
     access = own.accesses
     data: dict[str, Data] = {
@@ -226,7 +228,7 @@ def _step(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
 
 
 def _varying_extent(record: RecordLayout) -> Data:
-    """How a record with one list, or one text, that has fields behind it tells its size."""
+    """How a record with one list, or one text, that has fields after it tells its size."""
     counter, fixed_size = record.count_of_text or (None, 0)
     unit = 1
     if record.inner_lists is not None:

@@ -1,4 +1,4 @@
-"""What a dissector shows of a device: what it cannot decode, it shows as bytes."""
+"""The facts that a dissector shows: facts that it cannot decode are shown as bytes."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ _READER = "the dissector"
 class Remaining:
     """A device with bytes in place of the values that a dissector does not decode, and without tables that move.
 
-    `records` are the records of which it shows nothing but bytes, `bodies` such data of messages, by message and
-    direction. `omissions` say what is shown as bytes or left out. `findings` are errors and warnings.
+    `records` are the records that it shows only as bytes, `bodies` such data of messages, by message and direction.
+    `omissions` say what is shown as bytes or left out. `findings` are errors and warnings.
     """
 
     layout: DeviceLayout
@@ -111,12 +111,14 @@ def _separate_fields(record: RecordLayout, names: Collection[str]) -> Iterator[s
 
 
 def _is_varying_list(record: RecordLayout, field: FieldLayout) -> bool:
-    """Whether a field is a list, and its place or that of the field behind it differs from frame to frame."""
+    """Whether a field is a list, and its place or that of the field after it differs from frame to frame."""
     return field.count is None and record.inner_lists is not None
 
 
 def _absent(absent: Absences) -> Iterator[tuple[str, str, tuple[Cause, ...]]]:
-    """What a dissector does not decode: in words, what becomes of it, and why. It shows records in messages alone."""
+    """A fact that a dissector does not decode: its replacement in words, and the reason. It shows records in messages
+    alone.
+    """
     for name, causes in absent.registers.items():
         yield f"register {name}", "is left out", causes
     for name, causes in absent.tables.items():
@@ -177,7 +179,7 @@ def _register(layout: RegisterLayout, paths: Collection[str]) -> RegisterLayout:
 
 
 def _bytes(value: Value) -> Value:
-    """A value as bytes, of which nothing is known but their number."""
+    """A value as bytes of which only the number is known."""
     scale, offset = type(value.scale)(1), type(value.offset)(0)
     bare = replace(value, type=PRIMITIVES["bytes"], digits="", places=0, has_blanks=False, text_form=None, width=0)
     bare = replace(bare, scale=scale, scale_text="", scale_by="", offset=offset, unit="", parameter=None)

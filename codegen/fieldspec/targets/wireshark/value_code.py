@@ -1,9 +1,9 @@
 """The code that shows a value: one function of Lua for each meaning that values have, without a look at a table.
 
-A function gets the entry of a fact, the tree, the bytes in the packet, those of the value, and options. `options.index`
-is what stands behind the title, and `options.title` both with what stands before. `options.lenient` is set for answers
-that need not be what was written, `options.is_write` for what is sent to the device, and `options.reason` takes the
-place of the reason of a finding. It returns the item, the number, and the reason of a finding.
+A function gets the entry of a fact, the tree, the bytes in the packet, the bytes of the value, and options.
+`options.index` is what follows the title, and `options.title` both with what stands before. `options.lenient` is set
+for answers that need not be what was written, `options.is_write` for what is sent to the device, and `options.reason`
+takes the place of the reason of a finding. It returns the item, the number, and the reason of a finding.
 """
 
 from __future__ import annotations
@@ -131,7 +131,7 @@ class _ValueCode:
         yield "reason, detail", can_fail
 
     def _meaning(self, digits: str) -> str:
-        """What the text of the item says of the number: the name or the quantity before the digits, or only these."""
+        """The text of the item for the number: the name or the quantity before the digits, or only the digits."""
         if not self._has_states and not self.value.get("enum"):
             return f'quantity .. " (" .. {digits} .. ")"' if self._has_quantity else digits
         name = "(name or quantity)" if self._has_quantity else "name"

@@ -99,7 +99,7 @@ def intervals(ranges: Ranges | None, wide: bool = False) -> Data:
 
 
 def enum_data(device: Device, enum: Enum) -> dict[str, Data]:
-    """An enum: the names of its numbers, their texts and errata, and the numbers that nobody may send."""
+    """An enum: the names of its numbers, their texts and errata, and the numbers that must not be sent."""
     texts: dict[str, Data] = {}
     errata: dict[str, Data] = {}
     for member in enum.members:

@@ -158,7 +158,7 @@ def _beside(
 
 
 def _owners(paths: set[str]) -> set[str]:
-    """Paths without those of parts of other facts: a message and its fields share a code."""
+    """Paths without parts of other facts: a message and its fields share a code."""
     return {path for path in paths if not any(path.startswith(f"{other}/") for other in paths)}
 
 
@@ -171,7 +171,7 @@ def _whole(pattern: Pattern, match: Match) -> Match:
 
 
 def _series(match: Match) -> tuple[PieceValue, ...]:
-    """All numbers from the first to the second one of a match; these two where they are no series."""
+    """All numbers from the first to the second one of a match; these two where they are not series."""
     low, high = (readings(value.text, value.form)[:1] for value in match.values)
     if not low or not high or not 0 <= high[0] - low[0] <= LONGEST_SERIES:
         return match.values
@@ -184,7 +184,8 @@ def _standings(
 ) -> Iterator[tuple[str, tuple[PieceValue, ...]]]:
     """Status and missing values of each match: a fact, or an erratum, that cites the line must have each value.
 
-    A value that a pattern finds several times on the line needs as many facts. Adds paths of facts to `needed_paths`.
+    A value that a pattern finds several times on the line needs the same number of facts. Adds paths of facts to
+    `needed_paths`.
     """
     times = Counter((pattern.name, value) for pattern, match in pieces for value in {*match.values})
     counts: Counter[tuple[str, PieceValue]] = Counter()

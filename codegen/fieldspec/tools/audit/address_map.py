@@ -143,7 +143,7 @@ class GapExtent(NamedTuple):
 
 
 def spaces_of(layout: DeviceLayout) -> tuple[Space, ...]:
-    """The spaces of registers and parameters, and those of the codes and numbers of messages; no empty ones."""
+    """The spaces of registers and parameters, and of the codes and numbers of messages; no empty spaces."""
     device = layout.device
     own = list(device.spaces) if device.several_spaces else [""]
     spaces = [_registers(layout, name) for name in own] if device.groups or device.tables else []
@@ -202,7 +202,7 @@ def _table(table_layout: TableLayout, extents: Sequence[Extent]) -> Block:
     end = runs[-1].last + 1 if runs else table.base
     last_word = table.base + table.stride - 1
     if end <= last_word and table.count > 1:
-        reason = f"an element has {end - table.base} words, the next one begins {table.stride} words behind it"
+        reason = f"an element has {end - table.base} words, the next one begins {table.stride} words after it"
         other_extents = [extent for extent in extents if extent.block != table.place.path]
         runs += _runs(end, last_word, other_extents, [GapExtent(end, last_word, reason)], "")
     return Block(

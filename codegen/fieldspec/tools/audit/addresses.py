@@ -61,7 +61,7 @@ def _gaps(spaces: Sequence[Space]) -> SectionTable:
     kinds = []
     for space, block, run in _all_runs(spaces):
         if run.state in (DECLARED, UNDECLARED) and run.is_own:
-            reason = run.reason or "nothing says why"
+            reason = run.reason or "no reason stated"
             rows.append((space.title, block.title, *_ends(space, run), run.size, STATES[run.state], reason))
             kinds.append("warning" if run.state == UNDECLARED else "")
     columns = ("space", "block", "first", "last", "size", "state", "reason")
@@ -74,7 +74,7 @@ def _overlaps(spaces: Sequence[Space]) -> SectionTable:
     for space, block, run in _all_runs(spaces):
         if run.state == OVERLAP and run.is_own:
             names = " and ".join(occupant.name for occupant in run.occupants)
-            rows.append((block.title, *_ends(space, run), names, run.reason or "nothing says why"))
+            rows.append((block.title, *_ends(space, run), names, run.reason or "no reason stated"))
             kinds.append("" if run.reason else "warning")
     return SectionTable(
         "overlaps",
@@ -115,7 +115,7 @@ def _runs(spaces: Sequence[Space]) -> SectionTable:
             (space.title, block.title, *_ends(space, run), STATES[run.state], names, descriptions, place, source)
         )
     columns = ("space", "block", "first", "last", "state", "name", "type", "spec", "source")
-    title = "All addresses; for tables, those of the first element"
+    title = "All addresses; for tables, the addresses of the first element"
     return SectionTable("address_map", title, columns, tuple(rows), detail=True)
 
 
@@ -251,7 +251,7 @@ def _left_out(plan: ReadPlan) -> SectionTable:
         (f"0x{units_of_name[0].first:04X}", units_of_name[0].words, len(units_of_name), name, refused)
         for (name, refused), units_of_name in units.items()
     )
-    return SectionTable("not_read", "What no block reads", ("start", "words", "times", "name", "reason"), rows)
+    return SectionTable("not_read", "Not read by any block", ("start", "words", "times", "name", "reason"), rows)
 
 
 def _parameter_reads(layout: DeviceLayout) -> Iterator[str]:

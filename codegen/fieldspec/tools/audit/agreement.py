@@ -188,7 +188,7 @@ def _numbers(text: str) -> frozenset[Decimal]:
 
 
 def _ranges(row: FactRow, value: PieceValue) -> bool:
-    """Whether printed bounds are those of a fact, or of values written to it: as raw values or as quantities."""
+    """Whether printed bounds equal the bounds of a fact, or of values written to it: as raw values or as quantities."""
     if isinstance(write_ranges := row["write_ranges"], str):
         pairs = intervals(write_ranges)
         low, high = min(pair[0] for pair in pairs), max(pair[1] for pair in pairs)
@@ -311,6 +311,6 @@ def _comparable_text(value: object) -> str:
 
 
 def _holds(words: Sequence[str], part: Sequence[str]) -> bool:
-    """Whether a list of words has another one as a part."""
+    """Whether a list of words contains another list."""
     size = len(part)
     return any(tuple(words[start : start + size]) == tuple(part) for start in range(len(words) - size + 1))

@@ -1,4 +1,4 @@
-"""What a device does with each value beyond its range: refused as the manual says, or not printed."""
+"""How a device treats each value outside its range: refused according to the manual, or not printed."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def beyond_ranges(layout: DeviceLayout, behaviour: Behaviour) -> tuple[list[Figu
         Figure("values beyond their ranges are refused, as the manual says", counts[REFUSED], len(rows)),
         Figure("values beyond their ranges have no answer that the manual prints", counts[UNPRINTED], len(rows)),
     ]
-    title = "What the device does with a value beyond its range"
+    title = "How the device treats a value outside its range"
     marks = tuple("warning" if row[2] == UNPRINTED else "" for row in rows)
     return figures, SectionTable(
         "beyond", title, ("fact", "range", "answer", "says", "source"), tuple(rows), marks, True

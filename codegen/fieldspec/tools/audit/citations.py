@@ -20,12 +20,12 @@ from fieldspec.tools.audit.manual_lines import AlignedManual, index_line
 from fieldspec.tools.audit.plan import Plan, Unprinted
 
 _SPEC_KEYS = {"elided": "frame"}
-"""The keys of a spec for those of claims, where they differ."""
+"""The keys of a spec for the keys of claims, where they differ."""
 _FIGURES = re.compile(r"[0-9]+")
 _SIGN = re.compile(
     r"\b(?:S?INT|I|L|INTEGER|DINT|LINT)(?:8|16|32|64)?\b|\bsigned\b|(?<![^\s(\[|~,:])-\s?[0-9]|±|\+/-", re.IGNORECASE
 )
-"""What a line prints for a number with a sign: a type, or a number below zero. A scan has `l16` for `I16`."""
+"""The printed form of a signed number: a type, or a negative number. A scan has `l16` for `I16`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,7 +162,7 @@ def _printed(claim: Claim, texts: list[str]) -> bool:
 
 
 def _elided(frame: bytes, texts: list[str]) -> bool:
-    """Whether the bytes on some lines are those of a frame in the same order, with gaps."""
+    """Whether the bytes on some lines are the bytes of a frame in the same order, with gaps."""
     printed = bytes(pair for text in texts for pair in byte_pairs(text))
     return bool(printed) and in_order(printed, frame)
 

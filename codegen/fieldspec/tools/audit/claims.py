@@ -124,7 +124,7 @@ def claims_of(device: Device, visited: set[int]) -> Iterator[Claim]:
 
 
 def _means(fact: Fact, key: str, base: int) -> tuple[int, ...]:
-    """The numbers of which the manual may print any, where they are not those of the key itself.
+    """The numbers of which the manual may print any, if they differ from the number of the key itself.
 
     A parameter has a number in its set, and one on the wire, which is greater by `base`.
     """
@@ -142,7 +142,7 @@ def _span_text(span: Span) -> str:
 def _value_claims(fact: Fact, device: Device) -> Iterator[Claim]:
     """The claims of the numbers of a value that the spec of the device itself states, and of the sign of its type.
 
-    What is copied from another fact is stated there, and what is `inferred` or from a standard is not printed.
+    Copied values are stated at the original, and values that are `inferred` or from a standard are not printed.
     """
     if (isinstance(fact, Field) and fact.signal) or (isinstance(fact, Register) and fact.copy_of):
         return
@@ -165,7 +165,7 @@ def _value_claims(fact: Fact, device: Device) -> Iterator[Claim]:
 
 
 def _numbers(fact: Fact, key: str, text: str, value: object) -> Iterator[tuple[str, tuple[int | Decimal, ...]]]:
-    """The numbers in the text of a key, each with those of which the manual may print any.
+    """The numbers in the text of a key, each with its permitted printed forms.
 
     A limit may be printed as a raw value, in its unit, or below zero as its bytes are; the limit of a type is not
     printed at all. A count may be printed as the number or the address of the last element.
@@ -187,7 +187,7 @@ def _numbers(fact: Fact, key: str, text: str, value: object) -> Iterator[tuple[s
 
 
 def _last_elements(fact: Fact, count: int) -> Iterator[Decimal]:
-    """The number and the address of the last one of so many elements. Those of a field are numbered from 0."""
+    """The number and the address of the last of that number of elements. Those of a field are numbered from 0."""
     if isinstance(fact, Register | Table):
         first = fact.address if isinstance(fact, Register) else fact.base
         yield Decimal(fact.index_from + count - 1)

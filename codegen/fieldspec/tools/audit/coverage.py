@@ -81,7 +81,7 @@ def _manual(subject: Subject, findings: list[Diagnostic]) -> AlignedManual | Non
     )
     same = manual is None or manual.sha256 != cited_manual.sha256 or recorded is None or manual == recorded
     if recorded is None or not fresh or not same:
-        text = "the index of the manual belongs to another text than the spec cites"
+        text = "the index of the manual does not belong to the text that the spec cites"
         help = f"record it again: fieldspec audit {subject.device.id} --manual FILE --record"
         findings.append(Diagnostic("manual_recorded", text, _head(subject), help=help))
     if manual is None:

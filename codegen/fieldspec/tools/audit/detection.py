@@ -72,7 +72,9 @@ OF_WRITING = (
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """The findings with the print of one erratum put back `alone`, and whether it shows `together` with all others."""
+    """The findings with the printed value of one erratum put back `alone`, and whether it shows `together` with all
+    others.
+    """
 
     erratum: Erratum
     alone: tuple[Diagnostic, ...]
@@ -106,7 +108,7 @@ def misprint(erratum: Erratum) -> str:
 def as_printed(
     spec: DeviceSpec, proofs: Sequence[Proof], thorough: bool, known: Outcome | None = None
 ) -> PrintedDevice:
-    """What the checks find in the print of a device and not in its spec.
+    """The findings of the checks in the printed values of a device that its spec does not have.
 
     The proof of an erratum has already run one check on its print; `thorough` runs all the others, too. `known` is the
     outcome of all checks of the spec, where they have run.
@@ -165,7 +167,9 @@ def _whole(
 
 
 def _shows(erratum: Erratum, alone: Sequence[Diagnostic], whole: Iterable[Diagnostic]) -> bool:
-    """Whether a finding of all prints together points to the print of an erratum, or is among those of it alone."""
+    """Whether a finding of all printed values together points to an erratum, or is among the findings of only that
+    erratum.
+    """
     known = {finding_key(finding) for finding in alone}
     printed = erratum.place.spans.get("printed")
     for finding in whole:
@@ -245,7 +249,7 @@ def _missed(detections: Sequence[Detection]) -> SectionTable:
 def _why(erratum: Erratum) -> str:
     if not erratum.printed:
         return "no key contains the misprint"
-    return "the print contradicts nothing else in the manual"
+    return "the printed value contradicts nothing else in the manual"
 
 
 def _details(detections: Sequence[Detection]) -> SectionTable:
@@ -264,6 +268,6 @@ def _detection_row(detection: Detection) -> tuple[Cell, ...]:
 
 
 def _first(detection: Detection) -> Iterator[str]:
-    """The messages of the findings; first those of the check that the erratum names."""
+    """The messages of the findings; first of the check that the erratum names."""
     for finding in sorted(detection.alone, key=lambda finding: finding.code != detection.erratum.proof):
         yield finding.message

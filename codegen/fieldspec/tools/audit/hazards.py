@@ -77,7 +77,7 @@ KINDS = {
             "Opposite senses",
             "1 in one of them is 0 in the other: do not compare them, and do not copy one to the other.",
         ),
-        Kind("active_low", "True at 0", "What the name says is true while the bit is 0."),
+        Kind("active_low", "True at 0", "The name is true while the bit is 0."),
         Kind(
             "edge",
             "The edge has the effect, not the level",
@@ -259,7 +259,7 @@ def _shared(
 
 
 def _alone(device: Device) -> frozenset[str]:
-    """The names of writable registers; those of an array with the index of each element."""
+    """The names of writable registers; array names with the index of each element."""
     return frozenset(
         f"{register.name}_{register.index_from + number}" if register.count > 1 else register.name
         for register in device.registers()

@@ -1,4 +1,4 @@
-"""The ledger of errata: the print, the value in use, the reason, the confidence, and the proof."""
+"""The ledger of errata: the printed value, the value in use, the reason, the confidence, and the proof."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ EFFECTS = {
     "name": "wrong name",
     "ambiguous": "ambiguous",
 }
-"""What happens to those who trust the print, the worst first."""
+"""The effects on readers who trust the manual, the worst first."""
 
 UNPROVEN = "not proven"
 KINDS = {"proven": "good", "judgement": "", "open": "warning", UNPROVEN: "bad"}
-"""The verdicts, with the mark of their rows: a check fails with the print put back, a person has judged, the manual
-leaves the question open, or the check that should fail does not."""
+"""The verdicts, with the mark of their rows: a check fails with the printed value put back, a person has judged, the
+manual leaves the question open, or the check that should fail does not.
+"""
 
 _FIGURES = {
     "proven": "errata are proven by a check that fails with the printed value",
@@ -51,7 +52,7 @@ Trees: TypeAlias = dict[str, Mapping]
 """The trees of all versions of a device."""
 
 _INTRODUCTION = (
-    "Where the spec differs from the print, or where the print leaves a fact open. Each printed "
+    "Where the spec differs from the manual, or where the manual leaves a fact open. Each printed "
     "value is put back into the spec; the evidence is what the named check then finds."
 )
 

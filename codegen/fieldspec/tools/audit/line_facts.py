@@ -21,7 +21,7 @@ _OUR_WORDS = ("cause", "remedy", "statement", "task", "step", "step_value")
 _NO_CITATIONS = frozenset(
     ("audit", "behaviour", "cells", "device", "label", "literal", "name", "printed", "printed_name", "title", "values")
 )
-"""Keys of a spec below which an L with a number is not a line of the manual, or is no evidence of a fact."""
+"""Keys of a spec below which an L with a number is not a line of the manual, or is not evidence of a fact."""
 _BESIDE = ("errata", "printed", "provenance", "inferred", "standard", "evidence", "roles")
 _cells = itemgetter(*(column for column in COLUMNS if column not in _BESIDE))
 _IN_TEXT = re.compile(r"(?:[0-9A-Za-z.]+ )?L[0-9]{1,6}(?:-[0-9]{1,6})?(?:, [0-9]{1,6}(?:-[0-9]{1,6})?)*")
@@ -102,7 +102,9 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
 
 
 def _collect_lines(node: Node, lines: set[int], visited: ByIdentity[Node, None]) -> None:
-    """Adds the lines that texts of a node cite. Versions share most nodes: `visited` has those of other versions."""
+    """Adds the lines that texts of a node cite. Versions share most nodes: `visited` has the facts of
+    other versions.
+    """
     if node in visited:
         return
     visited[node] = None

@@ -228,7 +228,7 @@ def unmoved(index: ManualIndex) -> AlignedManual:
 
 
 def aligned(cited: ManualIndex, index: ManualIndex) -> AlignedManual:
-    """The lines of `index`, a text at hand, by those of `cited`, the edition that the spec cites."""
+    """The lines of `index`, an available text, by the lines of `cited`, the edition that the spec cites."""
     if list(cited.digests) == list(index.digests):
         return unmoved(index)
     old = [number for number, digest in enumerate(cited.digests, 1) if digest]

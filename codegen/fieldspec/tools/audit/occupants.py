@@ -1,4 +1,4 @@
-"""What is at an address: a register, a field of a record table, a parameter, or a message by its code."""
+"""The occupant of an address: a register, a field of a record table, a parameter, or a message by its code."""
 
 from __future__ import annotations
 

@@ -152,7 +152,7 @@ def _piece(part: str) -> tuple[str, list[tuple[str, str]]]:
         if column not in COLUMNS:
             raise PatternError(f"nothing is called `{column}`; a placeholder is one of {', '.join(COLUMNS)}")
         if form is not None and form not in FORMS:
-            raise PatternError(f"there is no form `{form}`; there are {', '.join(FORMS)}")
+            raise PatternError(f"there is no form `{form}`; choose from {', '.join(FORMS)}")
         form = form or COLUMNS[column]
         literal = _literal(part[position : match.start()])
         edge = "" if form in ("text", "bytes", "range", "decimal") and literal else _EDGE

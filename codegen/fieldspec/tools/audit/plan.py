@@ -168,7 +168,7 @@ def _omissions(entry: Entry, key: str, sections: tuple[ManualSection, ...], line
 
 
 def _lines(entry: Entry, sections: tuple[ManualSection, ...], lines: int) -> Lines:
-    """The lines of an entry: those of `lines`, of `sections`, of both at once, or all lines."""
+    """The lines of an entry: of `lines`, of `sections`, of both at once, or all lines."""
     intervals: list[tuple[int, int]] = []
     for part in filter(None, entry.text("lines").split(", ")):
         low, _, high = part.partition("-")

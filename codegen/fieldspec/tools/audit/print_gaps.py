@@ -1,4 +1,4 @@
-"""What the print does not say about a fact: empty cells in its row, labels elsewhere, numbers without a unit."""
+"""The gaps of the manual about a fact: empty cells in its row, labels elsewhere, numbers without a unit."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from fieldspec.tools.audit.manual_lines import CELL, ManualIndex
 
 @dataclass(frozen=True, slots=True)
 class EmptyCell:
-    """A fact, or a row of a lookup, that somebody has explained although its row in print has an empty cell.
+    """A fact, or a row of a lookup, with an explanation although its printed row has an empty cell.
 
     A row beside it has the cell filled. `print` is the row as the index of the manual has it.
     """
@@ -63,9 +63,9 @@ def _empty_cells_of_values(device: Device, index: ManualIndex) -> Iterator[Empty
 
 
 def _empty_cells_of_lookup(lookup: Lookup, index: ManualIndex) -> Iterator[EmptyCell]:
-    """Rows that fill more cells than the print, by more than most rows of the table do.
+    """Rows that fill more cells than printed, by more than most rows of the table do.
 
-    A printed row that begins with an empty cell goes on from the row above it, and is not judged.
+    A printed row that begins with an empty cell continues the row above it, and is not checked.
     """
     missing: list[tuple[LookupRow, str, int]] = []
     for row in lookup.rows:

@@ -101,7 +101,7 @@ def compared(layout: DeviceLayout, dump: Dump, offset: int = 0) -> DumpReport:
 
 
 def _doubtful(report: DumpReport) -> int:
-    """The number of errors that speak against a base."""
+    """The number of errors with a base."""
     wrong = sum(1 for read in report.read if read.decoded.reason or read.spare)
     return wrong + len(report.holes) + len(report.too_great) + len(report.twice)
 
@@ -347,7 +347,7 @@ def section(report: DumpReport, findings: Sequence[Diagnostic], skipped: int) ->
         _unknown(report.unknown),
         _values("values", "All values", report.read, ""),
     )
-    return Section("dump", "What the device held", tuple(paragraphs), figures, tables, tuple(findings))
+    return Section("dump", "Values of the device", tuple(paragraphs), figures, tables, tuple(findings))
 
 
 def _values(name: str, title: str, reads: Sequence[DumpValue], kind: str) -> SectionTable:

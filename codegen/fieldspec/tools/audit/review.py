@@ -103,7 +103,7 @@ class Review:
 
 @dataclass(frozen=True, slots=True)
 class SectionChanges:
-    """What has changed in a section: the paths of new or changed facts, and how many are gone or were changed."""
+    """The changes of a section: the paths of new or changed facts, and the numbers of removed and changed facts."""
 
     changed: tuple[str, ...] = ()
     gone: int = 0
@@ -238,7 +238,7 @@ def reviewed(now: Mapping[str, State], reviews: Iterable[Review], manual: str) -
 
 
 def since(state: State, signed: SignedSection, other_manual: bool) -> SectionChanges:
-    """What has changed in a section since a review."""
+    """The changes of a section since a review."""
     if state.hash == signed.state:
         return SectionChanges(other_manual=other_manual)
     before, now = Counter(signed.facts), Counter(state.digests)
@@ -329,7 +329,7 @@ def _sections(sections: Sequence[ReviewedSection]) -> SectionTable:
     kinds = []
     for section in sections:
         if not section.reviews:
-            rows.append((section.section, section.facts, "", "", "nobody has compared it"))
+            rows.append((section.section, section.facts, "", "", "it is not compared with the manual"))
             kinds.append("warning")
         for review, since in section.reviews:
             rows.append((section.section, section.facts, review.by, review.date, _changes_text(since)))

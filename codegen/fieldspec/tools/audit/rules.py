@@ -1,26 +1,25 @@
-"""The documentation of the rules of audits: what must hold, why, an example, and the cure."""
+"""The documentation of the rules of audits: what must hold, why, an example, and the fix."""
 
 from __future__ import annotations
 
 RULES = {
     "audit_sound": """The audit settings of a spec are valid, and all of them are needed.
 
-Why: a pattern that matches nothing, or an exception that nothing needs, hides the next mistake at the same
-place.
+Why: a pattern without matches, or an unused exception, hides the next mistake at the same place.
 
 Example: `{like: "- {number} -", reason: Page numbers.}` for a manual without page numbers.
 
-Cure: Correct the lines, the pattern or the paths, or remove the entry.
+Fix: Correct the lines, the pattern or the paths, or remove the entry.
 """,
     "citations_hold": """The lines that a fact cites contain its address, code or identifier, and the numbers of its
-value: the ends of ranges, scales, defaults, counts. For a type with a sign, they print a type or a number below
-zero, unless the spec states one. The lines are in the section that the fact names.
+value: the ends of ranges, scales, defaults, counts. For a signed type, they print a type or a negative number, unless
+the value itself has a negative number. The lines are in the section that the fact names.
 
 Why: a citation of the wrong line cannot be verified, and often the fact is wrong too.
 
 Example: a register 2011h whose source is a line with `2014 H`, or a range `0..1000` where the line has `0~100`.
 
-Cure: Correct the section, the lines or the value. If the manual is wrong, write an erratum. If the manual only
+Fix: Correct the section, the lines or the value. If the manual is wrong, write an erratum. If the manual only
 implies the value, say why under `inferred`, or list the fact under `audit: unprinted` with the reason.
 """,
     "dump_address_known": """Every address in a register dump is in the spec.
@@ -29,7 +28,7 @@ Why: an address that answers and is not in the spec is a register that the manua
 
 Example: a dump with a value at 2004h, which is missing from the register table.
 
-Cure: Transcribe the register, use `--base` or `--offset` if the addresses of the dump are shifted, or remove
+Fix: Transcribe the register, use `--base` or `--offset` if the addresses of the dump are shifted, or remove
 the address from the dump.
 """,
     "dump_reserved_clear": """Reserved bits are 0, and reserved values have their initial values.
@@ -38,7 +37,7 @@ Why: if a device sets a reserved bit, it reports something that the manual does 
 
 Example: bit 9 of a status word is set, but the list of its bits ends with 7.
 
-Cure: Find out what it means and transcribe it, or report it to the manufacturer.
+Fix: Find out what it means and transcribe it, or report it to the manufacturer.
 """,
     "dump_value_known": """Every value in a dump is known to the spec: a member of its enum, 0 or 1, or its
 constant.
@@ -47,7 +46,7 @@ Why: different firmware or a misread table first shows in unexpected values.
 
 Example: the mode register contains 5, but its enum has the values 0 to 3.
 
-Cure: If the device is right, correct the spec, and write an erratum if the manual disagrees.
+Fix: If the device is right, correct the spec, and write an erratum if the manual disagrees.
 """,
     "dump_value_whole": """A dump contains all words of a value, and each address once.
 
@@ -55,7 +54,7 @@ Why: one word of a two-word value is not a value.
 
 Example: a dump with 2000h but not 2001h, which together contain a position.
 
-Cure: Read all words of the value in one request, and include them in the dump.
+Fix: Read all words of the value in one request, and include them in the dump.
 """,
     "dump_value_within_range": """Every value in a dump is within its range in the spec.
 
@@ -63,16 +62,16 @@ Why: if the device returns a value that the manual does not permit, one of the t
 
 Example: a percentage of 130 in a register with the range 0..100.
 
-Cure: If the device is right, correct the range, and write an erratum if the manual disagrees.
+Fix: If the device is right, correct the range, and write an erratum if the manual disagrees.
 """,
-    "evidence_agrees": """What real units show agrees with the spec.
+    "evidence_agrees": """Values from real devices agree with the spec.
 
-Why: where the wire contradicts the spec, the manual, the spec or the unit is wrong, and machines move by it.
+Why: if the wire contradicts the spec, the manual, the spec or the device is wrong, and machines move by it.
 
 Example: a capture in which the speed is 130, with the range 0..100.
 
-Cure: Decide who is right. Correct the spec, with an erratum if the manual is wrong, or report the unit to the
-manufacturer. A baseline that has the contradiction makes the finding a warning.
+Fix: Decide who is right. Correct the spec, with an erratum if the manual is wrong, or report the device to the
+manufacturer. If the baseline contains the contradiction, the finding is a warning.
 """,
     "evidence_not_lost": """The present evidence shows everything that the baseline showed.
 
@@ -80,15 +79,16 @@ Why: a fact whose only capture was deleted, or that the spec now states elsewher
 
 Example: the baseline has `observed` for a register, and the file that showed it is missing.
 
-Cure: Bring back the files, or record the table `evidence` again as the baseline.
+Fix: Bring back the files, or record the table `evidence` again as the baseline.
 """,
-    "evidence_notes_complete": """The note of a unit says what the unit is, and no serial number.
+    "evidence_notes_complete": """The note of a tested device identifies its model and firmware, but contains no serial
+number.
 
-Why: evidence counts for a model and a firmware; a serial number says who owns the unit.
+Why: evidence counts for a model and a firmware; a serial number identifies the owner.
 
 Example: a `unit.yaml` without `firmware`.
 
-Cure: Write `model`, `firmware` and `serial_number: redacted`; `unit_address` and `remarks` are optional.
+Fix: Write `model`, `firmware` and `serial_number: redacted`; `unit_address` and `remarks` are optional.
 """,
     "manual_accounted": """Everything in the manual that looks like a fact is in the spec, is covered by an
 erratum, or is deliberately left out.
@@ -97,7 +97,7 @@ Why: a fact that was not transcribed is missing from every output, and no other 
 
 Example: a row of the register table in the manual that no register of the spec cites.
 
-Cure: Transcribe it, write an erratum, or state under `audit: left_out` why the spec does not need it.
+Fix: Transcribe it, write an erratum, or state under `audit: left_out` why the spec does not need it.
 """,
     "manual_recorded": """The index of the manual is next to the spec and belongs to the text that the spec
 cites.
@@ -106,19 +106,18 @@ Why: the manual cannot be in the repository, and only its index allows others to
 
 Example: `manual.index` with the hash of an older edition.
 
-Cure: Run `fieldspec audit DEVICE --manual FILE --record`.
+Fix: Run `fieldspec audit DEVICE --manual FILE --record`.
 """,
-    "statements_accounted": """Every line of the manual with words is left out with a reason, or is cited by a part
-of the behaviour, or states facts and nothing of what the device does. Only specs with `audit: without_behaviour` are
-judged.
+    "statements_accounted": """Every line of the manual with words is left out with a reason, or is cited by a part of
+the behaviour, or states facts but no behaviour. The rule applies only to specs with `audit: without_behaviour`.
 
-Why: a sentence about what a device does has no number, so that no pattern finds it, and a simulator that does not do it
-says nothing.
+Why: a sentence about behaviour contains no number, so no pattern finds it, and a simulator that does not implement it
+gives no warning.
 
 Example: a line of the manual says that an input stops the motor, and no part of `behaviour` cites it.
 
-Cure: Write the part, or `unmodelled` with its reason; or list the line under `audit: without_behaviour`, if facts that
-cite it say all of it, or under `left_out`.
+Fix: Write the part, or `unmodelled` with its reason; or list the line under `audit: without_behaviour` if facts cover
+all of it, or under `left_out`.
 """,
     "reviews_sound": """Every review names sections that facts cite, a valid date, and the current state of
 its facts.
@@ -127,6 +126,6 @@ Why: a review that was edited by hand claims a comparison that was not made.
 
 Example: `section: "8.22"` where facts cite 8.2, or a `state` copied from another section.
 
-Cure: Remove the entry, compare the section, and record it with `fieldspec audit DEVICE --sign SECTION --by NAME`.
+Fix: Remove the entry, compare the section, and record it with `fieldspec audit DEVICE --sign SECTION --by NAME`.
 """,
 }

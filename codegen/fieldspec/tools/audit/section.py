@@ -55,8 +55,8 @@ class SectionTable:
 class Section:
     """A part of the report. `name` is its key in JSON and in links, `spaces` are the address maps to draw.
 
-    `questions` is how many of its questions the manual leaves open. They are not findings: nobody can correct the spec
-    before somebody answers them.
+    `questions` is how many of its questions the manual leaves open. They are not findings: the spec cannot be corrected
+    before they are answered.
     """
 
     name: str
@@ -89,9 +89,9 @@ class Report:
 class Subject:
     """The device of an audit at one version: its spec, its layout, and the proofs of the errata of all versions.
 
-    `layouts` are those of all built versions, the oldest first, `facts` the rows of each of them. `recorded` is the
-    index of the manual in the folder of the spec, `manual` that of the text at hand; either may be missing. `known` is
-    the outcome of all checks and proofs of the device, where they have run.
+    `layouts` are the layouts of all built versions, the oldest first, `facts` the rows of each of them. `recorded` is
+    the index of the manual in the folder of the spec, `manual` that of the text at hand; either may be missing. `known`
+    is the outcome of all checks and proofs of the device, where they have run.
     """
 
     spec: DeviceSpec

@@ -70,7 +70,9 @@ class InferredKey:
 
 
 def sourced_facts(device: Device) -> list[SourcedFact]:
-    """All facts with their citations, in the order of the spec; facts of a protocol have those of the device."""
+    """All facts with their citations, in the order of the spec; facts of a protocol have the citations
+    of the device.
+    """
     corrected: dict[str, list[str]] = {}
     for erratum in device.errata:
         corrected.setdefault(erratum.fact.partition("/restated/")[0], []).append(erratum.id)
@@ -99,15 +101,15 @@ def inferred_keys(device: Device) -> Iterator[InferredKey]:
 
 
 def section_order(section: str) -> tuple[tuple[int, int, str], ...]:
-    """A key that sorts sections as a manual has them: `9.2` before `10`, words behind numbers."""
+    """A key that sorts sections as a manual has them: `9.2` before `10`, words after numbers."""
     return tuple((0, int(part), "") if part.isdigit() else (1, 0, part) for part in section.split("."))
 
 
 _INTRODUCTION = (
-    "How many places of the manual print each fact. A fact that two places print alike is more "
-    "certain than one that a single place prints; if they differ, an erratum says which is right. "
-    "What the manual only implies is inferred, with the reason. What a standard defines, what "
-    "others report, and what we computed is not printed at all."
+    "The number of places in the manual that print each fact. A fact with two equal places is more "
+    "certain than a fact with one place; if they differ, an erratum states the right value. Values that "
+    "the manual only implies are inferred, with the reason. Values from standards, reports and our own "
+    "computations are not printed at all."
 )
 
 
@@ -127,13 +129,13 @@ def sources(subject: Subject) -> Section:
         *_elsewhere_figures(subject.device),
     ]
     if unverified:
-        figures.append(Figure("facts that nobody has verified", len(unverified), len(facts), False))
+        figures.append(Figure("facts that are not verified", len(unverified), len(facts), False))
     tables = (
         _by_section(facts, keys),
         _source_table(
             "unsourced", "Facts without a source", [fact for fact in facts if fact.standing == NOWHERE], "bad"
         ),
-        _source_table("unverified", "Facts that nobody has verified", unverified, "bad"),
+        _source_table("unverified", "Facts that are not verified", unverified, "bad"),
         _differing([fact for fact in facts if fact.standing == DIFFERING]),
         _reasons(keys),
         _standards(subject.device),
@@ -200,7 +202,7 @@ def _reasons(keys: Sequence[InferredKey]) -> SectionTable:
         place = first.place["inferred"] if "inferred" in first.place else first.place["name"]
         rows.append((key, f"{first.path}{rest_text}", len(inferred_keys), reason, place))
     columns = ("key", "facts", "number", "reason", "spec")
-    return SectionTable("inferred", "What is inferred", columns, tuple(rows), detail=len(rows) > 20)
+    return SectionTable("inferred", "Inferred values", columns, tuple(rows), detail=len(rows) > 20)
 
 
 def _elsewhere_figures(device: Device) -> list[Figure]:
@@ -220,7 +222,7 @@ def _standards(device: Device) -> SectionTable:
         for key, standard in fact.standard.items()
     )
     columns = ("key", "fact", "standard", "clause", "spec")
-    return SectionTable("standards", "What a standard gives", columns, rows)
+    return SectionTable("standards", "Values from standards", columns, rows)
 
 
 def _reported(device: Device) -> SectionTable:
@@ -245,13 +247,11 @@ def _computed(device: Device) -> SectionTable:
         for example in device.examples.values()
         if example.origin == COMPUTED
     )
-    return SectionTable(
-        "computed", "What was computed", ("example", "title", "how", "spec"), rows, detail=len(rows) > 20
-    )
+    return SectionTable("computed", "Computed values", ("example", "title", "how", "spec"), rows, detail=len(rows) > 20)
 
 
 def _without_unit(device: Device) -> SectionTable:
-    """Numbers without a unit in the print, and without an explanation in the spec."""
+    """Numbers without a printed unit, and without an explanation in the spec."""
     rows = tuple(
         (fact.place.path, fact.sources[0] if fact.sources else None, fact.place["name"])
         for fact in without_unit(device)

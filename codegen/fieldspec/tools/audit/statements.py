@@ -18,9 +18,9 @@ from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable, S
 NAME, TITLE = "statements", "Statements of behaviour"
 WITHOUT = "facts alone"
 _INTRODUCTION = (
-    "What the manual states of what the device does over time. Each line with words is in a part of the behaviour, "
-    "which a simulator carries out, carries out with an assumption, or leaves out with its reason; or it states facts "
-    "alone."
+    "The statements of the manual about behaviour over time. Each line with words is in a part of the behaviour, "
+    "which a simulator implements, implements with an assumption, or leaves out with its reason; or it states only "
+    "facts."
 )
 
 
@@ -68,7 +68,7 @@ class _Lines:
         self.used: set[int] = set()
 
     def standing(self, line: int) -> str:
-        """What a line of the manual is: one of STANDINGS, left out, facts alone, or open."""
+        """The class of a line of the manual: one of STANDINGS, left out, facts alone, or open."""
         standings = {part.standing for part in self.citing.get(line, ())}
         if standings:
             return next(standing for standing in STANDINGS if standing in standings)

@@ -14,7 +14,7 @@ _INTRODUCTION = (
 
 
 def tasks(subject: Subject) -> Section:
-    """The section with the answers of the spec to all tasks of the schema; those of grippers only where it has them."""
+    """The section with the answers of the spec to all tasks of the schema; gripper tasks only if it has them."""
     device = subject.device
     stated = {task.kind for task in device.tasks}
     all_kinds: list[str] = schema()["$defs"]["task_kind"]["enum"]

@@ -35,7 +35,7 @@ _UNFIT = {
 
 @dataclass(frozen=True, slots=True)
 class Rooms:
-    """Of bodies with fields behind lists, by the names of these: the elements, and the verdict of a list without bytes.
+    """For bodies with fields after lists, by the lists' names: the elements, and the verdict of a list without bytes.
 
     Instead of a number of elements there may be one of the numbers below zero.
     """
@@ -45,7 +45,7 @@ class Rooms:
 
 
 UNKNOWN, MISCOUNT = -2, -1
-"""A list that begins nobody knows where, or has less bytes than its count says; one whose count cannot be right."""
+"""A list with an unknown start, or with less bytes than its count; a list whose count is impossible."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Slot:
     """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
 
     In a record that differs in size, it is an element of some lists: `places` are these, each with the offset of the
-    record that counts it and with the number of the element. Of a counted text, `text` are its bytes as a list.
+    record that counts it and with the number of the element. For a counted text, `text` are its bytes as a list.
     """
 
     path: str
@@ -75,7 +75,7 @@ class FieldRows:
 
 
 def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
-    """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
+    """The values of a record and of the records in it, in the order of the wire; a repeated field counts once."""
     parts = inner_lists_of(record, is_element=True).lists if outer is not None and record.size is None else ()
     by_name = {inner.name: inner for inner in parts}
     for field in record.sent_fields:
@@ -134,7 +134,7 @@ class BodyReader:
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
         self.record, self.decoders, self.emits = record, decoders, emits
         self.has_lists: bool = False
-        """Whether it reads the images of bodies with fields behind lists."""
+        """Whether it reads the images of bodies with fields after lists."""
         self.counts_of_texts: frozenset[str] = frozenset()
         """The fields with the bytes of a text that varies in width, which no image has."""
         self.slots = list(slots(record)) if record.selector is None else []
@@ -151,7 +151,7 @@ class BodyReader:
     ) -> Iterator[tuple[Numbers, FieldRows]]:
         """Judges bodies of `size` bytes from `at` on, and yields their fields with the rows of the bodies.
 
-        A verdict that is not yet another one becomes that of the first fault.
+        A verdict without a fault becomes the verdict of the first fault.
         """
         if self.image is not None:
             images = self._list_images if self.record.inner_lists is not None else self._images
@@ -200,7 +200,7 @@ class BodyReader:
     def _list_images(
         self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
     ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
-        """The same of bodies with fields behind lists; and what is known of these."""
+        """The same of bodies with fields after lists; and what is known of these."""
         images: list[bytes] = []
         sizes = np.zeros(len(offsets), np.int64)
         inner = self.record.inner_lists
@@ -278,7 +278,7 @@ class BodyReader:
 
     @staticmethod
     def _count(field: FieldLayout, size: Numbers) -> Numbers:
-        """How many elements of a field there are: as many as fit if their number is free."""
+        """The number of elements of a field: all that fit if their number is free."""
         repeat = field.field.repeat
         if repeat is None or not field.size:
             return np.full(len(size), field.count or 0)
@@ -374,7 +374,7 @@ def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
 
 
 def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:
-    """Images one behind the other, and where each begins."""
+    """Images one after the other, and where each begins."""
     starts = np.cumsum([0, *map(len, images)])[:-1]
     # One more byte, since nothing is taken from a buffer without any.
     return np.frombuffer(b"".join([*images, b"\0"]), np.uint8), starts

@@ -19,7 +19,7 @@ BATCH = 1 << 23
 """The bytes that are read at once."""
 
 LONGEST = 1 << 26
-"""The bytes of the longest record or block that a capture may have; a greater length is no length."""
+"""The bytes of the longest record or block that a capture may have; a greater length is not a length."""
 
 INTERFACE, PACKET, SIMPLE, ENHANCED = 1, 2, 3, 6
 """The kinds of blocks of pcapng that are read: interfaces, and packets as the first version of the format had them,
@@ -29,11 +29,11 @@ NOTHING = bytes(16)
 """The record of a packet without a time and without a byte: what a file has where nothing was written."""
 
 Read = Callable[[int], bytes]
-"""Reads at most so many bytes; returns none at the end."""
+"""Reads at most this number of bytes; returns none at the end."""
 
 
 class CaptureError(ValueError):
-    """A file that is no capture, or one from which nothing more can be read. `offset` counts bytes of the file."""
+    """A file that is not a capture, or one from which nothing more can be read. `offset` counts bytes of the file."""
 
     def __init__(self, offset: int, detail: str) -> None:
         super().__init__(f"byte {offset}: {detail}")
@@ -45,7 +45,7 @@ class Packets:
     """Captured packets: `size` bytes each from `at` on in the buffer. `interface` is the place of the interface.
 
     `original` is the size that each had before the capture cut it short. `time` is in nanoseconds since 1970. `end` is
-    the offset in the file behind the last one.
+    the offset in the file after the last one.
     """
 
     buffer: Bytes
@@ -70,7 +70,7 @@ class CaptureReader:
     """Reads one capture. `interfaces` grows as the file describes them; `losses` counts what cannot be read.
 
     `position` and `interfaces` are all that is needed to go on reading later, from that byte of the file on. `rest`
-    counts the bytes that nobody has read; without it they are read to be counted.
+    counts the unread bytes; without it they are read to be counted.
     """
 
     def __init__(self, read: Read, state: dict[str, Any] | None = None, rest: Callable[[], int] | None = None) -> None:
@@ -87,7 +87,7 @@ class CaptureReader:
             self.interfaces = [Interface(*values) for values in state["interfaces"]]
 
     def state(self, end: int) -> dict[str, Any]:
-        """What another reader needs to go on behind the packets that end at a byte of the file."""
+        """What another reader needs to go on after the packets that end at a byte of the file."""
         interfaces = [[own.link_type, own.ticks, own.offset] for own in self.interfaces]
         return {"position": end, "order": self.order, "blocks": self.is_blocks, "interfaces": interfaces}
 

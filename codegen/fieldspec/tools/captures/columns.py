@@ -77,7 +77,7 @@ def spread(counts: Numbers) -> tuple[Numbers, Numbers]:
 
 
 def gathered(buffer: Bytes, starts: Numbers, sizes: Numbers) -> tuple[Bytes, Numbers]:
-    """The bytes of some spans one behind another, and the offset of each span and of the end."""
+    """The bytes of some spans one after another, and the offset of each span and of the end."""
     offsets = np.zeros(len(starts) + 1, np.int64)
     np.cumsum(sizes, out=offsets[1:])
     if len(starts) and bool((starts[1:] == starts[:-1] + sizes[:-1]).all()):

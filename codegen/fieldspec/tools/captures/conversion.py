@@ -1,4 +1,6 @@
-"""One file from its bytes to batches of both tables: its kind is told, and it goes on where another run stopped."""
+"""One file from its bytes to batches of both tables: its type is detected, and it continues where
+another run stopped.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,7 @@ CAPTURE, LOG, ROWS = "capture", "log", "rows"
 
 
 def kind_of(head: bytes) -> str:
-    """What a file is, from its first bytes. Raises CaptureError for one that is neither a capture nor a text."""
+    """The type of a file, from its first bytes. Raises CaptureError for one that is neither a capture nor a text."""
     if is_capture(head):
         return CAPTURE
     text = head.replace(b"\0", b"")
@@ -125,7 +127,7 @@ class Conversion:
 
 
 def _kind(content: FileContent) -> str:
-    """What a file is, from its content. Raises CaptureError."""
+    """The type of a file, from its content. Raises CaptureError."""
     head = content.read(HEAD)
     if not head and content.damage:
         raise CaptureError(0, content.damage)

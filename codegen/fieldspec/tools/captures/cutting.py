@@ -16,7 +16,7 @@ SILENCE = 10**9
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """A frame or a run of bytes that is none, with the time and the packet of its last byte.
+    """A frame or a run of other bytes, with the time and the packet of its last byte.
 
     `is_payload`: it is all that one payload has.
     """
@@ -152,7 +152,7 @@ def _is_silent(before: int, after: int) -> bool:
 
 
 def _chosen(spans: list[_Span]) -> list[_Span]:
-    """Spans that do not overlap: the first that begins, then the next. Of equal ones, the answer to a request."""
+    """Spans that do not overlap: the first that begins, then the next. Among equals, the response to a request."""
     chosen: list[_Span] = []
     ordered = sorted(spans, key=lambda span: (span.start, -span.end, span.direction))
     position = 0

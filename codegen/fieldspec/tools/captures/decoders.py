@@ -179,7 +179,7 @@ class Decoder:
                 assert_never(sign)
 
     def _by_number(self, raw: Numbers, result: ValueColumns) -> None:
-        """The same for wide values. Of words, each distinct one is named once."""
+        """The same for wide values. Each distinct word is named once."""
         if self.value.flags:
             distinct, places = np.unique(raw, return_inverse=True)
             own = self._meanings.of(self._counts(np.asarray(distinct, np.int64)))
@@ -214,7 +214,7 @@ class Decoder:
         return result
 
     def _digits_of(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
-        """The values of digits: the bytes that are none are a text with a verdict."""
+        """The values of digits: invalid bytes are a text with a verdict."""
         table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.size), len(buffer) - 1)]
         pieces = [row.tobytes() for row in table]
         numbers = {piece: number_of_bytes(self.value, piece, self.order, self.swapped) for piece in set(pieces)}

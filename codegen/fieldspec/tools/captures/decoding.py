@@ -77,8 +77,9 @@ class Batch:
 
 @dataclass(frozen=True, slots=True)
 class Choices:
-    """What the user says: the link, empty to find it out; the message of frames without a code; the unit addresses,
-    empty for all; and the direction of payloads for which the source tells none."""
+    """The user's options: the link, empty to detect it; the message of frames without a code; the unit addresses, empty
+    for all; and the direction of payloads for which the source tells none.
+    """
 
     link: str = ""
     message: str = ""

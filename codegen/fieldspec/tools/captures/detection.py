@@ -14,7 +14,7 @@ SAMPLE = 256
 """The payloads of a connection from which its link is told."""
 
 SAMPLE_BYTES = 4096
-"""The bytes in which framers look for frames where payloads are none."""
+"""The bytes in which framers search for frames if payloads are not frames."""
 
 MOST_BYTES, MOST_PAYLOADS = 1 << 20, 1 << 14
 """What waits at most until the links of all connections are told."""

@@ -32,7 +32,7 @@ class _Unpacker(io.RawIOBase):
         return True
 
     def readinto(self, buffer: Any) -> int:
-        """Unpacks at most so many bytes as a buffer takes; none at the end, and behind damage."""
+        """Unpacks at most the bytes that fit into a buffer; none at the end, and after damage."""
         data = b""
         if not self.damage:
             try:
@@ -72,7 +72,7 @@ class FileContent:
         return self.unpacker.damage if self.unpacker is not None else ""
 
     def skip(self, size: int) -> None:
-        """Goes on behind so many bytes of the content."""
+        """Continues after that number of bytes of the content."""
         if self.unpacker is None:
             self.file.seek(size)
             return

@@ -39,7 +39,7 @@ class CaptureAudit:
         return (self.map(), self.exchanges(), self.contradictions(), self.polling(), self.wear())
 
     def map(self) -> Section:
-        """What was seen of the map, how often, and within which bounds."""
+        """Registers in the traffic, how often, and within which bounds."""
         uses = sorted(self.seen.registers.values(), key=_by_address)
         known = {(use.space, use.register) for use in uses} & self.occupants.keys()
         rows = tuple(
@@ -61,7 +61,7 @@ class CaptureAudit:
         units = tuple((str(unit), count) for unit, count in sorted(self.seen.units.items()))
         return Section(
             "seen",
-            "What was seen of the map",
+            "Registers in the traffic",
             figures=figures,
             tables=(
                 SectionTable("registers", "Registers and fields", columns, rows),

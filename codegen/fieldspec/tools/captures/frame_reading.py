@@ -93,7 +93,7 @@ class FrameReader:
     ) -> ReadFrames:
         """Reads frames of `size` bytes, each from its offset on.
 
-        `request_messages` are those of their requests, where these decide. Without `judges_body` only the parts are
+        `request_messages` are the messages of their requests, if these decide. Without `judges_body` only the parts are
         read, as long as it is open which message a frame is.
         """
         verdict = np.zeros(len(offsets), np.int8)
@@ -237,7 +237,7 @@ class FrameReader:
         return np.not_equal(code & refusal.flag, 0) if refusal.code is None else np.equal(code, refusal.code)
 
     def _by_subcode(self, frames: ReadFrames, rows: Numbers, shared: Subcode, places: dict[str, int]) -> None:
-        """The messages of frames with one code. Bodies too short for a subcode count as those of the first message."""
+        """The messages of frames with one code. Bodies too short for a subcode count as bodies of the first message."""
         number = number_at(frames.buffer, frames.body[rows] + shared.offset, shared.size, shared.order)
         short = frames.body_size[rows] < shared.end
         for key, message in shared.messages.items():
@@ -304,6 +304,6 @@ class FrameReader:
 
 
 def _spans(pieces: list[bytes]) -> Spans:
-    """The spans of some pieces in a buffer that has them one behind another."""
+    """The spans of some pieces in a buffer that has them one after another."""
     sizes = numbers([len(piece) for piece in pieces])
     return Spans(np.frombuffer(b"".join(pieces) + b"\0", np.uint8), np.cumsum(sizes) - sizes, sizes)

@@ -33,7 +33,7 @@ class Reading:
 
 @dataclass(slots=True)
 class Frames:
-    """The frames of a batch on one link. `noise` marks runs of bytes that are no frame."""
+    """The frames of a batch on one link. `noise` marks runs of bytes that are not a frame."""
 
     payloads: Payloads
     noise: Mask
@@ -41,7 +41,7 @@ class Frames:
 
 
 class LinkDecoder:
-    """Decodes one link of one source. `readers` are those of both directions, by direction."""
+    """Decodes one link of one source. `readers` are the readers of both directions, by direction."""
 
     def __init__(self, link: LinkLayout, readers: dict[int, FrameReader], cutter: Cutter, spaces: list[str]) -> None:
         self.link, self.readers, self.cutter, self.spaces = link, readers, cutter, spaces
@@ -77,7 +77,7 @@ class LinkDecoder:
         return _whole(payloads, self._readings(payloads))
 
     def frames_anywhere(self, payloads: Payloads) -> tuple[Payloads, ...]:
-        """The valid frames in payloads, in which they may begin and end anywhere. What waits, waits on."""
+        """The valid frames in payloads, in which they may begin and end anywhere. Waiting payloads keep waiting."""
         if not len(payloads):
             return ()
         own, self.cutter = self.cutter, self.cutter.another()
@@ -96,7 +96,7 @@ class LinkDecoder:
         return readings
 
     def _cut(self, payloads: Payloads, cut: Mask) -> Frames:
-        """Hands payloads to the cutter where they are no frame, and where bytes before them still wait."""
+        """Hands payloads to the cutter where they are not a frame, and where bytes before them still wait."""
         pieces: list[tuple[int, Piece]] = []
         keep = ~cut
         keys = payloads.stream * 4 + payloads.direction + 1
@@ -123,7 +123,7 @@ class LinkDecoder:
         return self.cutter.feed(stream, direction, data, time, packet, follows_loss, payloads.carrier[row] == STREAM)
 
     def rest(self) -> Frames:
-        """What is left at the end of the source."""
+        """The remaining payloads at the end of the source."""
         nothing = payloads_of([])
         return _with_pieces(nothing, np.zeros(0, np.bool_), [(0, piece) for piece in self.cutter.finish()])
 
@@ -213,7 +213,7 @@ class LinkDecoder:
         self._place(rows, direction, targets, exchanges.address[asked_rows], exchanges.count[asked_rows])
 
     def _reread(self, rows: _Rows, direction: Numbers, readings: dict[int, Reading], asked_message: Numbers) -> None:
-        """Reads bodies again: those of responses by the message of the request."""
+        """Reads bodies again: bodies of responses by the message of the request."""
         for side, reader in self.readers.items():
             own = np.flatnonzero((direction == side) & (rows.verdict == OK))
             offsets, size = rows.payloads.at[own], rows.payloads.size[own]

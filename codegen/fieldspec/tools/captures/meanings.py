@@ -38,7 +38,7 @@ SEGMENT = 8
 
 
 class Meanings:
-    """What the numbers of a value mean, as an explanation of a frame says it."""
+    """The meanings of a value's numbers, as in an explanation of a frame."""
 
     def __init__(self, device: Device, value: Value, texts: TextList) -> None:
         conditions = accepted(device, value)
@@ -73,7 +73,7 @@ class Meanings:
         return texts, verdicts, has_quantity
 
     def _states(self, numbers: Counts) -> npt.NDArray[np.int64]:
-        """The number of the first sentinel that each number is; -1 where it is none."""
+        """The index of the first sentinel for each number; -1 for other numbers."""
         result = np.full(len(numbers), -1, np.int64)
         for place in reversed(range(len(self.sentinels))):
             result[is_in(numbers, (self.sentinels[place].interval,))] = place
@@ -161,9 +161,9 @@ def passing(test: Test, numbers: Counts) -> Mask:
         case PartWithin():
             return is_in(numbers, test.sentinels) | is_in(_part(numbers.view(np.uint64), test.bit), test.bit.images)
         case HasDigits():
-            return np.ones(len(numbers), np.bool_)  # what is no number has none to judge
+            return np.ones(len(numbers), np.bool_)  # what is not a number has none to judge
         case HasCharacters() | RealWithin() | Fits():
-            raise AssertionError(f"{test} is no test of whole numbers")
+            raise AssertionError(f"{test} is not a test of whole numbers")
         case _:
             assert_never(test)
 
@@ -180,7 +180,9 @@ def _part(words: npt.NDArray[np.uint64], bit: Bit) -> npt.NDArray[np.uint64]:
 
 
 def is_in(numbers: Counts, intervals: Iterable[tuple[int, int]]) -> Mask:
-    """Whether numbers are in any interval. Bounds that the type of the column cannot have are those of the type."""
+    """Whether numbers are in any interval. Bounds that the type of the column cannot have become the limits of the
+    type.
+    """
     limits = np.iinfo(numbers.dtype)
     result = np.zeros(len(numbers), np.bool_)
     for low, high in intervals:

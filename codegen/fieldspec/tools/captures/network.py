@@ -116,7 +116,7 @@ def _lines(
     streams: Numbers,
     carrier: int,
 ) -> Segments:
-    """What lines and buses carry, for which nothing tells the direction."""
+    """The traffic of lines and buses, whose direction is unknown."""
     none, carriers = np.full(len(rows), -1), np.full(len(rows), carrier, np.int8)
     direction = np.full(len(rows), UNKNOWN)
     return Segments(
@@ -127,9 +127,9 @@ def _lines(
 class Network:
     """Finds the payloads in packets. `skipped` counts the packets that carry none, by the reason.
 
-    `ports` are those of the devices, and nothing between other ones is taken. Where there are none, the side with one
-    of the `usual` ports is the device, which are pairs of protocol and port; and where no side or both have one, that
-    with the lower port. `names` are the connections, the client first.
+    `ports` are the ports of the devices; traffic between other ports is ignored. Where there are none, the side with
+    one of the `usual` ports is the device, which are pairs of protocol and port; and where no side or both have one,
+    that with the lower port. `names` are the connections, the client first.
     """
 
     def __init__(self, ports: Collection[int], names: Names, usual: Collection[tuple[str, int]] = ()) -> None:

@@ -105,7 +105,7 @@ def payloads_of(
 
 
 def joined(left: Payloads, right: Payloads) -> Payloads:
-    """The payloads of both, those of the first before those of the second."""
+    """The payloads of both, the first's before the second's."""
     buffer = np.concatenate([left.buffer, right.buffer])
     moved = Payloads(buffer, right.at + len(left.buffer), *right.columns()[1:])
     return Payloads(buffer, *map(np.concatenate, zip(left.columns(), moved.columns(), strict=True)))

@@ -58,7 +58,7 @@ class RegisterRows:
 class RegisterMap:
     """The registers, the fields of tables and the unlisted addresses of one space, by address.
 
-    `paths` and `units` have the name and the unit of each; those of unlisted addresses are the addresses.
+    `paths` and `units` have the name and the unit of each; unlisted addresses are their own names.
     """
 
     def __init__(self, layout: DeviceLayout, space: str, decoders: Decoders) -> None:

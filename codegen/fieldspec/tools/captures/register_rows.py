@@ -54,7 +54,7 @@ def columns_of(line: str) -> tuple[str, dict[str, int]] | None:
 
 
 def _cells(line: str, separator: str) -> list[str]:
-    """The cells of a row; none where it is no CSV."""
+    """The cells of a row; none where it is not CSV."""
     try:
         return next(csv.reader([line.rstrip("\r\n")], delimiter=separator), [])
     except csv.Error:
@@ -72,7 +72,7 @@ class _Access:
 
     @property
     def end(self) -> int:
-        """The first address behind the last word."""
+        """The first address after the last word."""
         return self.address + len(self.words)
 
     def goes_on(self, other: _Access) -> bool:
@@ -103,7 +103,7 @@ class RegisterRows:
         return self.lines.position
 
     def state(self) -> dict[str, Any]:
-        """What another object needs to go on behind the last batch."""
+        """What another object needs to go on after the last batch."""
         separator, places = self.layout or (",", {})
         return {
             "number": self.number,
@@ -130,7 +130,7 @@ class RegisterRows:
             yield self._batches(accesses)
 
     def _accesses(self) -> list[_Access]:
-        """The accesses in the next rows. A batch ends where an access does; the row behind it waits."""
+        """The accesses in the next rows. A batch ends where an access does; the row after it waits."""
         accesses = [self.waiting] if self.waiting is not None else []
         self.waiting = None
         rows = 0

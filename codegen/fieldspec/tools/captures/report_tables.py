@@ -1,4 +1,4 @@
-"""Tables in Parquet: those of a report are written, those of frames and values are read."""
+"""Parquet tables: tables of a report are written, tables of frames and values are read."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def parquet_bytes(columns: Sequence[str], rows: Sequence[Mapping[str, Any]]) -> 
 
 
 def parquet_batches(file: BinaryIO) -> Iterator[Any]:
-    """The record batches of a Parquet file. Raises OSError for a file that is none."""
+    """The record batches of a Parquet file. Raises OSError for other files."""
     import pyarrow as pa
     from pyarrow import parquet
 

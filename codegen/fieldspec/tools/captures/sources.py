@@ -34,16 +34,16 @@ class Source(Protocol):
         """All payloads of the source, batch by batch."""
 
     def state(self) -> dict[str, Any]:
-        """What another source needs to go on behind the last batch."""
+        """What another source needs to go on after the last batch."""
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped, lost and remarkable, by kind."""
+        """The skipped, lost and remarkable payloads, by kind."""
 
 
 class Lines:
     """The lines of a file, of which it keeps at most LONGEST_LINE bytes each. A line that does not end is the last one.
 
-    `position` counts the bytes that are read, `losses` those behind such a line, which `rest` counts.
+    `position` counts the bytes that are read, `losses` those after such a line, which `rest` counts.
     """
 
     def __init__(self, readline: Read, position: int = 0, rest: Callable[[], int] = lambda: 0) -> None:
@@ -58,7 +58,7 @@ class Lines:
             line_rest = self.readline(BATCH)
             self.position += len(line_rest)
             if len(line_rest) == BATCH and not line_rest.endswith(b"\n"):
-                self.losses[f"behind {BATCH} bytes without the end of a line"] += self.rest()
+                self.losses[f"after {BATCH} bytes without the end of a line"] += self.rest()
         return line
 
 
@@ -81,11 +81,11 @@ class PacketSource:
         self.position = self.reader.position
 
     def state(self) -> dict[str, Any]:
-        """What another source needs to go on behind the last batch."""
+        """What another source needs to go on after the last batch."""
         return {"reader": self.reader.state(self.position), "order": self.order.state(), "packets": self.packets}
 
     def counters(self) -> dict[str, Counter[str]]:
-        """What is skipped, lost and remarkable, by kind."""
+        """The skipped, lost and remarkable payloads, by kind."""
         return {"skipped": self.network.skipped, "bytes lost": self.reader.losses, "events": self.order.events}
 
     def payloads(self) -> Iterator[Payloads]:
@@ -119,7 +119,7 @@ class LogSource:
         return self.lines.position
 
     def state(self) -> dict[str, Any]:
-        """What another source needs to go on behind the last batch."""
+        """What another source needs to go on after the last batch."""
         return {"number": self.number, "position": self.position, "time": self.clock.last, "mark": self.mark}
 
     def counters(self) -> dict[str, Counter[str]]:

@@ -63,7 +63,7 @@ VERDICT_TEXTS = pa.array(VERDICTS)
 
 
 def record_batches(batch: Batch, texts: list[str], source: str, device: str) -> dict[str, Any]:
-    """A batch as record batches, by the name of the table. `texts` are those of the columns of texts."""
+    """A batch as record batches, by the name of the table. `texts` are the texts of the text columns."""
     words = pa.array(texts, pa.string())
     frames, values = batch.frames, batch.values
     rows, value_rows = len(frames.number), len(values.frame)
@@ -142,7 +142,7 @@ def _texts(places: Texts, words: Any) -> Any:
         own = pa.array((places - lowest).astype(np.int32, copy=False), mask=is_absent)
         return pa.DictionaryArray.from_arrays(own, words.slice(lowest, highest - lowest + 1))
     is_used = np.zeros(highest + 2, np.bool_)
-    is_used[places] = True  # -1 is the place behind the last text
+    is_used[places] = True  # -1 is the place after the last text
     used = np.flatnonzero(is_used[:-1])
     new_places = np.cumsum(is_used, dtype=np.int32)
     own = pa.array(new_places[places] - 1, mask=is_absent)

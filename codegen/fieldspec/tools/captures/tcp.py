@@ -34,7 +34,7 @@ class Waiting:
 
 @dataclass(slots=True)
 class _Late:
-    """A segment that has waited. It comes behind the packet `order`; `after_loss`: bytes before it lack."""
+    """A segment that has waited. It comes after the packet `order`; `after_loss`: bytes before it lack."""
 
     key: int
     segment: Waiting
@@ -46,7 +46,7 @@ class StreamOrder:
     """The order of all streams of a source. `events` counts what is not as it should be.
 
     By stream and direction, `expected` has the number of the next byte, and `waiting` the segments that are too early.
-    `captured` has the number behind the last byte that the capture has, where that is not the number of the next one.
+    `captured` has the number after the last byte that the capture has, where that is not the number of the next one.
     """
 
     def __init__(self, state: dict[str, Any] | None = None) -> None:
@@ -76,7 +76,7 @@ class StreamOrder:
     def payloads(self, buffer: Bytes, segments: Segments) -> Payloads:
         """The payloads in the order of their streams. Datagrams stay as they are.
 
-        Segments that follow one another are taken as columns; only the others are looked at one by one.
+        Segments that follow one another are taken as columns; only the others are processed one by one.
         """
         step = _Step(buffer, segments, segments.size > 0, np.zeros(len(segments.at), np.bool_))
         cut_short = int(np.count_nonzero(segments.length > segments.size))
@@ -164,7 +164,7 @@ class StreamOrder:
             self._in_turn(key, step)
 
     def _take(self, key: int, sequence: int, size: int, length: int) -> bool:
-        """Goes on behind a segment that is in its turn. Returns whether bytes before it lack."""
+        """Goes on after a segment that is in its turn. Returns whether bytes before it lack."""
         before = self.captured.pop(key, sequence)
         end = (sequence + length) % NUMBERS
         if _ahead(end, self.expected[key]) > 0:
@@ -175,7 +175,7 @@ class StreamOrder:
         return before != sequence
 
     def _line(self, stream: int, own: Numbers, step: _Step) -> None:
-        """Notes where a line goes on behind a payload that the capture cut short."""
+        """Records where a line continues after a payload that the capture cut short."""
         if stream < 0:
             return
         is_cut = step.segments.length[own] > step.segments.size[own]
@@ -232,15 +232,15 @@ class StreamOrder:
 
 
 def _ahead(number: int, other: int) -> int:
-    """How far a number of a stream is ahead of another one; less than 0 behind it."""
+    """How far a number of a stream is ahead of another one; less than 0 after it."""
     return (number - other + NUMBERS // 2) % NUMBERS - NUMBERS // 2
 
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """One batch of segments while it is put in order: those to keep, those behind a loss, and those that waited.
+    """One batch of segments while it is put in order: those to keep, those after a loss, and those that waited.
 
-    `last` has by stream and direction the packet behind which a segment that has waited comes.
+    `last` has by stream and direction the packet after which a segment that has waited comes.
     """
 
     buffer: Bytes

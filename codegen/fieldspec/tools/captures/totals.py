@@ -1,4 +1,4 @@
-"""What a run of bulk decoding has seen, in numbers."""
+"""The result of a run of bulk decoding, in numbers."""
 
 from __future__ import annotations
 

@@ -84,10 +84,10 @@ def _address(url: str) -> tuple[str, str, int]:
     parts = urlsplit(url)
     channel = unquote(parts.path.removeprefix("/"))
     if not parts.netloc or not channel:
-        raise CarrierError(f"{url} is no CAN bus; write it as can://INTERFACE/CHANNEL, as in can://socketcan/can0")
+        raise CarrierError(f"{url} is not a CAN bus; write it as can://INTERFACE/CHANNEL, as in can://socketcan/can0")
     bitrate = 0
     for key, text in parse_qsl(parts.query, keep_blank_values=True):
         if key != "bitrate" or not text.isdecimal() or len(text) > _DIGITS:
-            raise CarrierError(f"{url}: {key}={text} is no option; write ?bitrate=500000")
+            raise CarrierError(f"{url}: {key}={text} is not an option; write ?bitrate=500000")
         bitrate = int(text)
     return parts.netloc, channel, bitrate

@@ -21,7 +21,7 @@ class Carrier(Protocol):
     """Whether bytes come in pieces that belong together."""
 
     keeps_pauses: bool
-    """Whether pauses between bytes are those of the sender, as on a serial line. A network adds pauses of its own."""
+    """Whether pauses between bytes come from the sender, as on a serial line. A network adds pauses of its own."""
 
     def read(self, seconds: float) -> bytes:
         """The bytes that come within some seconds; empty if none do. Raises CarrierError at the end."""

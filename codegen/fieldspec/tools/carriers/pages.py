@@ -12,7 +12,7 @@ from pathlib import Path
 from fieldspec.tools.carriers.carrier import CarrierError
 
 HOST = "127.0.0.1"
-"""Nobody but this machine reaches it."""
+"""Only this machine reaches it."""
 
 _LOCAL = re.compile(r"(127\.0\.0\.1|localhost)(:[0-9]+)?", re.IGNORECASE)
 """The names by which browsers of this machine ask. They leave out the port where it is 80."""

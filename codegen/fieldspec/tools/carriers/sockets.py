@@ -15,9 +15,9 @@ def address(url: str) -> tuple[str, int]:
         parts = urlsplit(url)
         host, port = parts.hostname, parts.port
     except ValueError as error:
-        raise CarrierError(f"{url} is no address: {error}") from None
+        raise CarrierError(f"{url} is not an address: {error}") from None
     if not host or port is None:
-        raise CarrierError(f"{url} is no address; write it as {parts.scheme or 'tcp'}://HOST:PORT")
+        raise CarrierError(f"{url} is not an address; write it as {parts.scheme or 'tcp'}://HOST:PORT")
     return host, port
 
 
@@ -105,7 +105,7 @@ class Listener:
 
 
 class Datagrams:
-    """UDP. A server answers whoever has sent the last datagram, a client sends to the address of its URL."""
+    """UDP. A server answers the sender of the last datagram, a client sends to the address of its URL."""
 
     datagrams = True
     keeps_pauses = False

@@ -20,7 +20,7 @@ except ImportError:  # a system without terminals
     _ERRORS: tuple[type[Exception], ...] = (OSError,)
 else:
     _ERRORS = (OSError, termios.error)
-"""What a port raises besides the errors of pyserial; that for settings which a driver refuses is no OSError."""
+"""The errors of a port besides pyserial's errors; that for settings which a driver refuses is not an OSError."""
 
 _PSEUDO_TERMINAL = re.compile(r"/dev/(?:pts/|ttys)[0-9]+")
 """The paths of pseudo-terminals on Linux and macOS."""
@@ -72,7 +72,7 @@ class PseudoTerminal:
         os.write(self._waker, b".")
 
     def release(self) -> None:
-        """Gives the descriptors back, once nobody reads any more."""
+        """Closes the descriptors after the last reader."""
         for descriptor in (self._own, self._other, self._wake, self._waker):
             os.close(descriptor)
 
@@ -109,7 +109,7 @@ class SerialPort:
             number = getattr(error, "errno", None)
             if isinstance(error, ValueError) and "://" in url:
                 forms = "/dev/ttyUSB0, COM3, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
-                raise CarrierError(f"{url} is no port; write one of the forms {forms}") from None
+                raise CarrierError(f"{url} is not a port; write one of the forms {forms}") from None
             raise CarrierError(f"cannot open {url}: {os.strerror(number) if number else error}") from None
 
     def read(self, seconds: float) -> bytes:

@@ -76,7 +76,7 @@ class WebSocket:
 
 
 def _link(request: Request) -> str:
-    """The link that a request names, without the key behind it."""
+    """The link that a request names, without the key after it."""
     return unquote(request.path.partition("?")[0].removeprefix("/"))
 
 
@@ -84,7 +84,7 @@ class WebServer:
     """Serves links to browsers on this machine, each at a path with its name.
 
     `datagrams` says of each link whether a message is a whole frame. `run` serves a connection to a link until it ends.
-    Raises CarrierError if nobody may listen on the port.
+    Raises CarrierError if the port cannot be opened.
     """
 
     def __init__(self, port: int, datagrams: Mapping[str, bool], run: Callable[[str, WebSocket], None]) -> None:

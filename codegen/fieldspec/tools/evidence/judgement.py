@@ -1,4 +1,4 @@
-"""What the evidence of one unit says of each fact."""
+"""The evidence of one unit about each fact."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def aspects(observables: Observables) -> dict[Aspect, Fact]:
 
 
 def observations(unit: UnitEvidence, observables: Observables) -> dict[Aspect, Observation]:
-    """What a unit says of each aspect that it says anything of."""
+    """The verdict of a unit on each aspect with evidence."""
     by_aspect: dict[Aspect, list[Observation]] = {}
     for aspect, observation in _UnitJudge(unit, observables).observations():
         by_aspect.setdefault(aspect, []).append(observation)
@@ -191,11 +191,11 @@ class _UnitJudge:
         """The observation that a series is of the value of a fact."""
         names = list(partners)
         if not series.changes:
-            remark = f"it was always {series.text}, so nothing tells it from another value"
+            remark = f"it was always {series.text}, so it cannot be distinguished from other values"
             return Observation(NOTHING, series.count, series.text, series.where, remark)
         if names:
             rest_text = f" and {len(names) - _IN_STEP} more" if len(names) > _IN_STEP else ""
-            remark = f"it changes in step with {', '.join(names[:_IN_STEP])}{rest_text}; nothing tells which is which"
+            remark = f"it changes in step with {', '.join(names[:_IN_STEP])}{rest_text}; they cannot be distinguished"
             return Observation(NOTHING, series.count, series.text, series.where, remark)
         return Observation(OBSERVED, series.count, series.text, series.where)
 
@@ -212,7 +212,7 @@ class _UnitJudge:
 
 
 def _fitting(series: Series, nothing: str) -> Observation:
-    """What a series says of a scale or a range, which no value alone confirms."""
+    """The verdict of a series on a scale or a range, which a single value cannot confirm."""
     if series.is_zero:
         return Observation(NOTHING, series.count, "0", series.where, nothing)
     return Observation(CONSISTENT, series.count, series.text, series.where)

@@ -18,7 +18,7 @@ _REQUIRED = ("model", "firmware", "serial_number")
 _KEYS = (*_REQUIRED, "unit_address", "remarks")
 _HELP = {
     "model": "write the model as its label has it",
-    "firmware": 'write the firmware in quotes, such as "2.12"; `unknown` if nobody knows it',
+    "firmware": 'write the firmware in quotes, such as "2.12"; `unknown` if it is not known',
     "serial_number": "write `serial_number: redacted`, and remove the number from the files",
 }
 

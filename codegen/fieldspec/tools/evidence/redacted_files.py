@@ -1,7 +1,7 @@
-"""Captures, dumps and scans of a unit, written anew without what identifies it.
+"""Copies of captures, dumps and scans of a unit without identifying data.
 
-Nothing of a file is taken over but what its frames, words and counts mean: no addresses of a network, no names, no
-comments, no bytes between frames. Times begin with 0.
+Only the meaning of a file's frames, words and counts is copied: no addresses of a network, no names, no comments, no
+bytes between frames. Times begin with 0.
 """
 
 from __future__ import annotations
@@ -144,7 +144,7 @@ def redacted_rows(
 ) -> list[tuple[str, int, list[int]]]:
     """Rows of a space, an address or a number, and counts there, without what identifies a unit.
 
-    Counts in which a secret goes on from row to row are 0.
+    Counts in which a secret continues from row to row are 0.
     """
     clean = [(space, number, redaction.counts(space, number, counts)) for space, number, counts in rows]
     clean.sort(key=lambda row: (row[0], row[1]))
@@ -230,7 +230,7 @@ def _words(redaction: Redaction, space: str, address: int, values: Sequence[int]
 def redacted_scan(redaction: Redaction, content: Mapping[str, Any]) -> str:
     """A scan as JSON, with the spaces that the device has.
 
-    Raises ValueError, TypeError, KeyError and AttributeError for a file that is none.
+    Raises ValueError, TypeError, KeyError and AttributeError for other files.
     """
     device = redaction.layout.device
     parameter_spaces = {parameter_set.space for parameter_set in device.parameters.values()}

@@ -1,7 +1,7 @@
 """Frames and words of a device without what identifies a unit.
 
-Only what the spec describes is taken over. Values with the role `serial_number`, texts, and whatever the spec does not
-describe are replaced.
+Only described values are copied. Values with the role `serial_number`, texts, and whatever the spec does not describe
+are replaced.
 """
 
 from __future__ import annotations
@@ -73,9 +73,10 @@ class Redaction:
     def frame(
         self, link: str, direction: str, frame: bytes, decoded: Decoded, request_values: Mapping[str, Any]
     ) -> bytes:
-        """A frame with right checksums in which nothing identifies the unit. `request_values` are those of its request.
+        """A frame with right checksums in which nothing identifies the unit. `request_values` are the values of its
+        request.
 
-        Raises CodecError for a frame that is no frame of the link.
+        Raises CodecError for a frame that is not a frame of the link.
         """
         codec_of_link = self.codec.links[link]
         shape = codec_of_link.link.frame(direction)

@@ -47,7 +47,7 @@ class Baseline:
 
 
 class BaselineError(Exception):
-    """A file that is no baseline. The message completes a sentence that begins with its name."""
+    """A file that is not a baseline. The message completes a sentence that begins with its name."""
 
 
 def baseline(path: str, text: str) -> Baseline:
@@ -62,7 +62,7 @@ def baseline(path: str, text: str) -> Baseline:
     except (ValueError, KeyError, TypeError, RecursionError):
         is_right = False
     if not is_right:
-        raise BaselineError("is no table of evidence; write one with --table evidence --format json --out FILE")
+        raise BaselineError("is not a table of evidence; write one with --table evidence --format json --out FILE")
     return Baseline(SourceFile(path, text), states)
 
 
@@ -79,7 +79,7 @@ class _Row:
 def evidence_report(
     layout: DeviceLayout, units: Sequence[UnitEvidence], other_rows: Sequence[tuple[str, ...]], old: Baseline | None
 ) -> tuple[Report, tuple[Diagnostic, ...]]:
-    """The report, and its findings. `other_rows` are those of units that do not count."""
+    """The report, and its findings. `other_rows` are the rows of units that do not count."""
     observables = Observables(layout)
     observed = [observations(unit, observables) for unit in units]
     rows = []
@@ -119,8 +119,8 @@ def _section(
         "evidence",
         "Evidence from real units",
         paragraphs=(
-            "The wire shows which values occur. What they mean, and who is right where it contradicts the manual, "
-            "is for a person to decide.",
+            "The wire shows which values occur. A person has to decide what they mean, and who is right if the wire "
+            "contradicts the manual.",
         ),
         figures=figures,
         tables=(
@@ -133,7 +133,7 @@ def _section(
                 unlisted,
                 ("warning",) * len(unlisted),
             ),
-            _table("unproven", "What was seen and proves nothing", rows, names, (NOTHING,)),
+            _table("unproven", "Values that prove nothing", rows, names, (NOTHING,)),
             _table("evidence", "All facts", rows, names, STATES),
             SectionTable(
                 "units_matrix",
@@ -177,7 +177,7 @@ def _names(row: _Row, names: Sequence[str]) -> str:
 
 
 def _disagreements(rows: Sequence[_Row], units: Sequence[UnitEvidence]) -> SectionTable:
-    """What the manual says and what the wire shows where they disagree: an entry for the ledger each."""
+    """The disagreements between the manual and the wire, each as an entry for the ledger."""
     cells: list[tuple[Cell, ...]] = []
     for row in rows:
         cells += [
@@ -201,7 +201,7 @@ def _disagreements(rows: Sequence[_Row], units: Sequence[UnitEvidence]) -> Secti
 
 
 def _spec_text(row: _Row) -> str:
-    """What the spec says of an aspect, in a few words."""
+    """The statement of the spec about an aspect, in a few words."""
     value = getattr(row.fact, "value", None)
     ranges = getattr(value, "ranges", None)
     if row.aspect[1] == RANGE and value is not None and ranges is not None:
@@ -230,7 +230,7 @@ def _contradictions(rows: Sequence[_Row], units: Sequence[UnitEvidence], old: Ba
 
 
 def _lost(rows: Sequence[_Row], old: Baseline | None) -> Iterator[Diagnostic]:
-    """What a baseline has and the evidence of now has not."""
+    """The facts in a baseline that the present evidence lacks."""
     if old is None:
         return
     now = {row.aspect: row.whole.state for row in rows}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 _LEAST = 3
-"""The bytes of the shortest secret that is looked for: shorter ones are in nearly every frame."""
+"""The length of the shortest secret that is searched: shorter byte sequences are in nearly every frame."""
 
 
 class Secrets:

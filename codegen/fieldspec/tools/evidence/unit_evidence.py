@@ -1,4 +1,4 @@
-"""What the files of one unit show, value by value."""
+"""The evidence in the files of one unit, value by value."""
 
 from __future__ import annotations
 

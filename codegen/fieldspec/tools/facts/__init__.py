@@ -19,7 +19,7 @@ def rows(layout: DeviceLayout) -> list[FactRow]:
 
 
 def of_versions(layouts: Sequence[DeviceLayout]) -> list[list[FactRow]]:
-    """The facts of a device at several versions, which share the rows of what they share. Nobody may change a row."""
+    """The facts of a device at several versions, which share the rows of what they share. A row must not be changed."""
     shared = SharedRows()
     return [
         with_errata(

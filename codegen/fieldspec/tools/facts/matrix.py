@@ -71,7 +71,7 @@ def _by_path(rows: Sequence[FactRow], renamings: Sequence[Renaming]) -> dict[str
 
 
 def _row_values(row: FactRow | None) -> tuple[tuple[str, str], ...] | None:
-    """What a fact states; None if it is missing. Versions are compared by this."""
+    """The statements of a fact; None if it is missing. Versions are compared by this."""
     if row is None:
         return None
     return tuple((key, _cell_text(key, cell)) for key, cell in row.items() if key not in _PLACES and cell is not None)
@@ -104,6 +104,6 @@ def _described(values: Mapping[str, str]) -> str:
 
 
 def _cell_text(key: str, cell: Cell) -> str:
-    """A cell as text. Addresses are hexadecimal, with the decimal number behind them."""
+    """A cell as text. Addresses are hexadecimal, with the decimal number after them."""
     text = f"0x{cell:04X} ({cell})" if key == "address" and isinstance(cell, int) else str(cell)
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."

@@ -112,7 +112,7 @@ def row(kind: str, path: str, sources: Iterable[Citation], **cells: Cell) -> Fac
 
 
 def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) -> Iterator[FactRow]:
-    """The row of a fact, one for each place of the manual that states it again, and those of its special values."""
+    """The row of a fact, one for each place of the manual that restates it, and for its special values."""
     known: FactRow = {key: cells[key] for key in ("code", "bit", "direction") if key in cells}
     known |= {"unverified": of_flag(fact.unverified or None)}
     known |= {"name": fact.name, "printed_name": fact.printed_name, "label": fact.label}
@@ -128,7 +128,7 @@ def of_fact(kind: str, fact: Fact, value: Value | None = None, **cells: Cell) ->
 
 
 def _implied(fact: Fact) -> FactRow:
-    """What the manual does not print of a fact: keys with the reasons, and with the standards that give them."""
+    """The keys of a fact that the manual does not print, with the reasons, and with the standards that give them."""
     cells: FactRow = {"roles": ", ".join(fact.roles)}
     if fact.inferred:
         cells["inferred"] = dict(fact.inferred)

@@ -45,7 +45,7 @@ _BITS = re.compile(
     re.IGNORECASE,
 )
 _NO_AREA = ("", "r", "x", "h", "add", "adr", "no", "nr", "reg")
-"""Letters before digits that are no name of an area, but marks and words for any address."""
+"""Letters before digits that are not a name of an area, but marks and words for any address."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,11 +68,11 @@ class AddressText:
 
     @property
     def prefixed(self) -> bool:
-        """Whether it may be a decimal number behind a letter, as controllers write it: `D100`."""
+        """Whether it may be a decimal number after a letter, as controllers write it: `D100`."""
         return self.lettered and not self.area and _LETTERED.fullmatch(self.digits) is not None
 
     def behind_area(self) -> AddressText:
-        """The decimal number behind the letter of an area: `C3` is the coil 3."""
+        """The decimal number after the letter of an area: `C3` is the coil 3."""
         return AddressText(self.digits[1:], "", meaning("spaces", self.digits[0]), self.digits[0])
 
     def reference(self) -> tuple[str, int] | None:
@@ -98,7 +98,7 @@ class AddressText:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """What a cell says of an address: one, or the first and the last of several, and bits of it.
+    """The address in a cell: one, or the first and the last of several, and its bits.
 
     `other` is a second notation of the first address, `bits` the lowest and the highest bit. `pointless`
     says that `.0` may as well be what a spreadsheet adds to a number, `pointed` that the cell is one with a fraction.
@@ -113,7 +113,7 @@ class Place:
 
 
 def address_text(text: str) -> AddressText | None:
-    """The address in a text, None if it is none."""
+    """The address in a text, None without one."""
     text = unicodedata.normalize("NFKC", text).strip().strip("`*'\"").strip()
     pointless = _POINTLESS.fullmatch(text)
     text = pointless[1] if pointless else text
@@ -137,7 +137,7 @@ def address_text(text: str) -> AddressText | None:
 
 
 def place(text: str) -> Place | None:
-    """What a cell says of an address, None if it is none. Raises CellError, with the reason, for two readings."""
+    """The address in a cell, None without one. Raises CellError, with the reason, for two readings."""
     whole = address_text(text)
     if whole is not None and not _POINTLESS.fullmatch(text.strip()):
         return Place(whole)
@@ -175,19 +175,19 @@ def _joined(pieces: Sequence[Place | None]) -> Place | None:
 
 
 def _span(ends: list[AddressText], is_list: bool) -> Place:
-    """The first and the last of several addresses. Raises CellError if those of an enumeration are no neighbours."""
+    """The first and the last of several addresses. Raises CellError if those of an enumeration are not neighbours."""
     mark = next((end.mark for end in ends if end.mark), "")
     ends = [replace(end, mark=end.mark or mark) for end in ends]
     first, last = ends[0], ends[-1]
     if not is_list and len(last.digits) < len(first.digits) and int(last.digits, 16) < int(first.digits, 16):
         last = replace(last, digits=first.digits[: -len(last.digits)] + last.digits)  # `40001-2`
     if is_list and not all(_follows(address, following) for address, following in pairwise(ends)):
-        raise CellError("has several addresses that are no neighbours; give each a row")
+        raise CellError("has several addresses that are not neighbours; give each a row")
     return Place(first, last)
 
 
 def _follows(first: AddressText, other: AddressText) -> bool:
-    """Whether an address is the one behind another, in whatever base."""
+    """Whether an address is the one after another, in whatever base."""
     bases = (DECIMAL, HEXADECIMAL)
     pairs = [(first.number(base), other.number(base)) for base in bases]
     return first.mark == other.mark and any(a is not None and b is not None and b - a == 1 for a, b in pairs)

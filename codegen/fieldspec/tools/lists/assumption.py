@@ -1,4 +1,4 @@
-"""What is taken for granted of a list where it does not say it: with the evidence, and the option that decides."""
+"""The assumptions about a list: with the evidence, and the option that decides."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Refusal:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """What the user says of a list: empty where the list is to show it itself.
+    """The user's options for a list: empty if the list itself decides.
 
     `base` is the notation of addresses, `decimal` the sign before a fraction, `gain` whether a factor multiplies or
     divides counts, `bounds` whether they are counts or in the unit, `length` the unit of lengths, `order` the order of
@@ -54,4 +54,4 @@ class Options:
 
 
 STATED_NOTHING = Options()
-"""What a user says who gives no option."""
+"""The options of a user without options."""

@@ -38,7 +38,7 @@ _READING = {1: "coils", 2: "discrete_inputs", 3: "registers", 4: "input_register
 
 @dataclass(frozen=True, slots=True)
 class Functions:
-    """What the codes of functions say: the address space, and whether one of them reads and one writes."""
+    """The meaning of function codes: the address space, and whether they read and write."""
 
     space: str
     reads: bool
@@ -46,7 +46,7 @@ class Functions:
 
 
 def access(text: str) -> str:
-    """`ro`, `rw`, `wo`, or empty if the text is no access."""
+    """`ro`, `rw`, `wo`, or empty if the text is not an access."""
     bare = re.sub(r"[\[(].*|\*+$", "", text)
     return meaning("accesses", text) or (meaning("accesses", bare) if folded(bare) else "")
 
@@ -130,13 +130,13 @@ def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
 
 
 def number_in_unit(text: str, decimal: str = POINT) -> Decimal | None:
-    """An exact number, perhaps with a unit behind it: `5 s`."""
+    """An exact number, perhaps with a unit after it: `5 s`."""
     value = number(text, decimal)
     return value if value is not None else number(_TRAILING.sub("", text.strip()), decimal)
 
 
 def whole(text: str, decimal: str = POINT) -> int | None:
-    """A whole number, None if the text is none."""
+    """A whole number, None for other texts."""
     value = number(text, decimal)
     return int(value) if value is not None and value == value.to_integral_value() else None
 

@@ -108,7 +108,7 @@ def _with_further_tables(first: Columns) -> Columns:
 
 
 def _joined(first: Columns, further: Columns) -> Columns:
-    """Two tables as one: columns of a role that both have are one, and others follow behind those of the first."""
+    """Two tables as one: columns of a role that both have are one, and others follow after those of the first."""
     headings = [*first.headings]
     places, further_columns = dict(first.places), dict(first.more)
     targets: dict[int, int] = {}
@@ -374,7 +374,7 @@ def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
         column = _column_index(heads, text) if heads else None
         column = _numbered(text, width) if column is None else column
         if column is None:
-            raise ListError(f"has no column {text}; there are {headings}, or give a letter or a number")
+            raise ListError(f"has no column {text}; choose from {headings}, or give a letter or a number")
         places[role] = column
     if "address" not in places:
         raise ListError(

@@ -37,7 +37,7 @@ ASPECTS = (
     "values",
     "bits",
 )
-"""What is compared if both state it."""
+"""The keys that are compared if both state them."""
 
 _OFFSETS = (0, 1, -1)
 _ENOUGH = 0.25
@@ -341,7 +341,7 @@ def _is_of_type(item: Item, row: ListRow) -> bool:
 
 
 def _unread(item: Item, row: ListRow, aspects: Collection[str]) -> Iterator[Difference]:
-    """The cells that were not understood: nobody knows whether they agree."""
+    """The cells that were not understood: it is unknown whether they agree."""
     for role, is_read in _READ.items():
         text = row.texts.get(role, "")
         if (

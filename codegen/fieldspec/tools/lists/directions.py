@@ -1,4 +1,4 @@
-"""Decides for a whole list what its cells leave open: how a gain is used, what bounds are in, what lengths count."""
+"""Decides for a whole list what its cells leave open: how a gain is used, what bounds are in, the unit of lengths."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _LENGTH_WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What a row says of a number: the factor of its scale, its bounds, and the name of its type."""
+    """The statements of a row about a number: the factor of its scale, its bounds, and the name of its type."""
 
     row: int
     factor: Fraction
@@ -118,11 +118,11 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
     unit, counts = either.count((False, True)), either.count((True, False))
     direction = UNIT if (unit or in_unit) and not counts else COUNTS
     if direction == UNIT and unit:
-        evidence = f"those of {unit} rows are no counts of their types"
+        evidence = f"{unit} rows contain no counts of their types"
     elif direction == UNIT:
         evidence = "so they prove the direction of the factor"
     elif counts and not unit:
-        evidence = f"those of {counts} rows are whole counts only so"
+        evidence = f"only so, {counts} rows contain whole counts"
     else:
         evidence = "nothing shows which"
     return direction, Assumption(
@@ -131,7 +131,7 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
 
 
 def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str) -> tuple[str, Assumption | None]:
-    """What lengths count. `sizes` has each row's length, the words of its type and those to the next address, or 0."""
+    """The unit of lengths. `sizes` has each row's length, the words of its type and those to the next address, or 0."""
     if stated or not sizes:
         return stated or "words", None
     matches = Counter(

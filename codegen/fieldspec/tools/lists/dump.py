@@ -35,7 +35,7 @@ _LOOKED_AT = 10
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """What was read at an address: one number, or several words from there on. `row` is its number in the file.
+    """The result of reading an address: one number, or several words from there on. `row` is its number in the file.
 
     `words` is the size of the number in words, None if the file does not say it. `space` is the name of the address
     space in the file, empty if it has none.
@@ -62,7 +62,7 @@ class Dump:
         return self.listing.bases
 
     def entries(self, base: str) -> list[Entry]:
-        """What was read, with the addresses read in one of the ways of `bases`."""
+        """The rows, with the addresses interpreted in one of the ways of `bases`."""
         return [
             Entry(row.row, row.address, self.values[row.row], row.words, row.texts.get("space", ""))
             for row in self.listing.rows(base)

@@ -25,7 +25,7 @@ _MOST_WORDS = 1 << 20
 
 @dataclass(frozen=True, slots=True)
 class Bit:
-    """One bit of a register, or several; `pieces` says where those are that are no neighbours."""
+    """One bit of a register, or several; `pieces` says where those are that are not neighbours."""
 
     low: int
     high: int
@@ -52,7 +52,7 @@ class Entry:
 
     @property
     def kind(self) -> str:
-        """What it is, as its row says."""
+        """Its kind, according to its row."""
         return self.row.kind
 
 
@@ -103,7 +103,7 @@ def _as_readable(row: ListRow) -> ListRow:
 def _outside(row: ListRow, space: str) -> str:
     """Why a row cannot be a register of a device; empty if it can."""
     if space not in SPACES:
-        return f"has the space {space}, which is none of {', '.join(SPACES)}"
+        return f"has the space {space}, which is not one of {', '.join(SPACES)}"
     if row.address < 0:
         return "has an address below 0"
     stride = row.stride or row.words or 1

@@ -23,7 +23,7 @@ _FEWEST = 2
 
 
 def with_halves_joined(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
-    """The rows, those of two words of one value as the first of them. What is joined is assumed."""
+    """The rows, those of two words of one value as the first of them. Joining is an assumption."""
     pairs = {low.row: pair for pair in pairwise(rows) if (low := pair[0]) and _halves(*pair)}
     certain = [pair for pair in pairs.values() if _half(pair[0])[1]]
     if not pairs or (not certain and len(pairs) < _FEWEST):

@@ -1,4 +1,4 @@
-"""What is imported of a list: registers, what was refused, and what was assumed."""
+"""The imported content of a list: registers, refused rows, and assumptions."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from fieldspec.tools.lists.sheet import ListError, Sheet
 
 @dataclass(frozen=True, slots=True)
 class Imported:
-    """What is imported of a list. `rows` are those with an address, of which `refused` may have some.
+    """The imported content of a list. `rows` are those with an address, of which `refused` may have some.
 
-    `skipped` are the numbers of the rows that have no address and are no bits of a register above.
+    `skipped` are the numbers of the rows that have no address and are not bits of a register above.
     """
 
     listing: Listing
@@ -65,8 +65,9 @@ class Imported:
 
 
 def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
-    """What is imported of a list, whose addresses are higher by an offset than on the wire. Raises ListError where it
-    leaves something open that the user has to decide."""
+    """The imported content of a list whose addresses are higher by an offset than on the wire. Raises ListError where
+    it leaves something open that the user has to decide.
+    """
     if register_list.open:
         raise ListError("; ".join(f"leaves open: {undecided.text()}" for undecided in register_list.open))
     spaces = {row.row: row.space for row in register_list.read if row.space}
@@ -77,7 +78,7 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
     if not any(row.space for row in rows) and base != REFERENCE:
         assumptions.append(Assumption("address space", "registers", "the list does not say it", "--space"))
     if sheet.encoding:
-        assumptions.append(Assumption("encoding", sheet.encoding, "the bytes are no UTF-8", "--encoding"))
+        assumptions.append(Assumption("encoding", sheet.encoding, "the bytes are not UTF-8", "--encoding"))
     return _entered(
         Imported(
             register_list,

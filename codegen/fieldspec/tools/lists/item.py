@@ -1,4 +1,4 @@
-"""What a device has at its addresses: one item for each register, field of a table, and parameter."""
+"""The content of a device's addresses: one item for each register, field of a table, and parameter."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ _REFUSED = "which is not read as a list; write its registers as CSV, XLSX or JSO
 
 
 def refuse_known_format(text: str) -> None:
-    """Raises ListError for a text of a known format that is no table."""
+    """Raises ListError for a text of a known format that is not a table."""
     head = text[:_LOOKED_AT].removeprefix("\ufeff")
     for pattern, name in _FORMATS:
         if re.search(pattern, head, re.MULTILINE):

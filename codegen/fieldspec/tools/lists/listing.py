@@ -98,7 +98,7 @@ class Listing:
 
 
 def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NOTHING) -> Listing:
-    """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is no list."""
+    """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is not a list."""
     columns_of_sheet = columns(with_subindices_apart(sheet), names)
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
     refused: list[Refusal] = []
@@ -278,7 +278,7 @@ def _decided(
 
 
 def _with_length(row: ListRow, unit: str) -> ListRow:
-    """A row with its words, by the unit of its length; a length that is no whole number of words is a doubt."""
+    """A row with its words, by the unit of its length; a length that is not a whole number of words is a doubt."""
     text = row.texts.get("words", "")
     factor = LENGTHS[unit]
     if not text or (row.length is not None and row.length > 0 and (row.length < factor or row.length % factor == 0)):
@@ -364,7 +364,7 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
 
 
 def _with_gaps(rows: list[ListRow]) -> list[ListRow]:
-    """The rows with the distances to the next address of their space, 0 behind the last one."""
+    """The rows with the distances to the next address of their space, 0 after the last one."""
     addresses: dict[str, list[int]] = defaultdict(list)
     for row in rows:
         addresses[row.space].append(row.address)

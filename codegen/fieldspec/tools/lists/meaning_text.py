@@ -35,7 +35,7 @@ class Meant:
 
 
 def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str], only_states: bool) -> Meant:
-    """What a register's numbers mean; beside a scale they are states.
+    """The meanings of a register's numbers; with a scale they are states.
 
     `enums` has the names of enums by their members, `used_names` all names.
     """
@@ -167,7 +167,7 @@ def _is_signed(row: ListRow) -> bool:
 
 
 def _switch(row: ListRow, doubts: list[str]) -> Iterator[str]:
-    """What a single bit means when it is 0 or 1; it has no quantity."""
+    """The meaning of a single bit when it is 0 or 1; it has no quantity."""
     for value, key in ((0, "zero"), (1, "one")):
         if text := dict(row.meanings.members).get(value):
             yield f", {key}: {quoted(text)}"

@@ -56,7 +56,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
             is_span = last is not None and row_place.last is None and row_place.bits is None
             rows.append((row, replace(row_place, last=last) if is_span else row_place))
         elif text and sum(map(bool, row.cells)) > 1 and row.cells != columns.headings:
-            refused.append(Refusal(row.number, heading, text, "is no address"))
+            refused.append(Refusal(row.number, heading, text, "is not an address"))
         else:
             skipped.append(row)
     if not rows:
@@ -114,7 +114,7 @@ def _with_areas(rows: list[tuple[SheetRow, Place]], base: str, heading: str) -> 
 
 def _undecided(digits: str, heading: str) -> ListError:
     return ListError(
-        f"has the address `{digits}` under {heading}, which is hexadecimal, or decimal behind the name of a memory "
+        f"has the address `{digits}` under {heading}, which is hexadecimal, or decimal after the name of a memory "
         "area: choose with --base hex or --base decimal"
     )
 
@@ -140,7 +140,7 @@ def unknown_areas(placed_rows: Placed, spaces: Mapping[int, str], heading: str) 
 
 
 def _shortened(rows: Sequence[tuple[SheetRow, Place]]) -> Iterator[SheetRow]:
-    """The rows of a bit `100.1` behind a higher one of the same register: it may be `100.10`."""
+    """The rows of a bit `100.1` after a higher one of the same register: it may be `100.10`."""
     last: dict[AddressText, int] = {}
     for row, row_place in rows:
         if row_place.bits is not None:
@@ -195,7 +195,7 @@ def _ends(placed_rows: Placed) -> Iterator[AddressText]:
 
 
 def _is_prefixed(ends: Sequence[AddressText]) -> bool:
-    """Whether all addresses are decimal digits behind a letter, which may be an area of a controller's memory."""
+    """Whether all addresses are decimal digits after a letter, which may be an area of a controller's memory."""
     return all(end.prefixed for end in ends)
 
 
@@ -268,7 +268,7 @@ def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Ma
     references = [reference for end in ends if (reference := end.reference())]
     lowest = min(references, key=lambda reference: reference[1])
     if lowest[1] < _NEAR:
-        yield f"the numbers begin {lowest[1] + 1} above those of a table"
+        yield f"the numbers begin {lowest[1] + 1} above the numbers of a table"
     if len({reference[0] for reference in references}) > 1:
         yield "several tables"
     agreeing = [row.number for row, row_place in placed_rows.rows if _table(row_place) == spaces.get(row.number)]
@@ -344,7 +344,7 @@ def contradictions(placed_rows: Placed, base: str, columns: Columns) -> tuple[di
                 if usual > 0
                 else f"{heading} is {-usual} less in {times} rows"
             )
-            assumptions.append(Assumption("addresses", f"those of {columns.heading('address')}", evidence, "--address"))
+            assumptions.append(Assumption("addresses", f"as in {columns.heading('address')}", evidence, "--address"))
         for number, (difference, cell) in pairs.items():
             if difference != usual:
                 reason = f"contradicts the address under {columns.heading('address')}"

@@ -35,7 +35,7 @@ _SPAN = re.compile(r"\s*(?:\.\.+|-|\u2013|~|\bto\b)\s*")
 
 
 def with_subindices_apart(sheet: Sheet) -> Sheet:
-    """A sheet with a column for subindices where it has them behind their indices: `6040h:00`."""
+    """A sheet with a column for subindices where it has them after their indices: `6040h:00`."""
     for number, row in enumerate(sheet.rows[:_HEADED_BY]):
         for column, text in enumerate(row.cells):
             below = [other.cell(column) for other in sheet.rows[number + 1 :] if other.cell(column)]
@@ -84,13 +84,13 @@ def with_objects(
         rows.append(row)
     if other or not subindices:
         reason = (
-            "is no subindex of an object (CiA 301), whose index is 0x1000..0xFFFF; rename the column if it has none"
+            "is not a subindex of an object (CiA 301), whose index is 0x1000..0xFFFF; rename the column if it has none"
         )
         refused += [Refusal(row.number, columns.heading(_SUBINDEX), cell, reason) for row, cell in other.items()]
         return replace(columns, rows=tuple(row for row in columns.rows if row not in other)), False
     if not stated and not any(text.mark or text.lettered for text in texts):
         reading = "hexadecimal" if own_base == HEXADECIMAL else "decimal"
-        assumptions.append(Assumption("indices", reading, "those of objects are 0x1000..0xFFFF", "--base"))
+        assumptions.append(Assumption("indices", reading, "objects have the indices 0x1000..0xFFFF", "--base"))
     return replace(columns, rows=tuple(rows)), True
 
 

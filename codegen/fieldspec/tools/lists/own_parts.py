@@ -58,7 +58,7 @@ def _elements(entry: Entry) -> Iterator[str]:
 
 
 def _record(name: str, tree: _Tree, entries: Sequence[Entry], fact: Callable[[int], str]) -> Iterator[Line]:
-    """A record, behind those within it."""
+    """A record, after those within it."""
     for key, inner in tree.items():
         if isinstance(inner, dict):
             yield from _record(f"{name}_{key}", inner, entries, fact)

@@ -91,7 +91,7 @@ def states_direction(text: str) -> bool:
 
 
 def unit_cell(text: str, decimal: str) -> Quantity | None:
-    """The unit of a cell, with the scale that it may have before or behind it. None if the cell is not understood."""
+    """The unit of a cell, with the scale that it may have before or after it. None if the cell is not understood."""
     text = _PER_COUNT.sub("", " ".join(unicodedata.normalize("NFC", text).split()).strip("`"))
     if text.casefold() in _NO_UNIT:
         return Quantity()

@@ -28,7 +28,7 @@ _WEIGHT = re.compile(r"(?:value\s+)?weight\s*:?\s*([^\W\d]+)\s*[*x\u00d7]\s*([1-
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
-"""The places behind the point of formats that have names beside `FIX2`."""
+"""The places after the point of formats that have names beside `FIX2`."""
 
 _HIGHEST_EXPONENT = 9
 
@@ -100,7 +100,7 @@ def unread_scales(texts: Mapping[str, str]) -> list[str]:
 
 
 def decimal_places(text: str) -> int | None:
-    """How many places a count has behind the point: a number, or the name of a format such as `FIX2`."""
+    """How many places a count has after the point: a number, or the name of a format such as `FIX2`."""
     fixed = _FIXED.fullmatch(text.strip())
     return int(fixed[1]) if fixed else _FORMATS.get(folded(text), whole(text))
 
@@ -129,7 +129,7 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
 
 
 def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
-    """The unit in brackets behind a name, where the list has no cell for it: `Speed [rpm]`."""
+    """The unit in brackets after a name, where the list has no cell for it: `Speed [rpm]`."""
     for name in names:
         aside = _ASIDE.search(name)
         quantity = unit_cell(aside[1], decimal) if aside else None

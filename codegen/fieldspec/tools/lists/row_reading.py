@@ -1,4 +1,4 @@
-"""Reads the cells of one row of a list, each by its role. What is not understood stays a doubt, word for word."""
+"""Reads the cells of one row of a list, each by its role. Unknown content stays a doubt, word for word."""
 
 from __future__ import annotations
 

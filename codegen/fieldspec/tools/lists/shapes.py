@@ -75,7 +75,7 @@ def _of_text(row: ListRow, name: str, length: int) -> Shape:
     if length:
         words = length if row.gap == length else halves
         fits = row.gap == 0 or row.gap >= words
-        doubt = f"The list says {type_text}, and the next address is {row.gap} behind."
+        doubt = f"The list says {type_text}, and the next address is {row.gap} after."
         return Shape(name, words, row.count, () if fits else (doubt,))
     doubt = f"The list says {type_text} without a length; it is taken up to the next address."
     return Shape(name, row.gap or 1, row.count, (doubt,))

@@ -12,7 +12,7 @@ MOST_CELLS = 500_000
 
 
 class ListError(Exception):
-    """A list that cannot be used. The message, behind the name of the file, says what is wrong and what to do."""
+    """A list that cannot be used. The message, after the name of the file, says what is wrong and what to do."""
 
 
 class CellError(Exception):
@@ -27,7 +27,7 @@ class SheetRow:
     cells: tuple[str, ...]
 
     def cell(self, column: int) -> str:
-        """The cell in a column, which is counted from 0; empty behind the last one."""
+        """The cell in a column, which is counted from 0; empty after the last one."""
         return self.cells[column] if column < len(self.cells) else ""
 
 

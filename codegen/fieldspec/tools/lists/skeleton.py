@@ -93,7 +93,7 @@ def skeleton(
         if number:
             rows[len(lines)] = number
     if refused:
-        lines.append("# Rows and cells of the list that are no facts here:")
+        lines.append("# Rows and cells of the list that are not facts here:")
         lines += [commented(refusal.text()) for refusal in refused]
     return Spec("\n".join(lines) + "\n", rows, sorted(writer.noted))
 
@@ -274,7 +274,7 @@ def _widened(entry: Entry, names: Mapping[tuple[int, int | None], str]) -> Entry
 
 
 def _number(entry: Entry) -> tuple[int, int | None]:
-    """The number of a parameter and the subindex of an element; -1 for what is no parameter."""
+    """The number of a parameter and the subindex of an element; -1 for what is not a parameter."""
     row = entry.row
     return row.address if entry.kind == PARAMETER else -1, row.subindices[0] if row.subindices else None
 
@@ -372,7 +372,7 @@ def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: lis
 
 
 def _bound(number: Decimal | None) -> str:
-    """A bound without zeros behind a point."""
+    """A bound without zeros after a point."""
     return exact(Fraction(number or 0))
 
 

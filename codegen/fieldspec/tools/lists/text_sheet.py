@@ -28,7 +28,7 @@ _MARKS = (
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
 WESTERN = "cp1252"
-"""The encoding of a text that is no UTF-8, whose other letters stand alone and are those of western languages."""
+"""The encoding of a text that is not UTF-8, whose other letters stand alone and are those of western languages."""
 
 _WESTERN_SIGNS = frozenset(
     "°²³µ±§·\u00d7÷½¼¾ºª®©™€\u2013\u2014\u2018\u2019“”…«»¿¡äöüÄÖÜßéèêëàâáíóúñçôîïìòùûåøæÅØÆÉÀÈÊÍÓÚÑÇãõÃÕ"
@@ -141,7 +141,7 @@ def decoded(content: bytes, encoding: str = "") -> str:
 
 
 def _is_western(content: bytes) -> bool:
-    """Whether bytes are no UTF-8, and a text with western letters, of which no more than two stand together."""
+    """Whether bytes are not UTF-8, and a text with western letters, of which no more than two stand together."""
     try:
         content.decode("utf-8")
     except UnicodeError:

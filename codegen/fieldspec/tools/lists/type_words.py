@@ -35,7 +35,7 @@ _ORDERS = {(False, False): "ABCD", (False, True): "CDAB", (True, False): "BADC",
 
 
 class Loose(Enum):
-    """What a list may say of a type without naming it."""
+    """The properties of a type in a list without its name."""
 
     WHOLE = "whole"
     TRUTH = "truth"
@@ -57,7 +57,7 @@ class Typed:
 
     `bits` is its size where only that is said, `length` a number in brackets: of characters, or of elements. `order`
     is that of the bytes, such as `CDAB`, and empty if the type does not say it. `aside` are the words in brackets
-    behind it that say something else.
+    after it that say something else.
     """
 
     name: str = ""

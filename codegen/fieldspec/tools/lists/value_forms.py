@@ -1,4 +1,4 @@
-"""How a value is sent beyond its type, as words behind the type in a list: `u16 bcd`, `text utf_16 align right`."""
+"""How a value is sent beyond its type, as words after the type in a list: `u16 bcd`, `text utf_16 align right`."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ def words(table: str) -> Mapping[str, tuple[str, ...]]:
 
 @cache
 def meanings(table: str) -> Mapping[str, str]:
-    """What each word of a table stands for."""
+    """The meaning of each word of a table."""
     return {word: key for key, entries in words(table).items() for word in entries}
 
 

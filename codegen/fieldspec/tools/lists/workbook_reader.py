@@ -26,7 +26,7 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
     if sheet_name:
         matches = [number for number, sheet in enumerate(sheets) if sheet.title == sheet_name]
         if not matches:
-            raise ListError(f"has no sheet {sheet_name}; there are {', '.join(sheet.title for sheet in sheets)}")
+            raise ListError(f"has no sheet {sheet_name}; choose from {', '.join(sheet.title for sheet in sheets)}")
         return _filled(content, _sheet(sheets[matches[0]], area), matches[0], area)
     read = {number: sheet_rows for number, sheet in enumerate(sheets) if (sheet_rows := _sheet(sheet, area)).rows}
     role_counts = {number: role_count(sheet) for number, sheet in read.items()}
@@ -80,7 +80,7 @@ def _worksheets(content: bytes, formulas: bool) -> list[Worksheet]:
 
 
 def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
-    """The cells of a sheet within the used area. What is merged counts for each of its cells."""
+    """The cells of a sheet within the used area. A merged value counts for each of its cells."""
     last_row, last_column = min(sheet.max_row, area[0]), min(sheet.max_column, area[1])
     merged = _merged_texts(sheet)
     rows = []

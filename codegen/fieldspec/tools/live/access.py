@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
         @property
         def words(self) -> tuple[int, ...]:
-            """What was on the wire: words of registers, bytes of parameters."""
+            """The content on the wire: words of registers, bytes of parameters."""
 
         @property
         def decoded(self) -> DecodedValue | None:
@@ -72,14 +72,14 @@ if TYPE_CHECKING:
 
         @property
         def hazards(self) -> tuple[str, ...]:
-            """What a person should know before the value is written."""
+            """Warnings before the value is written."""
 
     class Access(Protocol):
         """Values of a device by name. Those that talk to it raise NoAnswerError and CarrierError."""
 
         layout: DeviceLayout
         what: str
-        """What an unknown name is said not to be."""
+        """The noun in the message about an unknown name."""
         heading: str
         """What the numbers of values are: `address` or `number`."""
 
@@ -114,7 +114,7 @@ if TYPE_CHECKING:
             """The reason why items of a name are not read; empty where the name means none."""
 
         def remarks(self, names: Sequence[str]) -> list[str]:
-            """What is not read with some names, or without any, though the device has it."""
+            """The values of the device that are not read with some names, or without names."""
 
         def objection(self, item: Item) -> str:
             """The reason why an item is in no list that is written to a device; empty where it may be."""
@@ -146,7 +146,7 @@ if TYPE_CHECKING:
             """Writes a value, once. Raises WriteError and RefusedError."""
 
         def read_back(self, client: Client, chosen: Any) -> Reading | None:
-            """What the device holds after a write; None for what does not give back what was written."""
+            """The value of the device after a write; None for what does not give back what was written."""
 
         def signals(self, item: Item, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
             """The roles of a value or of its bits, each with its mask; -1 for all bits."""

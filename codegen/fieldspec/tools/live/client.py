@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class UnfitAnswerError(Exception):
-    """An answer whose bytes are no value of the parameter that was asked for."""
+    """A response whose bytes are not a value of the requested parameter."""
 
 
 class NoAnswerError(Exception):
@@ -70,8 +70,8 @@ class _Request:
 class Client:
     """Exchanges frames with one unit on one link. It is not for several threads at once.
 
-    An answer that comes after its request was given up is not taken for that to the next one: this waits until all late
-    answers have come, or can no longer come within another time-out. Requests whose frames have a number that the
+    A response that arrives after its request was given up is not mistaken for the next response: this waits until all
+    late answers have come, or can no longer come within another time-out. Requests whose frames have a number that the
     response repeats need not wait. `fixed` has raw values by the names of fields and of parts before the body: a
     request with such a field carries them, unless it has a value of its own.
     """
@@ -183,7 +183,7 @@ class Client:
         raise NoAnswerError(f"{received} bytes came, and no answer" if received else "no answer")
 
     def _accepted(self, decoded: Decoded) -> Decoded:
-        """An answer that is no exception response. Raises RefusedError."""
+        """An answer that is not an exception response. Raises RefusedError."""
         self._owed -= self._owed > 0
         if decoded.error:
             raise self._refusal(decoded)
@@ -217,7 +217,7 @@ class Client:
         self.clock.sleep(self._silent_until - self.clock.now())
 
     def _take_late_answers(self) -> None:
-        """Waits for the answers that are still to come: none of them may be taken for that to the next request."""
+        """Waits for outstanding responses, so that none is mistaken for the response to the next request."""
         assert self._owed_request is not None
         while self._owed > 0 and (left := self._owed_until - self.clock.now()) > 0:
             for _ in self._answers(self._owed_request, self.carrier.read(left)):
@@ -245,7 +245,7 @@ class Client:
         return decoded if fits else None
 
     def _refuses(self, request: _Request, decoded: Decoded) -> bool:
-        """Whether an exception response is about what was asked for: by its code, and by what it repeats of it."""
+        """Whether an exception response belongs to the request: by its code, and by the values that it repeats."""
         link, message = self.frames.link, self.layout.messages[request.message].message
         mark, coded, response_code = link.link.exception_response, link.request.role("code"), link.response.role("code")
         is_own = mark is not None and mark.code is not None  # then it is the code of all exception responses
@@ -256,7 +256,7 @@ class Client:
         return all(decoded.values.get(name) == message.code for name in repeated)
 
     def _fits(self, request: _Request, decoded: Decoded) -> bool:
-        """Whether a response is about what was asked for: it repeats what it should, and has as many words."""
+        """Whether a response belongs to the request: it repeats the right values, and has the right number of words."""
         layout = self.layout.messages[request.message]
         message, access = layout.message, layout.message.accesses
         for own, other in repeated_fields(layout):

@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Firmware:
-    """What a device says of its firmware: the value as text, and the version of the spec that it is.
+    """The reported firmware of a device: the value as text, and its version in the spec.
 
     `version` is empty where it is none of them, and `doubt` then says why; both are empty where the spec does not say
-    what tells the version, or how. `is_asked` says whether a message of the link reads the value.
+    the value that identifies the version, or how. `is_asked` says whether a message of the link reads the value.
     """
 
     text: str = ""
@@ -34,7 +34,7 @@ class Firmware:
 
 
 def firmware_of(client: Client, versions: Sequence[str]) -> Firmware:
-    """The firmware of a device; `versions` are those of its spec. Raises NoAnswerError and CarrierError."""
+    """The firmware of a device; `versions` are the versions of its spec. Raises NoAnswerError and CarrierError."""
     layout = client.layout
     detection = layout.device.detection
     value = detecting_value(layout.device, detection) if detection is not None else None

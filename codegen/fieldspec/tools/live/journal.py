@@ -15,7 +15,7 @@ class JournalError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class JournalState:
-    """What a journal says: whose it is, the verified paths, and the write that was begun and not verified.
+    """The content of a journal: its owner, the verified paths, and the write that was begun and not verified.
 
     `before` and `after` are the words of that write; `path` is empty where none is open. `length` is that of the whole
     lines, in bytes: what follows was cut off while it was written.
@@ -50,7 +50,7 @@ def _line(data: Mapping[str, object]) -> str:
 
 
 def journal_state(content: bytes) -> JournalState | None:
-    """What a journal says; None for one that was cut off in its first line. Raises JournalError."""
+    """The content of a journal; None for one that was cut off in its first line. Raises JournalError."""
     length = content.rfind(b"\n") + 1
     if not length:
         return None
@@ -66,7 +66,7 @@ def journal_state(content: bytes) -> JournalState | None:
                 path, before, after = str(line["write"]), tuple(line["before"]), tuple(line["after"])
         number, unit, digest = head["journal"], dict(head["unit"]), str(head["digest"])
     except (ValueError, KeyError, TypeError, AttributeError):
-        raise JournalError("is no journal") from None
+        raise JournalError("is not a journal") from None
     if number != 1:
         raise JournalError("is a journal of another version of this program")
     return JournalState(unit, digest, tuple(dict.fromkeys(verified)), path, before, after, length)

@@ -31,7 +31,7 @@ def reason_unread(link: LinkLayout, name: str) -> str:
 
 
 def remarks(layout: DeviceLayout, link: LinkLayout, names: Sequence[str]) -> Iterator[str]:
-    """What is not read with some names, or without any, though a message has it."""
+    """The values of messages that are not read with some names, or without names."""
     asking = [
         message
         for message in link.exchanged.values()

@@ -19,7 +19,7 @@ _CAPITALS = (DEVICE, VERSION, TABLE, INDEX, NAME, VALUE)
 
 @dataclass(frozen=True, slots=True)
 class ListFinding:
-    """What is wrong in a cell. Rows and columns count from 1; a column 0 means the whole row."""
+    """The fault of a cell. Rows and columns count from 1; a column 0 means the whole row."""
 
     row: int
     column: int
@@ -129,11 +129,11 @@ def _of_row(
         else:
             names = ", ".join(layout.tables)
             missing = f"the row names no table: add a column Table, or --table with one of {names}"
-            text = f"there is no table {name}; there are {names}" if name else missing
+            text = f"there is no table {name}; choose from {names}" if name else missing
         return [], [ListFinding(row.number, columns.get(TABLE, -1) + 1, text)]
     index, indexes = row.cell(columns[INDEX]), layout.tables[name].table.indexes
     if not index.isascii() or not index.isdecimal() or int(index) not in indexes:
-        text = f"there is no {name}[{index}]; there are {indexes[0]}..{indexes[-1]}"
+        text = f"there is no {name}[{index}]; choose from {indexes[0]}..{indexes[-1]}"
         return [], [ListFinding(row.number, columns[INDEX] + 1, text)]
     demands = [
         _Demand(row.number, column, column, f"{name}[{int(index)}].{field}", row.cell(column))

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 class ParameterAccess:
-    """What the messages of a link read and write by name. An item is a signal."""
+    """The values that the messages of a link read and write, by name. An item is a signal."""
 
     what, heading = "value", "number"
 
@@ -54,7 +54,7 @@ class ParameterAccess:
     def dump_rows(self, items: Sequence[Signal], values: Sequence[SignalReading]) -> list[DumpRow]:
         """A row for each parameter that was read, with the counts of its elements.
 
-        Texts and fractions have no counts, and elements behind one that was refused have no place.
+        Texts and fractions have no counts, and elements after one that was refused have no place.
         """
         counts: dict[tuple[str, int], list[int]] = {}
         for value in values:
@@ -102,7 +102,7 @@ class ParameterAccess:
         return f"{reason}: {ADVICE}" if reason else ""
 
     def remarks(self, names: Sequence[str]) -> list[str]:
-        """What is not read with some names, or without any, though the device has it."""
+        """The values of the device that are not read with some names, or without names."""
         return list(remarks(self.layout, self.link, names))
 
     def objection(self, item: Signal) -> str:
@@ -165,7 +165,7 @@ class ParameterAccess:
         write_parameter(client, chosen)
 
     def read_back(self, client: Client, chosen: ParameterAssignment) -> SignalReading | None:
-        """What the device holds after a write. Raises NoAnswerError and CarrierError."""
+        """The value of the device after a write. Raises NoAnswerError and CarrierError."""
         numbered = chosen.signal.numbered
         if numbered is not None and (numbered.parameter.trigger or chosen.signal.access == "wo"):
             return None
@@ -180,5 +180,5 @@ class ParameterAccess:
         return chosen.signal
 
     def words_of(self, value: SignalReading, text: str) -> tuple[int, ...]:
-        """What a text means for a value that was read. Raises WriteError."""
+        """The meaning of a text for a value that was read. Raises WriteError."""
         return self.assignment(value.signal, text).words

@@ -114,7 +114,7 @@ class RegisterAccess:
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
-        """Why a decimal number is no name, where manuals print numbers that are addresses of other registers."""
+        """Why a decimal number is not a name, where manuals print numbers that are addresses of other registers."""
         space = self._space_of_doubt(name)
         if space is None:
             return ""
@@ -249,7 +249,7 @@ class RegisterAccess:
         writing.write(client, self._placed(client, chosen))
 
     def read_back(self, client: Client, chosen: Assignment) -> Reading | None:
-        """What the device holds after a write. Raises NoAnswerError and CarrierError."""
+        """The value of the device after a write. Raises NoAnswerError and CarrierError."""
         try:
             placed = self._placed(client, chosen)
         except writing.WriteError as error:

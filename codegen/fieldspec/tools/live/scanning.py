@@ -46,7 +46,7 @@ class ScannedItem:
 
 @dataclass(frozen=True, slots=True)
 class ScanSpace:
-    """Addresses that a scan can read: those of a space of registers, or the numbers of `parameters`. `end` is behind
+    """Addresses that a scan can read: those of a space of registers, or the numbers of `parameters`. `end` is after
     the last one, and one request reads `most` of them."""
 
     name: str
@@ -57,7 +57,7 @@ class ScanSpace:
 
 @dataclass(frozen=True, slots=True)
 class Scan:
-    """The addresses that were asked for, those that answer with their counts, and those that were left out.
+    """The requested addresses, the responding addresses with their counts, and the addresses that were left out.
 
     `bases` are the addresses of the tables of which the device says where they begin, by their names.
     """
@@ -133,7 +133,7 @@ def usual_ranges(layout: DeviceLayout, space: ScanSpace) -> list[range]:
 def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callable[[int], None] | None = None) -> Scan:
     """Reads all addresses of some ranges, in large requests where the device answers them.
 
-    What is cleared by reading is left out. A device may be silent at an address that it does not have, as long as it
+    Values that reading clears are left out. A device may be silent at an address that it does not have, as long as it
     still answers one that it has. Raises NoAnswerError and CarrierError.
     """
     bases = known_bases(client, client.layout)
@@ -236,7 +236,7 @@ def _count_in_pieces(
     number: int,
     values: Mapping[str, Any],
 ) -> tuple[int, ...]:
-    """The count of a value that follows in pieces; none for what is no number, and where the spec has none of it."""
+    """The count of a value that follows in pieces; none for what is not a number, and where the spec has none of it."""
     parameter = parameter_set.numbered(number - parameter_set.base)
     value = element_value(parameter, 0) if parameter is not None else None
     if value is None or not is_count(value.encoding):

@@ -1,4 +1,4 @@
-"""Values of parameters in pieces: read and written behind the message that begins."""
+"""Values of parameters in pieces: read and written after the message that begins."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def _read(client: Client, pieces: SegmentsLayout, values: Mapping[str, Any], max
 
 
 def write_pieces(client: Client, pieces: SegmentsLayout, first: Mapping[str, Any], content: bytes) -> None:
-    """Writes a value in pieces behind the request with the fields `first` that has begun it.
+    """Writes a value in pieces after the request with the fields `first` that has begun it.
 
     Raises UnfitAnswerError, RefusedError, NoAnswerError and CarrierError.
     """
@@ -84,12 +84,12 @@ def write_pieces(client: Client, pieces: SegmentsLayout, first: Mapping[str, Any
 
 
 def _check_piece(pieces: SegmentsLayout, answer: Decoded, count: int) -> None:
-    """Raises _PieceError for an answer that is none with, or for, the piece behind `count` others."""
+    """Raises _PieceError for an answer that is none with, or for, the piece after `count` others."""
     for place in (pieces.answered, *((pieces.unused, pieces.last) if pieces.reads else ())):
         value = place.field.value if place is not None else None
         if place is not None and value is not None and value.ranges is not None:
             number = int(answer.values[place.field.name])
             if number not in value.ranges:
-                raise _PieceError("counter", f"{place.field.name} is {number}, which is no answer with a piece")
+                raise _PieceError("counter", f"{place.field.name} is {number}, which is not an answer with a piece")
     if not pieces.has_number(answer.values, count, pieces.answered):
         raise _PieceError("counter", "the device counts the pieces in another way: one is missing, or came twice")

@@ -1,4 +1,4 @@
-"""What a device is doing before something is written: whether its servo is on, and whether it is busy."""
+"""The state of a device before a write: whether its servo is on, and whether it is busy."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _ROLES = ("servo_state", "busy")
 def active_states(access: Access, client: Client) -> list[str]:
     """The signals with the roles `servo_state` and `busy` that are not 0, as texts.
 
-    A state that the device refuses to show is among them, since nobody knows it. Raises NoAnswerError and CarrierError.
+    A state that the device refuses to show is among them, because it is unknown. Raises NoAnswerError and CarrierError.
     """
     chosen = [item for item in access.items() if any(access.signals(item, _ROLES))]
     values = access.read(client, chosen)
@@ -28,7 +28,7 @@ def _texts(access: Access, item: Item, value: Reading) -> Iterator[str]:
     for role, mask in access.signals(item, _ROLES):
         danger = "the servo is on" if role == "servo_state" else "the device may be busy"
         if decoded is None:
-            yield f"{path} is refused ({value.refusal}): nobody knows its {role}"
+            yield f"{path} is refused ({value.refusal}): its {role} is unknown"
         elif isinstance(decoded.number, int) and decoded.number & mask:
             names = " ".join(meaning.name for meaning in decoded.meanings if meaning.name)
             yield f"{danger}: {path} is {names or int(decoded.number)}"

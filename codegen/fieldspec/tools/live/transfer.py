@@ -31,7 +31,7 @@ class Change:
 
 
 class TransferError(Exception):
-    """A value was not transferred. `uncertain` says that nobody knows whether the device has it."""
+    """A value was not transferred. `uncertain` means that it is unknown whether the device has it."""
 
     def __init__(self, path: str, detail: str, uncertain: bool = False) -> None:
         super().__init__(f"{path} {detail}")
@@ -97,4 +97,4 @@ def _settle(access: Access, client: Client, change: Change, is_sent: bool) -> No
     if lost and now.words == change.before.words:
         raise TransferError(change.path, f"is not written: {lost}")
     number = now.decoded.number if now.decoded is not None else None
-    raise TransferError(change.path, f"is not taken over: the device has {spec_text(number)} instead")
+    raise TransferError(change.path, f"was not accepted: the device has {spec_text(number)} instead")

@@ -72,7 +72,7 @@ def _of_yaml(name: str, content: bytes) -> Sheet:
     if not problems:
         node, problems = parsed(file)
     if problems:
-        raise ListError(f"is no YAML: {problems[0].message}")
+        raise ListError(f"is not YAML: {problems[0].message}")
     items = [item for item in node.items if isinstance(item, Mapping)] if isinstance(node, Sequence) else []
     if not isinstance(node, Sequence) or not items or len(items) != len(node.items):
         raise ListError("is YAML but not a list of mappings")

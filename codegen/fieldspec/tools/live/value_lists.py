@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 Cell: TypeAlias = "int | str | None"
 
 DEVICE, VERSION, TABLE, INDEX, NAME, VALUE = "Device", "Version", "Table", "Index", "Name", "Value"
-"""The headings that are no names of fields. They begin with a capital, which no name of a spec does."""
+"""The headings that are not names of fields. They begin with a capital, which no name of a spec does."""
 
 COMMANDS = {*COMMANDING, "stop", "quick_stop"}
 """The roles of what commands a device. No list has them: to write them back would move something."""

@@ -1,4 +1,4 @@
-"""Writes registers by their names: what is asked for is judged first, and read back afterwards."""
+"""Writes registers by their names: the values are checked first, and read back afterwards."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def words_of(layout: DeviceLayout, data: bytes, size: int) -> tuple[int, ...]:
 
 
 def _hazards(layout: DeviceLayout, occupant: Occupant) -> list[str]:
-    """What a person should know before a value is written."""
+    """Warnings before a value is written."""
     hazards = write_hazards(
         trigger=occupant.trigger,
         access=occupant.access,
@@ -120,8 +120,8 @@ def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, ob
 def write(client: Client, chosen: Assignment) -> None:
     """Writes a value, once: a request that is sent again could start something twice.
 
-    Raises WriteError, NoAnswerError, RefusedError and CarrierError. After NoAnswerError nobody knows whether it was
-    written, nor where the device does not answer the message.
+    Raises WriteError, NoAnswerError, RefusedError and CarrierError. After NoAnswerError, or if the message has no
+    response, it is unknown whether it was written.
     """
     name, values, _ = request_frame(client, chosen)
     if client.is_answered(name):
@@ -131,7 +131,7 @@ def write(client: Client, chosen: Assignment) -> None:
 
 
 def read_back(client: Client, chosen: Assignment) -> Reading | None:
-    """What the device holds after a write; None for what cannot be read, or does not give back what was written.
+    """The value of the device after a write; None for what cannot be read, or does not give back what was written.
 
     Raises NoAnswerError and CarrierError.
     """

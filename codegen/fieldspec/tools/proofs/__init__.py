@@ -1,1 +1,1 @@
-"""What is proven by running things: examples through the reference codec, errata by putting the print back."""
+"""Proofs by running: examples through the reference codec, errata by putting the printed value back."""

@@ -1,4 +1,4 @@
-"""Whether the value that tells the version of a device is read alike in all of its versions."""
+"""Whether the value that identifies the version of a device is read alike in all of its versions."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _HELP = "name a value that all versions have at one place, or remove `detected_b
 
 
 def detections_alike(layouts: Mapping[str, DeviceLayout]) -> Iterator[Diagnostic]:
-    """A finding where a version has the value that tells the version elsewhere, or reads other numbers in it.
+    """A finding if a version has the identifying value at a different address, or interprets its numbers differently.
 
-    `layouts` are those of the versions with outputs. A program reads the value before it knows the version.
+    `layouts` are the layouts of the versions with outputs. A program reads the value before it knows the version.
     """
     versions = list(layouts)
     newest = layouts[versions[-1]] if versions else None
@@ -37,7 +37,7 @@ def detections_alike(layouts: Mapping[str, DeviceLayout]) -> Iterator[Diagnostic
         differing = [key for key in known if key in own and own[key] != known[key]]
         if differing:
             key = differing[0]
-            text = f"{detection.fact} tells the version, but its {key} is {own[key]} in {version}"
+            text = f"{detection.fact} identifies the version, but its {key} is {own[key]} in {version}"
             text += f", and {known[key]} in {versions[-1]}: a program reads it before it knows the version"
             fact = detecting_fact(layout.device, detection)
             labels = [label(fact.place, "name", f"in {version}")] if fact is not None else []

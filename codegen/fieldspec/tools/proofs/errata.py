@@ -21,7 +21,8 @@ Findings = Callable[[Device, str], list[Diagnostic]]
 
 @dataclass(frozen=True, slots=True)
 class Proof:
-    """The proof of an erratum: the findings that only the print has (`evidence`), and what is wrong with the erratum.
+    """The proof of an erratum: the findings that only the printed value has (`evidence`), and the faults of the
+    erratum.
 
     A judgement has neither. An erratum with `faults` is not proven.
     """
@@ -72,7 +73,7 @@ def proofs(
 
 
 def _unsound(tree: Mapping, erratum: Erratum, known: frozenset[str]) -> Diagnostic | None:
-    """Why the print of an erratum cannot be put back at all, or why that would prove nothing."""
+    """Why the printed value of an erratum cannot be put back at all, or why that would prove nothing."""
     node = find(tree, erratum.fact)
     place = erratum.place
     if not isinstance(node, Mapping):
@@ -113,15 +114,17 @@ def put_back(
 ) -> tuple[Device, list[Diagnostic]]:
     """The device as the manual prints it at one place, and what reading it finds.
 
-    Where the print does not fit the schema, the device is the right one. What the print does not change is not built
-    again.
+    If the printed value does not fit the schema, the device is the right one. Facts that the printed value does not
+    change are not built again.
     """
     wrong, broken = printed_tree(tree, erratum)
     return (device, broken) if broken else built(wrong, version, spec.reused)
 
 
 def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnostic]]:
-    """The tree with the print of an erratum, or the unchanged tree and the findings of the schema about that print."""
+    """The tree with the printed value of an erratum, or the unchanged tree and the findings of the schema about that
+    value.
+    """
     whole = find(tree, f"errata/{erratum.id}/printed")
     fact_keys = keys(tree, erratum.fact)
     if not isinstance(whole, Mapping) or fact_keys is None:
@@ -138,7 +141,7 @@ def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnos
 
 
 def _as_printed(fact: Mapping, printed: Mapping, fact_keys: list[str | int]) -> Mapping | None:
-    """A fact with what the manual prints of it; None where the print lacks it."""
+    """A fact with what the manual prints of it; None if the manual lacks it."""
     if _lacking(printed, fact_keys):
         return None
     for key, value in printed.values.items():
@@ -148,14 +151,14 @@ def _as_printed(fact: Mapping, printed: Mapping, fact_keys: list[str | int]) -> 
 
 
 def _lacking(printed: Mapping, fact_keys: list[str | int]) -> bool:
-    """Whether the print lacks the whole fact. Claims of second places have a key of that name themselves."""
+    """Whether the manual lacks the whole fact. Claims of second places have a key of that name themselves."""
     present = printed.values.get(MISSING)
     absent = isinstance(present, Scalar) and present.value is False
     return absent and MISSING not in part_at(schema_path(fact_keys)).get("properties", {})
 
 
 def finding_key(finding: Diagnostic) -> tuple[str, str, int]:
-    """Distinguishes a finding that only the print has from those of the right spec."""
+    """Distinguishes a finding that only the printed value has from findings of the right spec."""
     return finding.code, finding.message, finding.span.start
 
 

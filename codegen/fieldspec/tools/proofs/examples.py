@@ -138,8 +138,8 @@ def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str
     lengths = frames.link.frame(example.direction).lengths
     length = next((part for part in lengths if part.offset == error.offset), None)
     if not frames.has_right_checksum(example.frame, example.direction):
-        cure = "state under `counts` what the length counts; " if length is not None else ""
-        return cure + _mend("length_byte_correct")
+        fix = "state under `counts` what the length counts; " if length is not None else ""
+        return fix + _mend("length_byte_correct")
     if length is None:
         return "the checksum is correct, so the bytes are too: compare them with the message's fields"
     return (
@@ -176,7 +176,7 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
 def _compare_meaning(
     layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
 ) -> Iterator[Diagnostic]:
-    """The values in the spec against those of the bytes. Values that follow from others may be left out."""
+    """The values in the spec against the values of the bytes. Values that follow from others may be left out."""
     for name, value in {**decoded.head, **decoded.values}.items():
         if name in expected:
             if not _is_same_value(expected[name], value):

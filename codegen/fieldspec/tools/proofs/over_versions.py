@@ -15,7 +15,7 @@ _Key = tuple[str, str, str, int]
 def without_needed(
     devices: Mapping[str, Device], by_version: Mapping[str, Sequence[Diagnostic]]
 ) -> dict[str, list[Diagnostic]]:
-    """The findings by version, without those of allowances that another version needs.
+    """The findings by version, without findings of allowances that another version needs.
 
     A fact that one version has may leave a hole in the others, and a spec has only one place to allow it.
     """

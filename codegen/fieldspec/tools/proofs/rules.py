@@ -1,16 +1,16 @@
-"""What the rules of proofs say, in the words of their documentation: what holds, why, an example, the cure."""
+"""The documentation of the rules of proofs: what holds, why, an example, the fix."""
 
 from __future__ import annotations
 
 RULES = {
-    "accepts_used": """Every change that a spec accepts is one that the comparison finds.
+    "accepts_used": """The comparison finds every change that a spec accepts.
 
 Why: an acceptance that is no longer needed hides the next mistake at the same place.
 
 Example: `accepts: [{rule: range_narrowed, path: registers/speed, ...}]` where the range of the speed has not
 changed.
 
-Cure: Correct the rule or the path as shown by `fieldspec diff`, or remove the entry.
+Fix: Correct the rule or the path as shown by `fieldspec diff`, or remove the entry.
 """,
     "characters_match_bytes": """The printed characters of an example match its bytes.
 
@@ -19,7 +19,7 @@ misprinted.
 
 Example: `characters: ":0106"` above `3A 30 31 30 33`.
 
-Cure: Correct the misprinted row, and write an erratum.
+Fix: Correct the misprinted row, and write an erratum.
 """,
     "check_code_correct": """The checksum of every example is correct.
 
@@ -27,7 +27,7 @@ Why: a device rejects a frame with a wrong checksum. Either the checksum or a by
 
 Example: a packet that ends with 17h, where the sum of the bytes before it is 37h.
 
-Cure: State the right bytes as `frame`, and write an erratum with the printed bytes.
+Fix: State the right bytes as `frame`, and write an erratum with the printed bytes.
 """,
     "errata_differ": """The printed value in an erratum differs from the value in the spec.
 
@@ -35,7 +35,7 @@ Why: an erratum that corrects nothing is obsolete, or the spec contains the misp
 
 Example: an erratum with `printed: {range: 0..100}` for a fact whose range is 0..100.
 
-Cure: Use the right value in the spec, or remove the erratum.
+Fix: Use the right value in the spec, or remove the erratum.
 """,
     "errata_paths_resolve": """The path of an erratum names an existing fact.
 
@@ -43,7 +43,7 @@ Why: an erratum without its fact corrects nothing.
 
 Example: `fact: registers/servo_off` where the register has the name servo.
 
-Cure: Correct the path; `fieldspec facts` lists all paths.
+Fix: Correct the path; `fieldspec facts` lists all paths.
 """,
     "errata_proven": """If the printed value replaces the correct one, the spec breaks the rule that the
 erratum names.
@@ -52,35 +52,33 @@ Why: this proves that the printed value is wrong, and that the same mistake woul
 
 Example: `proof: addresses_disjoint` for an address that overlaps nothing.
 
-Cure: Name the rule that the printed value breaks, or use `judgement`.
+Fix: Name the rule that the printed value breaks, or use `judgement`.
 """,
     "length_byte_correct": """The length in every example is the number of bytes that it counts.
 
-Why: a frame with a wrong length is never complete, or it swallows the next frame. A byte is missing, or there
-is one too many.
+Why: a frame with a wrong length is never complete, or it swallows the next frame. A byte is missing or superfluous.
 
 Example: a frame of 19 bytes whose length is 14h.
 
-Cure: If the manual misprints the bytes, state the right ones as `frame`, and write an erratum with the
+Fix: If the manual misprints the bytes, state the right ones as `frame`, and write an erratum with the
 printed ones. If the checksum is correct, or all examples differ in the same way, correct the `counts` of the
 link. If no `counts` can express it, remove the role `length`; users then supply the number.
 """,
-    "lines_alike": """A version whose line is `like` another line is on the wire the same as a version of that
-line.
+    "lines_alike": """A version of a line that is `like` another line equals a version of that line on the wire.
 
 Why: it uses the outputs of that version; if they differ on the wire, its users would get wrong code.
 
 Example: `like: firmware_2` where 3.12.5 has a parameter that no version of line 2 has.
 
-Cure: Give the facts the bounds of both lines, or build separate outputs for the line: `builds: true`.
+Fix: Give the facts the bounds of both lines, or build separate outputs for the line: `builds: true`.
 """,
     "meaning_matches_bytes": """The values of every example encode to its bytes, and its bytes decode to the
 values.
 
-Why: the frames in the manual are the only proof that a spec is right.
+Why: the frames in the manual prove the spec against the device.
 
 Example: `distance: 20.00 mm` with bytes that mean 2 mm.
 
-Cure: Correct the bytes, the values or the fields, and write an erratum for the misprint.
+Fix: Correct the bytes, the values or the fields, and write an erratum for the misprint.
 """,
 }

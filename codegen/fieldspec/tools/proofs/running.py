@@ -129,7 +129,7 @@ class Outcome:
     """The result of all checks and proofs of a device.
 
     `findings` has all findings, `proofs` one proof for each erratum in the order of the spec, and `by_version` the
-    findings of each version by itself, without those of errata. `remembered` caches those of examples.
+    findings of each version by itself, without those of errata. `remembered` caches the findings of examples.
 
     `layouts` has the versions that have a layout; where all have one, `shared` is the result of `equal_versions`.
     """

@@ -152,7 +152,7 @@ class Axis:
         return event
 
     def place(self, now: float, number: float) -> None:
-        """Gives the present position a number. A motion goes on to the same place."""
+        """Gives the present position a number. A motion continues to the same place."""
         shift = number - self.position(now)
         self.origin += shift
         self.goal += shift

@@ -22,7 +22,7 @@ _modules: dict[tuple[str, str, str], ModuleType] = {}
 
 
 class Framer(Protocol):
-    """What the framers of generated code do: cut bytes into frames."""
+    """Cuts bytes into frames like the framers of generated code."""
 
     dropped: int
 

@@ -49,7 +49,7 @@ class Engine(Operation):
         self.overridden: dict[str, Raw] = {}
         """Values that a person or a fault holds fast, by the path of their cells."""
         self.reported_version = reported_version(layout, behaviour)
-        """What the device tells of its version; None where the spec or a behaviour leaves it to other values."""
+        """The version that the device reports; None where the spec or a behaviour leaves it to other values."""
         self._deliver()
         self.power_on()
         self.refresh()
@@ -66,7 +66,7 @@ class Engine(Operation):
         self.delivered_fields = dict(self.memory.fields)
 
     def power_on(self) -> None:
-        """Begins with what outlasts the power."""
+        """Begins with the nonvolatile values."""
         self.memory.words.replace(self.saved)
         self.memory.elements.replace(self.saved_elements)
         self.memory.fields.replace(self.delivered_fields)

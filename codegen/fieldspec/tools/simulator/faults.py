@@ -71,13 +71,13 @@ def fault_of(data: Mapping[str, Any]) -> Fault:
         raise FaultError(f"a fault has no `{unknown[0]}`; it has {', '.join(sorted(_KEYS))}")
     kind = data.get("fault")
     if kind not in KINDS:
-        raise FaultError(f"there is no fault `{kind}`; there are {', '.join(KINDS)}")
+        raise FaultError(f"there is no fault `{kind}`; choose from {', '.join(KINDS)}")
     if kind in _LASTING and not isinstance(data.get("signal"), str):
         raise FaultError(f"the fault {kind} needs a `signal`")
     numbers = {key: data[key] for key in ("at", "request", "count", "seconds", "value", "probability") if key in data}
     for key, number in numbers.items():
         if isinstance(number, bool) or not isinstance(number, int | float):
-            raise FaultError(f"`{key}` of the fault {kind} is {spec_text(number)}, which is no number")
+            raise FaultError(f"`{key}` of the fault {kind} is {spec_text(number)}, which is not a number")
     if not 0 <= numbers.get("probability", 0) <= 1:
         raise FaultError(f"the probability of the fault {kind} is {numbers['probability']}, not 0 to 1")
     by_chance = "probability" in numbers
@@ -166,7 +166,7 @@ class Faults:
 
 
 def _another_number(part: PartLayout, parts: bytes) -> int:
-    """The next number of a part, or 0 behind its last one."""
+    """The next number of a part, or 0 after its last one."""
     number = part.read(parts[part.offset : part.offset + part.size])
     assert number is not None
     assert part.value is not None

@@ -48,7 +48,7 @@ class Line:
         self._recent = bytearray()
         """The bytes since the last frame or silence."""
         self._unframed = 0
-        """How many bytes the framer has taken that were no part of a frame, with those that it has dropped."""
+        """How many bytes the framer has taken that were not a part of a frame, with those that it has dropped."""
 
     def feed(self, now: float, data: bytes) -> Iterator[Sending]:
         """What to send after some bytes have come: the answers to the frames that they complete."""
@@ -101,7 +101,7 @@ class Line:
         yield from self.idle(now)
 
     def _is_whole(self, data: bytes) -> bool:
-        """Whether bytes behind a pause are a frame by themselves, so that none goes on that has begun before."""
+        """Whether bytes after a pause are a frame by themselves, so that none goes on that has begun before."""
         alone = self.framing() if self._recent else None
         return alone is not None and alone.feed(data) == [data]
 
@@ -114,7 +114,7 @@ class Line:
 
     @property
     def waiting(self) -> bool:
-        """Whether bytes have come that are no frame yet."""
+        """Whether bytes have come that are not a frame yet."""
         return bool(self._recent)
 
     @property

@@ -68,7 +68,7 @@ def _fits(value: Value, number: int) -> bool:
 
 
 class Memory:
-    """The values of a device. What is `stored` outlasts the power.
+    """The values of a device. The `stored` values are nonvolatile.
 
     Tables are at their usual addresses here, wherever the device says that they begin; see `place`.
     """
@@ -119,7 +119,7 @@ class Memory:
         self.lists.clear()
 
     def at(self, space: str, address: int) -> list[Occupant]:
-        """What is at an address: mostly one value, several where the spec says that they overlap."""
+        """The occupants of an address: mostly one value, several if the spec permits an overlap."""
         return self.occupants.get((space, address), [])
 
     def place(self, space: str, address: int) -> int:

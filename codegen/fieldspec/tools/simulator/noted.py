@@ -1,4 +1,4 @@
-"""A dictionary that counts its changes, so that nobody has to compare it with what it was."""
+"""A dictionary that counts its changes, so that no comparison with its old state is needed."""
 
 from __future__ import annotations
 

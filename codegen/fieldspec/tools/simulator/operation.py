@@ -48,7 +48,7 @@ class Operation(ABC):
 
     @abstractmethod
     def power_on(self) -> None:
-        """Begins with what outlasts the power."""
+        """Begins with the nonvolatile values."""
 
     def holds(self, condition: dict[str, Any]) -> bool:
         """Whether all signals of a condition have a value that it names."""
@@ -71,7 +71,7 @@ class Operation(ABC):
         return bool(raw) if value == NONZERO else raw == self.raw(cell, value)
 
     def _in_use(self, name: str) -> list[Cell]:
-        """The cells that a condition means: those of requests, or else those of responses."""
+        """The cells of a condition: of requests, or else of responses."""
         return self.cells.of(name, "request") or self.cells.of(name)
 
     def _member(self, field: str, value: object) -> object:
@@ -106,7 +106,7 @@ class Operation(ABC):
         return number if isinstance(number, int | float) else float(number)
 
     def names_nothing(self, cell: Cell, text: str) -> bool:
-        """Whether a text is no value of a cell, and no signal either."""
+        """Whether a text is not a value of a cell, and no signal either."""
         return not self.cells.names.has_member(cell.path, text) and not self.cells.names.is_known(text)
 
     def number(self, value: object) -> Number:

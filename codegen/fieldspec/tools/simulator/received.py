@@ -36,7 +36,7 @@ class Request:
 
 
 def received(frames: FrameCodec, unit_address: int, frame: bytes, message: str) -> Request | str:
-    """What a frame asks of a device; what is wrong with it where the device takes no notice.
+    """The request in a frame; its fault if the device ignores it.
 
     `message` names the message where the frame does not.
     """
@@ -51,7 +51,7 @@ def received(frames: FrameCodec, unit_address: int, frame: bytes, message: str) 
     starts = ((part, part.at(len(parts))) for part in shape.digits)
     garbled = next((part for part, start in starts if part.read(parts[start : start + part.size]) is None), None)
     if garbled is not None:
-        return f"damaged: {garbled.name} is no number"
+        return f"damaged: {garbled.name} is not a number"
     coded = shape.role("code")
     code = head[coded.name] if coded is not None else None
     outcome = _decoded(frames, frame, message if code is None else "")

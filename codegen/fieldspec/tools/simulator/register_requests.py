@@ -83,7 +83,7 @@ def accessed_words(
 
 
 def read_bits(engine: Engine, access: RegisterAccess, values: Mapping[str, Any]) -> int | list[int]:
-    """What a response carries for the bits that a request asks for: bytes, or a number. Raises Refusal."""
+    """The content of a response for the requested bits: bytes, or a number. Raises Refusal."""
     bits = [int(word != 0) for word in read_registers(engine, access, values)]
     if access.set is None:
         return list(packed_bits(bits))

@@ -20,7 +20,7 @@ _BASES = {"decimal": 10, "hexadecimal": 16}
 
 @dataclass(frozen=True, slots=True)
 class ReportedVersion:
-    """What a device reports: the path of the `fact`, its value, and the version that the value tells."""
+    """The reported version of a device: the path of the `fact`, its value, and the version that it identifies."""
 
     fact: str
     reported: int | str
@@ -37,11 +37,12 @@ class ReportedVersion:
     @property
     def text(self) -> str:
         """The sentence that tells a person which version the device reports."""
-        return f"{self.fact} is {self.reported}, which tells the version {self.version}"
+        return f"{self.fact} is {self.reported}, which identifies the version {self.version}"
 
 
 def reported_version(layout: DeviceLayout, behaviour: Behaviour) -> ReportedVersion | None:
-    """What tells the version of a device; None where the spec does not say it, or where no value can be it.
+    """The value that identifies the version of a device; None where the spec does not say it, or where no value can be
+    it.
 
     It is None too where the behaviour states the value.
     """
@@ -88,7 +89,7 @@ def _numbers_of(version: str) -> Iterator[list[int]]:
 
 
 def _whole(version_form: VersionDetection, numbers: list[int], version: str) -> Iterator[int]:
-    """The numbers whose digits or bytes are those of a version."""
+    """The numbers whose digits or bytes form a version."""
     if version_form.form == "bytes" and len(numbers) <= version_form.places and max(numbers) <= 0xFF:
         yield int.from_bytes(bytes(numbers).ljust(version_form.places, b"\0"), "big")
     base = _BASES.get(version_form.form)

@@ -7,7 +7,7 @@ from fieldspec.tools.simulator.engine import Engine
 
 
 def seed(engine: Engine, dump: Dump) -> tuple[int, int]:
-    """Writes the words of a dump, also to what outlasts the power.
+    """Writes the words of a dump, also to nonvolatile values.
 
     Addresses are read in the way that leaves the fewest unknown; without registers they are numbers of parameters.
     Returns how many words or elements were written, and how many addresses the device does not have.

@@ -90,7 +90,7 @@ class Transfers:
             raise Refusal("segment_unexpected", "no value is on its way")
         pieces, count = transfer.pieces, transfer.count
         if not pieces.has_number(values, count, pieces.asked):
-            raise Refusal("segment_order", f"the piece behind {count} others is next")
+            raise Refusal("segment_order", f"the piece after {count} others is next")
         if pieces.reads:
             size = pieces.data.size
             piece, transfer.content = transfer.content[:size], transfer.content[size:]

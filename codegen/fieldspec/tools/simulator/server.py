@@ -52,7 +52,7 @@ class Server:
         self._received = lru_cache(_MOST_KNOWN)(
             lambda link, frame, message: received(self.codecs[link], unit_address, frame, message)
         )
-        """What frames ask for: whoever watches a device asks the same again and again."""
+        """The requests in frames: observers of a device repeat the same requests."""
         self._frames: dict[tuple[object, ...], bytes] = {}
 
     def answer(self, link: str, frame: bytes, message: str = "", forced: str = "") -> Answer:
@@ -166,7 +166,7 @@ class Server:
         carried = value_field or parameters.part_of(response, "value")
         pieces = self.transfers.by_first.get(announced.name)
         if value is None and (pieces is not None or (carried is not None and carried.carries_bytes)):
-            raise Refusal("unknown_address", f"nothing says how many bytes parameter {target.number} has")
+            raise Refusal("unknown_address", f"the size of parameter {target.number} is unknown")
         if value_field is not None:
             kind = raw_values.chosen_kind(request, values)
             if kind is not None and value is not None and kind != value.type.name:
@@ -277,7 +277,7 @@ class Server:
         return raw_values.in_case(engine.layout.device, cell.read(), field)
 
     def _records(self, part: Part) -> list[dict[str, Any]]:
-        """The records of a collection that answer. Raises Refusal where the one that is asked for is missing."""
+        """The records of a collection that answer. Raises Refusal if the requested record is missing."""
         engine = self.engine
         records: list[dict[str, Any]] = engine.memory.lists.get(part["from"], [])
         collection = engine.behaviour.named("collection", part["from"])

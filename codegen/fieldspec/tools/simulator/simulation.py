@@ -185,7 +185,7 @@ class Simulation:
     def _patience(self, line: Line, silence: float) -> float:
         """The seconds without a byte after which the bytes so far are dropped on a network.
 
-        A pause that the behaviour states is kept there too, and nobody waits for the rest of a damaged frame.
+        A pause that the behaviour states is kept there too, and the rest of a damaged frame is not awaited.
         """
         is_known = line.is_damaged or timing(self.server, "receive_gap")
         return max(silence, NETWORK_PAUSE) if is_known else PATIENCE
@@ -242,7 +242,7 @@ def can_objection(link: LinkLayout, place: str) -> str:
     if link.link.is_can and not place.startswith("can://"):
         return f"{link.name} is a CAN bus; write where it is as can://INTERFACE/CHANNEL, as in can://socketcan/can0"
     if place.startswith("can://") and not link.link.is_can:
-        return f"{link.name} is no CAN bus; use a serial port, tcp://HOST:PORT or udp://HOST:PORT"
+        return f"{link.name} is not a CAN bus; use a serial port, tcp://HOST:PORT or udp://HOST:PORT"
     return ""
 
 
@@ -278,7 +278,7 @@ def usual_place(layout: LinkLayout) -> str:
 
 
 def usual_unit_address(layout: DeviceLayout) -> int:
-    """The address of the unit where nobody says one: the lowest that a link has, but not that of a broadcast."""
+    """The default unit address: the lowest of a link except the broadcast address."""
     for link in layout.device.links.values():
         addresses = link.unit_addresses
         if addresses is not None and addresses.ranges is not None:

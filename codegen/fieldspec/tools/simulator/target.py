@@ -1,4 +1,4 @@
-"""What a request to a numbered parameter means."""
+"""The meaning of a request to a numbered parameter."""
 
 from __future__ import annotations
 

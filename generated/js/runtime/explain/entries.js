@@ -112,7 +112,7 @@ function floatEntry(name, value, text) {
     return Number(quantity);
   }
   if (text in LETTERS.float) return LETTERS.float[text];
-  if (!NUMBER.test(text)) throw new CodecError("wrong_type", `${name}: \`${text}\` is no number; write it as \`0.5\` or \`2.5e-3\``);
+  if (!NUMBER.test(text)) throw new CodecError("wrong_type", `${name}: \`${text}\` is not a number; write it as \`0.5\` or \`2.5e-3\``);
   return Number(text);
 }
 
@@ -133,16 +133,16 @@ function countEntry(device, name, value, text) {
   if (unit !== undefined && unit === value.unit) return quantityEntry(name, value, text, quantity);
   if (listing) {
     const names = listing.members.map((other) => other.name).join(", ");
-    throw new CodecError("unknown_value", `${name}: \`${text}\` is no member of ${value.enum}: ${names}`);
+    throw new CodecError("unknown_value", `${name}: \`${text}\` is not a member of ${value.enum}: ${names}`);
   }
   const more = value.unit ? `, or with its unit ${value.unit}` : "";
-  throw new CodecError("wrong_type", `${name}: \`${text}\` is no number; enter a count${more}`);
+  throw new CodecError("wrong_type", `${name}: \`${text}\` is not a number; enter a count${more}`);
 }
 
 function quantityEntry(name, value, text, quantity) {
   const exact = exactCount(value, quantity);
   if (!value.isShare && exact[0] % exact[1] !== 0n) {
-    throw new CodecError("wrong_type", `${name}: \`${text}\` is no whole number of counts of ${value.scale ?? 1} ${value.unit}`);
+    throw new CodecError("wrong_type", `${name}: \`${text}\` is not a whole number of counts of ${value.scale ?? 1} ${value.unit}`);
   }
   const count = narrowed(nearestCount(exact));
   const absent = sentinelOf(value, count);
@@ -166,7 +166,7 @@ function wordOf(device, name, value, text) {
     const bit = word.bits?.find((other) => other.name === bitName);
     if (!bit) {
       const names = (word.bits ?? []).filter(({ reserved }) => !reserved).map((other) => other.name).join(", ");
-      throw new CodecError("unknown_value", `${name}: \`${bitName}\` is no bit of ${value.flags}: ${names}`);
+      throw new CodecError("unknown_value", `${name}: \`${bitName}\` is not a bit of ${value.flags}: ${names}`);
     }
     if (named.has(bitName)) throw new CodecError("wrong_type", `${name}: \`${bitName}\` has two values`);
     named.add(bitName);

@@ -23,7 +23,7 @@ export function reasonsOf({ rows }) {
 }
 
 /**
- * A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those behind them, and
+ * A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those after them, and
  * `emptyEscape` those that an escape sends for no bytes at all.
  */
 class ExplainedFrame {
@@ -144,7 +144,7 @@ class ExplainedFrame {
     return this.shape.escape && !part.beforeEscape ? this.sentData : this.data;
   }
 
-  /** The bytes of the parts and those behind them: length and checksum may show that the frame ends earlier. */
+  /** The bytes of the parts and those after them: length and checksum may show that the frame ends earlier. */
   withoutSurplus(data) {
     const nothing = data.subarray(data.length);
     const ofSent = (part) => !this.shape.escape || !part.beforeEscape;
@@ -231,7 +231,7 @@ class ExplainedFrame {
       if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
       if (isAmbiguous(link, direction, code)) {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
-        return judged(read, false, `that of ${names}, which only the request tells apart`, "unknown_code");
+        return judged(read, false, `that of ${names}; only the request distinguishes them`, "unknown_code");
       }
       const known = Object.values(link.codes[direction]).join(", ");
       const several = known ? `one of ${known}` : `that of a message, and none has a ${direction} here`;
@@ -314,7 +314,7 @@ class ExplainedFrame {
   unknownRows(start, end) {
     const data = this.data.subarray(start, end);
     if (!this.shape.code) {
-      const text = "the frame carries no code, and nothing else says which message it is";
+      const text = "the frame carries no code, so its message is unknown";
       return [wrongRow(this.spot, start, data, "unknown_code", text)];
     }
     if (end <= start) return [];

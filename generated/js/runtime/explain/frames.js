@@ -13,8 +13,8 @@ const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => ch
 export function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
   const start = markOf(frame, marks[0], link.encoding);
-  const behind = frame.subarray(start.length);
-  const end = markOf(behind.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
+  const after = frame.subarray(start.length);
+  const end = markOf(after.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
   if (link.encoding === "binary") {
     return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };

@@ -4,7 +4,7 @@ import { digitsNumber } from "../digit_texts.js";
 import { extentsIn } from "../lists.js";
 import { widenedBytes } from "../widths.js";
 
-/** The bytes up to which a whole number is no bigint. */
+/** The bytes up to which a whole number is not a bigint. */
 export const WIDE = 6;
 
 /** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */

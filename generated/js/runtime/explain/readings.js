@@ -7,7 +7,7 @@ import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js
 export const DIRECTIONS = ["request", "response"];
 
 const OF_VALUES = ["unknown_value", "wrong_const", "wrong_measure"];
-// The frame carries no code, so its message is a guess. That is no fault, but a broken frame needs better evidence.
+// The frame carries no code, so its message is a guess. That is not a fault, but a broken frame needs better evidence.
 const GUESSED = "guessed";
 // The faults that a reading may have. The readings of the first step that any of them passes are the result.
 const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));

@@ -29,7 +29,7 @@ export class AddressSpan {
   }
 
   /**
-   * The bytes in the parts that are `skip` bytes behind an address, and those of the value that they carry; undefined
+   * The bytes in the parts that are `skip` bytes after an address, and those of the value that they carry; undefined
    * unless all are there.
    */
   piece(address, size, skip = 0) {
@@ -125,9 +125,9 @@ function baseOf(device, table, span) {
 function unknownBases(device, span, first, end) {
   return device.data.tables.flatMap((table) => {
     if (!table.baseBy || (table.space ?? "") !== span.space || baseOf(device, table, span) !== null) return [];
-    const behind = (table.count - 1) * table.stride + table.words;
+    const after = (table.count - 1) * table.stride + table.words;
     const { ranges } = device.data.registers.find(({ name }) => name === table.baseBy).value;
-    const isNear = ranges.some(([low, high]) => low < end && first < high + behind);
+    const isNear = ranges.some(([low, high]) => low < end && first < high + after);
     return isNear ? [`Elements of ${table.name} may be here: ${table.baseBy} has the address of the first one.`] : [];
   });
 }
@@ -180,7 +180,7 @@ function addFields(occupants, device, table, span) {
   }
 }
 
-/** The numbers of the first element that may share words with a span, and of the one behind the last. */
+/** The numbers of the first element that may share words with a span, and of the one after the last. */
 function nearElements(base, { stride, words, count }, span) {
   const first = Math.max(0, Math.floor((span.address - base - words) / stride) + 1);
   return [first, Math.max(first, Math.min(count, Math.ceil((span.end - base) / stride)))];

@@ -63,7 +63,7 @@ export function intervalsText(ranges) {
   return ranges.map(([low, high]) => (low == high ? boundText(low) : `${boundText(low)}..${boundText(high)}`)).join(", ");
 }
 
-/** A bound with all its digits, of which a spec has at most 20 behind the point, and never with an exponent. */
+/** A bound with all its digits, of which a spec has at most 20 after the point, and never with an exponent. */
 function boundText(bound) {
   const text = String(bound);
   return text.includes("e-") ? bound.toFixed(20).replace(/0+$/, "") : text;

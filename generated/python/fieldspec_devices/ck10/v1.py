@@ -7886,7 +7886,7 @@ class PointsTable(_Table[Point]):
 
     Point n begins at 2710h + 20h * n. 07F5h stores the table in flash.
 
-    128 records of 32 words, 0 to 127, the first at 0x2710, each 32 words behind the one before, read
+    128 records of 32 words, 0 to 127, the first at 0x2710, each 32 words after the one before, read
     and write.
 
     Note: Wrong data may cause errors when a point is carried out (2.7 L607).
@@ -7929,7 +7929,7 @@ class FlashPointsTable(_Table[Point]):
 
     What is stored. It cannot be written directly; 07F5h copies the table in memory to it.
 
-    128 records of 32 words, 0 to 127, the first at 0x4E20, each 32 words behind the one before, read
+    128 records of 32 words, 0 to 127, the first at 0x4E20, each 32 words after the one before, read
     only.
 
     Note: Decimal addresses are printed for the points 0, 1, 2 and 127: 20000, 20032, 20064 and 24064.

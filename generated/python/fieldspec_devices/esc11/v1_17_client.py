@@ -264,7 +264,7 @@ class Client(_ParameterClient):
     """A client of TAIYO ESC11-B, version 1.17.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    `settle` how long the device may take to show the requested state, `begin` how long a motion may
     take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
     response may take a second. Reads are sent again `retries` times.
 
@@ -556,7 +556,7 @@ class AsyncClient(_AsyncParameterClient):
     """A client of TAIYO ESC11-B, version 1.17.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    `settle` how long the device may take to show the requested state, `begin` how long a motion may
     take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
     response may take a second. Reads are sent again `retries` times.
 

@@ -112,7 +112,7 @@ class Client(_ParameterClient):
     """A client of HIWIN E1/E2 PROFINET, version before-2.8.16.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    `settle` how long the device may take to show the requested state, `begin` how long a motion may
     take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
     response may take a second. Reads are sent again `retries` times.
 
@@ -194,7 +194,7 @@ class AsyncClient(_AsyncParameterClient):
     """A client of HIWIN E1/E2 PROFINET, version before-2.8.16.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    `settle` how long the device may take to show the requested state, `begin` how long a motion may
     take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
     response may take a second. Reads are sent again `retries` times.
 
@@ -469,7 +469,7 @@ class Telegram3(_BlockingClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -595,7 +595,7 @@ class AsyncTelegram3(_AsyncBaseClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -803,7 +803,7 @@ class Telegram5(_BlockingClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -931,7 +931,7 @@ class AsyncTelegram5(_AsyncBaseClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -1313,7 +1313,7 @@ class Telegram9(_BlockingClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -1512,7 +1512,7 @@ class AsyncTelegram9(_AsyncBaseClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -1752,7 +1752,7 @@ class Telegram102(_BlockingClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -1893,7 +1893,7 @@ class AsyncTelegram102(_AsyncBaseClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -2124,7 +2124,7 @@ class Telegram105(_BlockingClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -2266,7 +2266,7 @@ class AsyncTelegram105(_AsyncBaseClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -2670,7 +2670,7 @@ class Telegram111(_BlockingClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 
@@ -2888,7 +2888,7 @@ class AsyncTelegram111(_AsyncBaseClient):
 
         Steps: set control_request; pulse alarm_reset; wait alarm_present = false.
 
-        Clears the bits that switch on and start first, so that nothing goes on by itself afterwards.
+        Clears the bits that switch on and start first, so that nothing starts by itself afterwards.
 
         Inferred (steps): The sequence is figure 7.2.2.1, which is not in the text.
 

@@ -3782,7 +3782,7 @@ The full count alarm is raised when the actual position is further than this fro
 0x0108, 2 words, read and write, u32, in pulse, 1..100000.
 
 Note: 5.1 prints no range; it is taken from the two screens of chapter 9. They show 100 and 200 as
-values, which depend on the actuator and are no defaults.
+values, which depend on the actuator and are not defaults.
 
 Inferred (access): Chapter 5 gives ranges and says which changes need a restart, and 9.3 reads and
 writes all parameters.
@@ -4909,7 +4909,7 @@ class PointsTable(_Table[Point]):
     The points P1 to P127. The table prints the first one whole and the addresses of the second one;
     the others follow at the same distance.
 
-    127 records of 14 words, 1 to 127, the first at 0x9010, each 16 words behind the one before.
+    127 records of 14 words, 1 to 127, the first at 0x9010, each 16 words after the one before.
 
     Note: Two words between one point and the next, 901EH and 901FH for the first one, are not
     described.

@@ -407,7 +407,7 @@ class Client(_RegisterClient):
     """A client of TOYO TC100, version before-2.0.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    `settle` how long the device may take to show the requested state, `begin` how long a motion may
     take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
     response may take a second. Reads are sent again `retries` times.
 
@@ -677,7 +677,7 @@ class AsyncClient(_AsyncRegisterClient):
     """A client of TOYO TC100, version before-2.0.
 
     `timeout` is how long a response may take, `pause` how long the line is silent before a request,
-    `settle` how long the device may take to show what it was asked for, `begin` how long a motion may
+    `settle` how long the device may take to show the requested state, `begin` how long a motion may
     take to begin, all in seconds. None stands for what the manual prints; where it prints nothing, a
     response may take a second. Reads are sent again `retries` times.
 

@@ -4,7 +4,7 @@ Why: our operator panels limit what people enter, and take the limits from the s
 
 Example: `speed` with `access: rw`, and neither `range` nor `unit_range`.
 
-Cure: Look the limits up in the manual, or allow this with a reason where it prints none.
+Fix: Look the limits up in the manual, or allow this with a reason where it prints none.
 """
 
 from __future__ import annotations

@@ -15,14 +15,13 @@ from fieldspec.language.model.registers import Parameter, ParameterSet, Register
 
 
 def register_moved(comparison: Comparison) -> Iterator[Change]:
-    """A register is at another address.
+    """The address of a register has changed.
 
     Why: existing programs read and write the wrong register.
 
     Example: `at: 0x2011` that becomes `at: 0x2012`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Register):
@@ -33,14 +32,13 @@ def register_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def table_moved(comparison: Comparison) -> Iterator[Change]:
-    """A table begins at another address, or another register has the address.
+    """The base address of a table, or the register that contains it, has changed.
 
     Why: existing programs read and write the wrong records.
 
     Example: `base: 0x9010` that becomes `base: 0xA010`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Table):
@@ -55,14 +53,13 @@ def table_moved(comparison: Comparison) -> Iterator[Change]:
 
 
 def stride_changed(comparison: Comparison) -> Iterator[Change]:
-    """The elements of a register or a table are at other distances.
+    """The distance between the elements of a register or a table has changed.
 
-    Why: all elements but the first are at other addresses.
+    Why: all elements after the first have different addresses.
 
     Example: `stride: 0x10` that becomes `stride: 0x20`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.any_of(Register, Table):
@@ -73,14 +70,13 @@ def stride_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def index_changed(comparison: Comparison) -> Iterator[Change]:
-    """The elements of a register, a table or a parameter have other numbers.
+    """The numbers of the elements of a register, a table or a parameter have changed.
 
     Why: element 5 is a different element at a different address.
 
     Example: `index_from: 0` that becomes `index_from: 1`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.any_of(Register, Table):
@@ -96,14 +92,13 @@ def index_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def number_changed(comparison: Comparison) -> Iterator[Change]:
-    """A parameter, or a set of parameters, has other numbers on the wire.
+    """The numbers of a parameter, or of a set of parameters, on the wire have changed.
 
     Why: existing programs read and write the wrong parameter.
 
-    Example: `number: 19` that becomes `number: 20`, or another `base` of a set.
+    Example: `number: 19` that becomes `number: 20`, or a different `base` of a set.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Parameter):
@@ -131,14 +126,13 @@ _OF_SPACE = (
 
 
 def space_changed(comparison: Comparison) -> Iterator[Change]:
-    """A register, a table or a message belongs to another address space, or an address space changes itself.
+    """A register, a table or a message belongs to another address space, or the address space itself has changed.
 
-    Why: the same address in another space is another register, and needs other messages.
+    Why: the same address in a different space is a different register, and needs different messages.
 
     Example: a group of registers with `space: holding_registers` that becomes `space: input_registers`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.any_of(Register, Table):

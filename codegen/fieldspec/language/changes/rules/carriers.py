@@ -23,13 +23,13 @@ _SERIAL_KEYS = (
 
 
 def serial_changed(comparison: Comparison) -> Iterator[Change]:
-    """A serial line has other settings, or another default.
+    """The settings or the default of a serial line have changed.
 
-    Why: two sides with different settings do not understand each other.
+    Why: two sides with different settings cannot communicate.
 
     Example: `default_baud: 9600` that becomes `default_baud: 19200`.
 
-    Cure: Tell users the settings for their side.
+    Fix: Tell users the settings for their side.
     """
 
     for pair in comparison.of(Link):
@@ -42,13 +42,13 @@ def serial_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def default_link_changed(comparison: Comparison) -> Iterator[Change]:
-    """A device uses another link with factory settings, or none of them is stated any more.
+    """A device uses a different link with factory settings, or the default link is no longer stated.
 
-    Why: programs that open a device as it is delivered speak the protocol of this link.
+    Why: programs open a device with factory settings over this link.
 
     Example: `default: true` that moves from the link `rtu` to the link `ascii`.
 
-    Cure: Tell users which link new devices use.
+    Fix: Tell users which link new devices use.
     """
     for pair in comparison.of(Link):
         if pair.old.is_default != pair.new.is_default:
@@ -62,13 +62,13 @@ _NO_NETWORK = Network(None, None, ())
 
 
 def network_changed(comparison: Comparison) -> Iterator[Change]:
-    """The device listens on another port of a network.
+    """The device listens on a different network port.
 
     Why: a program that connects to the old port receives no response.
 
     Example: `network: {tcp: 502}` that becomes `network: {tcp: 10502}`.
 
-    Cure: Tell users the port.
+    Fix: Tell users the port.
     """
     for pair in comparison.of(Link):
         before, after = pair.old.network or _NO_NETWORK, pair.new.network or _NO_NETWORK
@@ -80,13 +80,13 @@ def network_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def timing_changed(comparison: Comparison) -> Iterator[Change]:
-    """The silence between frames is another one.
+    """The silence between frames has changed.
 
-    Why: if a program waits too short, the device takes two frames for one.
+    Why: if a program waits too briefly, the device reads two frames as one.
 
     Example: `silence: {characters: 3.5}` that becomes `silence: {milliseconds: 50}`.
 
-    Cure: Tell users how long to wait.
+    Fix: Tell users how long to wait.
     """
 
     for pair in comparison.of(Link):

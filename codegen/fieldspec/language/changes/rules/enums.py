@@ -15,13 +15,12 @@ from fieldspec.language.model.enums import Bit, Enum, Member
 def enum_changed(comparison: Comparison) -> Iterator[Change]:
     """The enum of a value was added, removed or replaced.
 
-    Why: if the two enums give a number different names, it means something else. If not, the types of generated code
-    change.
+    Why: if the two enums give a number different names, its meaning differs. Otherwise, only the types of generated
+    code change.
 
     Example: `enum: mode` that becomes `enum: extended_mode`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for value_pair in comparison.values:
@@ -51,12 +50,12 @@ def _names(device: Device, name: str) -> dict[int, str]:
 def member_added(comparison: Comparison) -> Iterator[Change]:
     """An enum has a new member.
 
-    Why: programs receive a value that they do not know. Generated code of the old version refuses it, or passes it on
-    as a number if the enum is open.
+    Why: programs receive an unknown value. Generated code of the old version rejects it, or passes it on as a number if
+    the enum is open.
 
     Example: an alarm code that the new firmware has.
 
-    Cure: Nothing to do. If the manual announces more, write `open: true`.
+    Fix: Nothing to do. If the manual announces more, write `open: true`.
     """
 
     for unpaired in comparison.added:
@@ -80,12 +79,12 @@ def member_added(comparison: Comparison) -> Iterator[Change]:
 def member_removed(comparison: Comparison) -> Iterator[Change]:
     """An enum has lost a member.
 
-    Why: the value has no meaning any more, or another one, and generated code has no name for it.
+    Why: the value has no meaning or a different meaning, and generated code has no name for it.
 
     Example: a mode that the new firmware does not have.
 
-    Cure: If the device still accepts the value, keep the member with `unavailable: true`. Where the old spec was wrong,
-    accept the change with that reason; else give the new version a number of its own.
+    Fix: If the device still accepts the value, keep the member with `unavailable: true`. If the old spec was wrong,
+    accept the change with that reason; otherwise, assign a new version number.
     """
 
     for unpaired in comparison.removed:
@@ -114,8 +113,7 @@ def member_renumbered(comparison: Comparison) -> Iterator[Change]:
 
     Example: `{value: 5, name: blue}` that becomes `{value: 6, name: blue}`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Member):
@@ -126,13 +124,13 @@ def member_renumbered(comparison: Comparison) -> Iterator[Change]:
 
 
 def aliases_changed(comparison: Comparison) -> Iterator[Change]:
-    """A member of an enum has other aliases.
+    """The aliases of an enum member have changed.
 
-    Why: programs that use a name that is gone no longer compile. A new alias changes nothing for them.
+    Why: programs that use a removed name no longer compile. A new alias changes nothing for them.
 
     Example: `aliases: [red]` that a member loses.
 
-    Cure: Keep the alias, or tell users the name to write.
+    Fix: Keep the alias, or tell users the name to write.
     """
 
     for pair in comparison.of(Member):
@@ -148,12 +146,12 @@ def aliases_changed(comparison: Comparison) -> Iterator[Change]:
 def openness_changed(comparison: Comparison) -> Iterator[Change]:
     """An enum admits values that it does not list, or no longer admits them.
 
-    Why: an open enum has a type that also admits numbers, which programs must expect. With a closed one, generated code
-    refuses values that it does not list.
+    Why: the type of an open enum also admits numbers, which programs must expect. With a closed enum, generated code
+    rejects unlisted values.
 
     Example: `open: true` at the enum of alarms.
 
-    Cure: Nothing to do if the manual announces more codes.
+    Fix: Nothing to do if the manual announces more codes.
     """
 
     for pair in comparison.of(Enum):

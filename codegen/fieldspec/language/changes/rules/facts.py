@@ -34,14 +34,15 @@ def device_removed(device: Device) -> Change:
 
 
 def fact_added(comparison: Comparison) -> Iterator[Change]:
-    """The new version has something that the old one does not have.
+    """A fact exists only in the new version.
 
-    Why: programs that do not use it go on working, as long as nothing else moves. A field that makes a record longer,
-    or moves other fields, breaks every program that knows the old length.
+    Why: programs that do not use it keep working, as long as nothing else moves. A field that makes a record longer, or
+    moves other fields, breaks every program that expects the old length.
 
     Example: a register at an address that was free.
 
-    Cure: Put new fields in the place of reserved ones. Give the fact a `since`, so that users of the old version know.
+    Fix: Put new fields in the place of reserved ones. Give the fact a `since`, so that users of the old version are
+    warned.
     """
 
     for unpaired in comparison.added:
@@ -66,14 +67,14 @@ def _effect(unpaired: Unpaired) -> Effect:
 
 
 def fact_removed(comparison: Comparison) -> Iterator[Change]:
-    """The old version has something that the new one does not have, and nothing shows that only its name has changed.
+    """A fact exists only in the old version, without evidence that only its name has changed.
 
-    Why: programs that use it read or write nothing, or something else, and generated code has no name for it any more.
+    Why: programs that use it access nothing, or different data, and generated code has no name for it any more.
 
     Example: a register that the new manual does not list.
 
-    Cure: Find out whether the new manual omits it by mistake. If not, give it an `until`, and tell users what to use
-    instead.
+    Fix: Find out whether the new manual omits it by mistake. If not, give it an `until`, and tell users the
+    alternative.
     """
 
     for unpaired in comparison.removed:
@@ -98,14 +99,14 @@ def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
 
 
 def renamed(comparison: Comparison) -> Iterator[Change]:
-    """A fact was renamed. The message names the evidence that it is the same: what the two have in common, and
-    nothing else that is new or gone.
+    """A fact was renamed. The message names the evidence: the keys that the two facts share with each other and with no
+    other added or removed fact.
 
-    Why: generated names follow the names of the spec, so programs that use the old ones no longer compile or run.
+    Why: generated names follow the names of the spec, so programs with the old names no longer compile or run.
 
     Example: a register `servo` at 0x2011 that is called `servo_on` now.
 
-    Cure: Keep the old name, unless the new one is worth the work of all users. Labels and printed names can change
+    Fix: Keep the old name, unless the new name is worth the work of all users. Labels and printed names can change
     freely.
     """
 
@@ -135,7 +136,7 @@ def availability_changed(comparison: Comparison) -> Iterator[Change]:
 
     Example: `unavailable: true` at a mode that the old version had.
 
-    Cure: Tell users what to use instead. A member that becomes available needs no action.
+    Fix: Tell users the alternative. A member that becomes available needs no action.
     """
 
     for pair in comparison.of(Member):
@@ -147,13 +148,13 @@ def availability_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def applicability_changed(comparison: Comparison) -> Iterator[Change]:
-    """A parameter applies to other kinds of motor, axis or model, or has an effect with other messages.
+    """A parameter applies to different kinds of motor, axis or model, or has an effect with different messages.
 
-    Why: a program that sets it may have to find out first what it is connected to.
+    Why: a program may have to identify the connected device before it sets the parameter.
 
     Example: `applies_to: [rotary]` that becomes `applies_to: [rotary, linear]`.
 
-    Cure: Nothing to do if the list grows; else tell users which devices no longer have the parameter.
+    Fix: Nothing to do if the list grows; else tell users which devices no longer have the parameter.
     """
 
     for pair in comparison.of(Parameter):
@@ -167,14 +168,13 @@ def applicability_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def documentation_changed(comparison: Comparison) -> Iterator[Change]:
-    """The documentation of a fact has changed: printed names, labels, texts, notes, sources, or what the manual prints
-    twice.
+    """The documentation of a fact has changed: printed names, labels, texts, notes, sources, or restated values.
 
     Why: no program is affected. The texts are in the documentation and in the comments of generated code.
 
-    Example: a `doc` in other words, or a `source` with another line.
+    Example: a `doc` with different text, or a `source` with a different line.
 
-    Cure: None is needed.
+    Fix: None is needed.
     """
 
     for model_class, texts in TEXTS.items():
@@ -258,13 +258,14 @@ _EXAMPLE_KEYS = {"link": "links", "message": "messages", "reply_to": "examples"}
 
 
 def example_changed(comparison: Comparison) -> Iterator[Change]:
-    """An example has other bytes or other values, or shows something else.
+    """The bytes, the values or the subject of an example have changed.
 
-    Why: an example affects no program. But if its frame has changed and no fact has, one of the two is wrong.
+    Why: an example affects no program, but if its frame has changed and no fact has changed, the frame or the facts are
+    wrong.
 
-    Example: a `frame` with another checksum.
+    Example: a `frame` with a different checksum.
 
-    Cure: Find out whether the manual or the transcription has changed.
+    Fix: Find out whether the manual or the transcription has changed.
     """
 
     for pair in comparison.of(Example):

@@ -14,14 +14,13 @@ from fieldspec.language.model.enums import Bit, State
 
 
 def bit_moved(comparison: Comparison) -> Iterator[Change]:
-    """A bit, or a field of bits, is elsewhere in its word.
+    """A bit, or a group of bits, has a different position in its word.
 
     Why: existing programs test and set the wrong bits.
 
     Example: `bit: 4` that becomes `bit: 5`, or `bits: 4..5` that becomes `bits: 4..6`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Bit):
@@ -35,13 +34,12 @@ def bit_moved(comparison: Comparison) -> Iterator[Change]:
 def flags_changed(comparison: Comparison) -> Iterator[Change]:
     """The bit field of a value was added, removed or replaced.
 
-    Why: if the two words give a bit different names, it means something else. If not, the types of generated code
-    change.
+    Why: if the two bit fields give a bit different names, its meaning differs. Otherwise, only the types of generated
+    code change.
 
     Example: `flags: status` that becomes `flags: extended_status`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for value_pair in comparison.values:
@@ -63,12 +61,11 @@ def _names(device: Device, name: str) -> set[tuple[str, str]]:
 def polarity_changed(comparison: Comparison) -> Iterator[Change]:
     """A bit means the opposite.
 
-    Why: what was true when the bit was 1 is true when it is 0.
+    Why: the condition that was true when the bit was 1 is now true when it is 0.
 
     Example: `active: low` at a bit without it.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Bit):
@@ -79,14 +76,13 @@ def polarity_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def state_changed(comparison: Comparison) -> Iterator[Change]:
-    """Other bits show a state of the device.
+    """A state of the device is shown by different bits.
 
     Why: programs mistake one state for another.
 
     Example: `set: [ready]` of the state `running` that becomes `set: [ready, operating]`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(State):
@@ -100,13 +96,13 @@ def state_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def edge_changed(comparison: Comparison) -> Iterator[Change]:
-    """A bit acts by its level and no longer by its edge, the other way round, or by another edge.
+    """A bit takes effect by its level instead of its edge, by its edge instead of its level, or by a different edge.
 
-    Why: a program that leaves the bit unchanged starts nothing, or starts the action again and again.
+    Why: a program that leaves the bit unchanged starts no action, or repeats the action.
 
     Example: `edge: rising` at a bit without it.
 
-    Cure: Tell users how to set and clear the bit.
+    Fix: Tell users how to set and clear the bit.
     """
 
     for pair in comparison.of(Bit):
@@ -119,14 +115,13 @@ def edge_changed(comparison: Comparison) -> Iterator[Change]:
 def reserved_changed(comparison: Comparison) -> Iterator[Change]:
     """A field, a bit, a parameter or an element of a parameter is reserved now, or is no longer reserved.
 
-    Why: generated code writes what is reserved as zero, and ignores it. Bits that have a meaning now were written as
-    zero
-    before.
+    Why: generated code writes reserved values as zero, and ignores them when reading. Bits that have a meaning now were
+    written as zero before.
 
     Example: `reserved: true` at a field that the old version used.
 
-    Cure: Nothing to do if something is no longer reserved. Where the old spec was wrong, accept the change with that
-    reason; else give the new version a number of its own.
+    Fix: Nothing to do if the fact is no longer reserved. If the old spec was wrong, accept the change with that reason;
+    otherwise, assign a new version number.
     """
 
     for pair in comparison.reserved_changes:

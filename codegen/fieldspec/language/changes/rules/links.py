@@ -26,14 +26,14 @@ _KEYS = {
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """Frames have other delimiters, another encoding or another escape, or identifiers have their parts elsewhere.
+    """The delimiters, the encoding or the escape of frames, or the positions of the parts of an identifier, have
+    changed.
 
     Why: neither side recognises the frames of the other.
 
     Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex_ascii`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Link):
@@ -66,12 +66,11 @@ def _framing(link: Link, key: str) -> bytes | str:
 def check_changed(comparison: Comparison) -> Iterator[Change]:
     """A checksum's algorithm, prefix, suffix or digits, or the parts that a checksum or length covers, have changed.
 
-    Why: each side refuses the frames of the other.
+    Why: each side rejects the frames of the other.
 
     Example: `algorithm: sum8` that becomes `algorithm: lrc`, or `counts: {plus: 2}` that becomes `counts: {plus: 3}`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Part):
@@ -98,7 +97,7 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
-    """What differs between two algorithms: the one that is stated, or else the bytes before or behind the covered."""
+    """What differs between two algorithms: the one that is stated, or else the bytes before or after the covered."""
     if old.stated_algorithm != new.stated_algorithm:
         yield "algorithm", old.stated_algorithm, new.stated_algorithm
         return
@@ -108,7 +107,7 @@ def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
 
 
 def _extent(comparison: Comparison, pair: Pair[Part], side: int) -> tuple[object, ...]:
-    """What a part counts or covers, whether it is written out or not: the first and the last part, by new names."""
+    """The parts that a part counts or covers, explicitly or by default: the first and the last part, by new names."""
     link, part = pair.containers[side], (pair.old, pair.new)[side]
     path = part.place.path.rpartition("/")[0]
     direction = path.rpartition("/")[2]
@@ -122,7 +121,9 @@ def _extent(comparison: Comparison, pair: Pair[Part], side: int) -> tuple[object
 
 
 def _span_text(part: Part) -> str:
-    """What a length counts, or a checksum covers: `words from command to body plus 2`, `from command to body`."""
+    """The span that a length counts, or a checksum covers: `words from command to body plus 2`, `from
+    command to body`.
+    """
     span = part.span
     words = [f"from {span.first}"] if span.first else []
     words += [f"to {span.last}"] if span.last else []
@@ -140,8 +141,7 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
 
     Example: `code: 0x2F` that becomes `code: 0x30`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Message):
@@ -164,12 +164,11 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
 def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
     """The bit of the code that marks an exception response, or the record of that response, has changed.
 
-    Why: programs mistake an exception response for an answer, or misread its reason.
+    Why: programs mistake an exception response for a normal response, or misread its reason.
 
     Example: `exception_response: {flag: 0x80}` that becomes `exception_response: {flag: 0x40}`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Link):
@@ -191,15 +190,15 @@ def _error_text(comparison: Comparison, error: ExceptionResponse | None, before:
 
 
 def role_changed(comparison: Comparison) -> Iterator[Change]:
-    """The purpose of a field or of a frame part has changed: it measures, decides, repeats or carries something else.
+    """The purpose of a field or of a frame part has changed: it measures, selects, repeats or carries a different
+    value.
 
     Why: the same bytes are read as a length, a code, an address or an ordinary value.
 
     Example: `role: plain` that becomes `role: unit_address`, or `measures: {bytes: values}` that becomes `measures:
     {items: values}`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for part in comparison.of(Part):
@@ -267,15 +266,15 @@ def _parameter(part: ParameterPart | None, comparison: Comparison | None) -> str
 
 
 def sending_changed(comparison: Comparison) -> Iterator[Change]:
-    """A message is sent or answered on other links, or is sent together with other messages.
+    """The links on which a message is sent or answered, or the messages together with which it is sent, have changed.
 
-    Why: the device does not understand the message on a link that is gone, and may not accept it with other messages.
-    A program waits for an answer that does not come, or takes it for the answer to something else.
+    Why: the device does not understand the message on a removed link, and may reject it together with other messages. A
+    program waits for a response that does not arrive, or mistakes it for the response to a different request.
 
     Example: `links: [rtu, ascii]` that becomes `links: [rtu]`.
 
-    Cure: Nothing to do if links or messages are added. Where the old spec was wrong, accept the change with that
-    reason; else give the new version a number of its own.
+    Fix: Nothing to do if links or messages are added. If the old spec was wrong, accept the change with that reason;
+    otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Message):
@@ -310,14 +309,13 @@ def _links(device: Device, message: Message) -> tuple[str, ...]:
 
 
 def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
-    """Another unit address means all stations, or the spec says something else of whether a request may be broadcast.
+    """The broadcast address has changed, or whether a request may be broadcast.
 
-    Why: all devices carry out a request that was for one of them, or none does.
+    Why: all devices carry out a request to one device, or no device does.
 
     Example: `broadcast: 0` that becomes `broadcast: 255` at the `unit_addresses` of a link.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for link in comparison.of(Link):
@@ -340,13 +338,14 @@ def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def building_changed(comparison: Comparison) -> Iterator[Change]:
-    """Another line of versions gets outputs of its own.
+    """A different version line has its own outputs.
 
-    Why: generated modules and headers have the names of versions, so programs no longer find those that they use.
+    Why: generated modules and headers have the names of versions, so programs no longer find the modules and headers
+    that they use.
 
     Example: `builds: true` that moves from the line `firmware` to the line `hardware`.
 
-    Cure: Keep the line that has the outputs, or tell users the new names.
+    Fix: Keep the line that has the outputs, or tell users the new names.
     """
 
     for pair in comparison.of(VersionLine):
@@ -359,17 +358,17 @@ def building_changed(comparison: Comparison) -> Iterator[Change]:
 def detection_changed(comparison: Comparison) -> Iterator[Change]:
     """A different value identifies the version of the device, or its interpretation has changed.
 
-    Why: a program that reads the version chooses the code of that version by it.
+    Why: programs choose the code for the version by this value.
 
     Example: `places: 2` instead of `places: 1`.
 
-    Cure: Regenerate the code, and compare the value with that of a real device.
+    Fix: Regenerate the code, and compare the value with that of a real device.
     """
 
     for pair in comparison.of(VersionLine):
         old, new = (_detection_text(side.detected_by) for side in (pair.old, pair.new))
         if old != new:
-            text = f"{named(pair.new)}: {difference_text('what tells the version', old or None, new or None)}"
+            text = f"{named(pair.new)}: {difference_text('detected_by', old or None, new or None)}"
             yield change("detection_changed", Effect.BEHAVIOUR, pair, "detected_by", text, old, new, (PYTHON,))
     for version in comparison.of(Version):
         old, new = (", ".join(map(str, side.detected_as)) for side in (version.old, version.new))

@@ -17,13 +17,13 @@ from fieldspec.language.model.value import Handling
 
 
 def range_narrowed(comparison: Comparison) -> Iterator[Change]:
-    """Fewer values are permitted than before, only a shorter text, or fewer elements.
+    """Fewer values, fewer elements or only a shorter text are permitted.
 
-    Why: the device or the generated code refuses what it accepted.
+    Why: the device or the generated code rejects values that it accepted before.
 
     Example: `range: 0..100` that becomes `range: 1..100`.
 
-    Cure: Tell users of the lost values.
+    Fix: Inform users of the lost values.
     """
 
     for bounds in bounds_pairs(comparison):
@@ -36,14 +36,14 @@ def range_narrowed(comparison: Comparison) -> Iterator[Change]:
 
 
 def range_widened(comparison: Comparison) -> Iterator[Change]:
-    """More values are permitted than before, a longer text, or more elements.
+    """More values, more elements or a longer text are permitted.
 
-    Why: an existing program receives values that it does not expect, and generated code of the old version refuses
+    Why: an existing program receives values that it does not expect, and generated code of the old version rejects
     them.
 
     Example: `range: 0..100` that becomes `range: 0..200`.
 
-    Cure: None is needed.
+    Fix: None is needed.
     """
 
     for bounds in bounds_pairs(comparison):
@@ -56,15 +56,15 @@ def range_widened(comparison: Comparison) -> Iterator[Change]:
 
 
 def default_changed(comparison: Comparison) -> Iterator[Change]:
-    """The default of a value is another one.
+    """The default of a value has changed.
 
-    Why: a device that relies on the old default, and a record or a word of bits that is filled only in part, behave in
-    another way. Other bytes are written into reserved fields.
+    Why: a program that relies on the old default, or fills a record or a bit field only partly, sends different values.
+    Different bytes are written into reserved fields.
 
     Example: `default: 100` that becomes `default: 50`.
 
-    Cure: Tell users to set the value where it matters. Where the old spec was wrong, accept the change with that
-    reason; else give the new version a number of its own.
+    Fix: Tell users to set the value explicitly. If the old spec was wrong, accept the change with that reason;
+    otherwise, assign a new version number.
     """
 
     for value_pair in comparison.all_values:
@@ -92,13 +92,13 @@ _KEYS = {
 
 
 def limit_changed(comparison: Comparison) -> Iterator[Change]:
-    """A limit of the device, such as a time, a maximum or a supply, is another one.
+    """A limit of the device, such as a time, a maximum or a supply, has changed.
 
     Why: a machine that was built for the old number may be too fast, too slow or too weak.
 
     Example: `value: 5` of a reply time in ms that becomes `value: 20`.
 
-    Cure: Tell users of the old number.
+    Fix: Inform users of the old number.
     """
 
     for pair in comparison.of(Limit):
@@ -113,12 +113,12 @@ def limit_changed(comparison: Comparison) -> Iterator[Change]:
 def access_changed(comparison: Comparison) -> Iterator[Change]:
     """The access of a register, table, field, parameter or element has changed.
 
-    Why: the device, or the generated code, refuses to write what can only be read.
+    Why: the device, or the generated code, rejects writes to a read-only value.
 
     Example: `access: rw` that becomes `access: ro`.
 
-    Cure: Say in the notes of the version which writes no longer work. Where the old spec was wrong, accept the change
-    with that reason; else give the new version a number of its own.
+    Fix: List the writes that no longer work in the notes of the version. If the old spec was wrong, accept the change
+    with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.any_of(Register, Table, Field, Parameter, Subindex):
@@ -145,16 +145,15 @@ _PATHS = ("saved_by", "opposite_of")
 
 
 def handling_changed(comparison: Comparison) -> Iterator[Change]:
-    """The handling of a value is another one: whether it must be accessed in one request, starts an action, or is
-    saved.
+    """The handling of a value has changed: whether it must be accessed in one request, starts an action, or is saved.
 
-    Why: a program that reads a value in two requests gets halves of two values; one that reads back a trigger gets
-    nothing; one that does not save a value loses it with the power; and one that does not know that two facts have
-    opposite senses does the opposite of what it should.
+    Why: a program that reads the value in two requests gets halves of two values, a program that reads back a trigger
+    does not get the written value, and a value that is not saved is lost when the power is switched off. If two facts
+    have opposite senses, a program that ignores it does the opposite of what is intended.
 
     Example: `atomic: true` at a register without it, or `saved_by: registers/save` at a parameter.
 
-    Cure: Tell users how to access the value.
+    Fix: Tell users how to access the value.
     """
 
     for pair in comparison.any_of(Register, Field, Parameter):
@@ -178,11 +177,11 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
 def restart_changed(comparison: Comparison) -> Iterator[Change]:
     """A change of a value takes effect after a restart, or no longer needs one.
 
-    Why: a program that sets the value without a restart works with the old one.
+    Why: a program that sets the value without a restart keeps the old value in effect.
 
     Example: `restart: true` at a parameter that took effect at once.
 
-    Cure: Tell users when to restart the device.
+    Fix: Tell users when to restart the device.
     """
 
     for pair in comparison.any_of(Register, Field, Parameter):

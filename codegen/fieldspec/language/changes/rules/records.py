@@ -15,14 +15,14 @@ from fieldspec.language.model.registers import Parameter, Register, Table
 
 
 def field_moved(comparison: Comparison) -> Iterator[Change]:
-    """Fields of a record or a message, or parts of a frame, have other offsets.
+    """The offsets of fields of a record or a message, or of parts of a frame, have changed.
 
     Why: the bytes of one field now belong to a different field.
 
     Example: a new field before all others, or two fields that change places.
 
-    Cure: Put new fields after the others, or in the place of reserved ones. Where the old spec was wrong, accept the
-    change with that reason; else give the new version a number of its own.
+    Fix: Put new fields after the others, or in the place of reserved ones. If the old spec was wrong, accept the change
+    with that reason; otherwise, assign a new version number.
     """
 
     for fields in comparison.field_lists:
@@ -50,13 +50,13 @@ def field_moved(comparison: Comparison) -> Iterator[Change]:
 def length_changed(comparison: Comparison) -> Iterator[Change]:
     """The length of a record, of a message's data, or of the rest of a frame has changed.
 
-    Why: a program that waits for the old number of bytes cuts the frame short, or waits for ever. Generated code
-    refuses frames of another length.
+    Why: a program that waits for the old number of bytes cuts the frame short, or waits indefinitely. Generated code
+    rejects frames of a different length.
 
     Example: a response of 10 bytes that has 12 now.
 
-    Cure: Put new fields in the place of reserved ones. Where the old spec was wrong, accept the change with that
-    reason; else give the new version a number of its own.
+    Fix: Put new fields in the place of reserved ones. If the old spec was wrong, accept the change with that reason;
+    otherwise, assign a new version number.
     """
 
     for fields in comparison.field_lists:
@@ -91,14 +91,13 @@ def _length_text(size: tuple[int, bool]) -> str:
 
 
 def case_changed(comparison: Comparison) -> Iterator[Change]:
-    """A case of a field applies to other values of the deciding field.
+    """A case of a field applies to different values of the deciding field.
 
     Why: data of one type are read as another type.
 
     Example: `when: [unsigned16]` that becomes `when: [unsigned16, word]`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Case):
@@ -118,15 +117,16 @@ def _enum(comparison: Comparison, field: Field) -> str:
 
 
 def count_changed(comparison: Comparison) -> Iterator[Change]:
-    """A register, a table, a field or a parameter has more or fewer elements, or another register says how many.
+    """A register, a table, a field or a parameter has more or fewer elements, or a different register contains their
+    number.
 
     Why: with fewer elements, programs use addresses without a meaning. A field with more or fewer elements moves all
-    that follows it.
+    following fields.
 
     Example: `count: 127` of a table that becomes `count: 255`.
 
-    Cure: Nothing to do if registers, tables and parameters grow. Where the old spec was wrong, accept the change with
-    that reason; else give the new version a number of its own.
+    Fix: Nothing to do if registers, tables and parameters grow. If the old spec was wrong, accept the change with that
+    reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.any_of(Register, Table, Parameter):
@@ -152,7 +152,7 @@ def _grown(pair: Pair[Register] | Pair[Table] | Pair[Parameter], key: str, old: 
 def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
     if (pair.old.repeat is None) != (pair.new.repeat is None):
         goes_on = pair.new.repeat is not None
-        text = "goes on to the end of the data" if goes_on else "no longer goes on to the end of the data"
+        text = "continues to the end of the data" if goes_on else "no longer continues to the end of the data"
         yield change(
             "count_changed",
             Effect.WIRE,

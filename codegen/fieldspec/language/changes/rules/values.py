@@ -23,12 +23,11 @@ from fieldspec.language.model.value import Conversion, Value
 def type_changed(comparison: Comparison) -> Iterator[Change]:
     """The type, the digits or the size of a value, or the record of a field or table, has changed.
 
-    Why: the bytes are read as another number, and what follows them in a frame moves.
+    Why: the bytes are read as a different number, and the following data of a frame moves.
 
     Example: `type: i16` that becomes `type: i32`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for value_pair in comparison.all_values:
@@ -72,7 +71,7 @@ def _of(value: Value | None) -> str:
 
 
 def _encoding(value: Value) -> tuple[Primitive, str, int, bool, TextForm | None, int]:
-    """What the bytes of a value are read as."""
+    """The type in which the bytes of a value are read."""
     return value.type, value.digits, value.places, value.has_blanks, value.text_form, value.width
 
 
@@ -102,14 +101,13 @@ def _of_bits(comparison: Comparison) -> Iterator[ValuePair]:
 
 
 def scale_changed(comparison: Comparison) -> Iterator[Change]:
-    """The scale or the offset of a value is another one, or the register or field with the exponent of its scale.
+    """The scale, the offset, or the register or field with the exponent of a value has changed.
 
-    Why: the same number on the wire is another quantity, such as ten times the distance.
+    Why: the same number on the wire is a different quantity, such as ten times the distance.
 
     Example: `scale: 0.01` that becomes `scale: 0.001`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for value_pair in (*comparison.values, *_of_bits(comparison)):
@@ -138,14 +136,13 @@ def _exponent(comparison: Comparison, pair: ValuePair) -> str:
 
 
 def unit_changed(comparison: Comparison) -> Iterator[Change]:
-    """A quantity is in another unit, or a unit that the spec declares is worth something else.
+    """The unit of a quantity, or the factor of a unit that the spec declares, has changed.
 
     Why: the same number is in millimetres now, and was in pulses.
 
     Example: `unit: pulse` that becomes `unit: mm`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for value_pair in (*comparison.values, *_of_bits(comparison)):
@@ -168,8 +165,7 @@ def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
 
     Example: `sentinels: [{value: 0xFFFF, name: ignored}]` that loses its only entry.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for value_pair in comparison.values:
@@ -213,14 +209,13 @@ def _sentinel_change(
 
 
 def const_changed(comparison: Comparison) -> Iterator[Change]:
-    """The constant value of a field is another one.
+    """The constant value of a field has changed.
 
-    Why: the new side refuses frames with the old value, and the old side frames with the new one.
+    Why: each side rejects frames with the other value.
 
     Example: `const: 0x44` that becomes `const: 0x45`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for value_pair in comparison.all_values:
@@ -231,14 +226,13 @@ def const_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
-    """The bytes of a value, or the words of a value in several registers, are in another order.
+    """The bytes of a value, or the words of a value in several registers, are in a different order.
 
     Why: every number of more than one byte is misread.
 
     Example: `byte_order: big` at a link that becomes `byte_order: little`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for link in comparison.of(Link):
@@ -284,15 +278,13 @@ def _device_order(device: Device, key: str) -> str:
 
 
 def conversion_changed(comparison: Comparison) -> Iterator[Change]:
-    """A conversion gives a count another percentage of its reference, applies to other signals, or has other
-    references.
+    """The percentage of the reference for a count, the signals or the references of a conversion have changed.
 
-    Why: the same count is another speed, torque or distance.
+    Why: the same count is a different speed, torque or distance.
 
     Example: `full_scale: 0x4000` that becomes `full_scale: 0x40000000`.
 
-    Cure: Where the old spec was wrong, accept the change with that reason; else give the new version a number of its
-    own.
+    Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
 
     for pair in comparison.of(Conversion):

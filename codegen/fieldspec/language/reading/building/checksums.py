@@ -72,7 +72,7 @@ def avoiding(entry: Entry, algorithm: str) -> str:
         return algorithm
     avoided, replacements = (bytes.fromhex(stated.text(key)) for key in ("bytes", "replacements"))
     if entry.text("digits"):
-        text = "`avoids` has no effect on digits, which are no bytes of the number"
+        text = "`avoids` has no effect on digits, which are not bytes of the number"
         entry.refuse("wrong_form", "avoids", text, "remove `avoids` or `digits`")
     if len(avoided) != len(replacements):
         text = f"the number of replacements is {len(replacements)}, but that of the bytes {len(avoided)}"
@@ -86,7 +86,7 @@ def avoiding(entry: Entry, algorithm: str) -> str:
 
 
 def surrounded_algorithm(entry: Entry, algorithm: str, order: str) -> str:
-    """The algorithm of a part whose computation begins behind its prefix and ends behind its suffix."""
+    """The algorithm of a part whose computation begins after its prefix and ends after its suffix."""
     prefix, suffix = bytes.fromhex(entry.text("prefix")), bytes.fromhex(entry.text("suffix"))
     kind = checksum_named(algorithm)
     if not prefix:

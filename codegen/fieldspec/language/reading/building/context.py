@@ -236,7 +236,7 @@ class Entry:
         )
 
     def standards(self, key: str) -> dict[str, Standard]:
-        """The standards that give keys of a fact; first those of the defaults, overridden by the entry's own keys."""
+        """The standards that give keys of a fact; first from the defaults, overridden by the entry's own keys."""
         standards: dict[str, Standard] = {}
         for holder in (self.defaults, self.node):
             node = holder.values.get(key) if holder is not None else None

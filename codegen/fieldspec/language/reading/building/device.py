@@ -23,7 +23,7 @@ Item = TypeVar("Item")
 def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[Device, list[Diagnostic]]:
     """The model of a device's tree at one version, and the findings that keep it from being complete.
 
-    `reused` has the objects of other versions of the device, and gets those of this one. Raises
+    `reused` has the objects of other versions of the device, and receives the objects of this version. Raises
     ValueError for a tree without the section `device`.
     """
     reused = {} if reused is None else reused

@@ -28,7 +28,7 @@ _KEYS = {
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
-"""The keys of a part by its role, except those of every fact."""
+"""The keys of a part by its role, except the keys of every fact."""
 _SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "avoids"}
 _SPECIFIC |= {"reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
@@ -252,14 +252,14 @@ def _serial(entry: Entry) -> Serial | None:
         return None
     speeds, usual = serial.integers("baud"), serial.integer("default_baud")
     if usual is not None and speeds and usual not in speeds:
-        text = f"the speed on delivery, {usual}, is none of the speeds"
+        text = f"the factory speed, {usual}, is not in the list of speeds"
         serial.refuse("wrong_form", "default_baud", text, "correct it, or add it to `baud`")
     for key, values, default in (
         ("data_bits", serial.integers("data_bits"), serial.integer("default_data_bits")),
         ("parity", serial.texts("parity"), serial.text("default_parity")),
     ):
         if default and values and default not in values:
-            text = f"`default_{key}` is {default}, which is not in `{key}`"
+            text = f"`default_{key}` is `{default}`, which is not in `{key}`"
             serial.refuse("wrong_form", f"default_{key}", text, f"correct it, or add it to `{key}`")
     return Serial(
         baud=speeds,

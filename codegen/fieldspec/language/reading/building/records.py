@@ -180,7 +180,7 @@ def _answered_on(entry: Entry) -> tuple[str, ...] | None:
 
 
 def _response_code(entry: Entry) -> int | None:
-    """The code of the response where it is another one than that of the request."""
+    """The code of the response if it differs from the code of the request."""
     code = entry.integer("response_code")
     if code is None:
         return None

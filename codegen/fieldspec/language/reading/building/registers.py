@@ -100,7 +100,7 @@ def _register(entry: Entry, space: str, unit_size: int) -> Register:
 
 
 def _elements(entry: Entry, count: int) -> tuple[Citation, ...]:
-    """One citation for each cited line, of which there must be as many as registers."""
+    """One citation for each cited line, the same number as registers."""
     cited = entry.citations("element_sources")
     lines = sum(last - first + 1 for citation in cited for first, last in citation.lines)
     if cited and lines != count:

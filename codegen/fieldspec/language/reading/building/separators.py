@@ -27,7 +27,7 @@ def with_separators(entry: Entry, key: str) -> Entry:
 
 
 def _constants(stated: Scalar, name: str) -> Iterator[Mapping]:
-    """A field for each byte of a separator behind a field, at the place of the separator."""
+    """A field for each byte of a separator after a field, at the place of the separator."""
     content = bytes.fromhex(stated.text)
     for number, byte in enumerate(content, 1):
         head = "separator" if len(content) == 1 else f"separator_{number}"

@@ -124,7 +124,7 @@ def _sentinel(entry: Entry) -> Sentinel:
 
 
 def scale_of(entry: Entry) -> Decimal | Fraction | None:
-    """The scale as an exact number; a fraction that is none, and 0, are findings."""
+    """The scale as an exact number; an invalid fraction, and 0, are findings."""
     text = entry.value("scale")
     scale = exact_scale(text) if isinstance(text, str) else entry.decimal("scale")
     if scale == 0:
@@ -224,7 +224,7 @@ def signal(entry: Entry) -> Signal:
 
 
 def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
-    """A conversion; `types` are those of the signals by name."""
+    """A conversion; `types` are the types of the signals by name."""
     signals = entry.texts("signals")
     name = entry.text("type") or next((types[signal] for signal in signals if signal in types), "")
     if name not in PRIMITIVES:

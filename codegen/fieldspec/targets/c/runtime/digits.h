@@ -73,7 +73,7 @@ static inline void device_store_signed_digits(uint8_t *out, size_t size, size_t 
 
 /* ---- blank_digits ---- */
 
-/** Where the digits behind blanks and a sign begin. */
+/** Where the digits after blanks and a sign begin. */
 static inline size_t device_behind_blanks(const uint8_t *in, size_t size)
 {
     size_t at = 0;

@@ -151,7 +151,7 @@ static inline size_t device_put_character(uint8_t *out, uint32_t character, uint
     return size;
 }
 
-/** Whether bytes are characters of an encoding; writes them to `out`, with a zero behind them, unless it is NULL. */
+/** Whether bytes are characters of an encoding; writes them to `out`, with a zero after them, unless it is NULL. */
 static inline bool device_read_encoded_text(char *out, const uint8_t *in, size_t size, uint32_t encoding, uint8_t padding,
                                             bool is_right, uint8_t end)
 {

@@ -4,7 +4,7 @@
 typedef size_t (*device_element_size)(const uint8_t *in, size_t left);
 
 /**
- * A list with fields behind it, which begins behind `first` bytes of other fields, and at `room` in the image of its
+ * A list with fields after it, which begins after `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
  * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
  * `count_size` of 0 is that of a list that always has `most` bytes. The data decide the size of the last one.

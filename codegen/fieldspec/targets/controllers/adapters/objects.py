@@ -18,7 +18,7 @@ _KINDS = {"FUNCTION_BLOCK": "block", "PROGRAM": "program"}
 
 
 def objects(text: str, group: str) -> Iterator[Item]:
-    """The objects of a text, each with the lines of its declaration and those of its statements."""
+    """The objects of a text, each with the lines of its declaration and of its statements."""
     for match in _OBJECT.finditer(text):
         if match["list"]:
             yield Item(match["list"], "list", group, tuple(match["lines"].splitlines()))

@@ -70,7 +70,7 @@ def stations(world: World, routines: Sequence[Routine]) -> Iterator[Station]:
 
 
 def _is_shared(link: LinkLayout) -> bool:
-    """Whether the frames of a link are those that blocks of vendors make: by codes and check, and words behind them."""
+    """Whether the frames of a link are those that blocks of vendors make: by codes and check, and words after them."""
     codes = {message.message.code_of("request") for message in link.exchanged.values() if message.message.accesses}
     checks = {part.algorithm for part in link.request.parts if part.algorithm}
     return _WORD_CODES["read"] <= codes and bool(_WORD_CODES["write"] & codes) and checks == {_WORD_CHECK}
@@ -151,7 +151,7 @@ def _about(station: Station, needs: str, *further: str) -> tuple[str, ...]:
 
 
 def _terminal(line: Settings | None) -> Iterator[str]:
-    """What is to be set at a terminal of Beckhoff, which is delivered with full duplex."""
+    """The settings of a Beckhoff terminal, whose factory setting is full duplex."""
     if line is not None and line.rate in TERMINAL_RATES and line.frame in TERMINAL_FRAMES:
         yield (
             f"EL6022, CoE of channel 1: 8000:11 = {TERMINAL_RATES[line.rate]} ({line.rate} bps), 8000:15 = "
@@ -189,7 +189,7 @@ def _filled(
     adapter: str = "",
     **linking: str,
 ) -> Source:
-    """The texts of some templates, one behind the other."""
+    """The texts of some templates, one after the other."""
     names, lent = world.names, station.panel.of_role("in_out")
     siemens = spelling.variable.startswith("#")
     # TIA Portal has local names without prefixes.
@@ -225,7 +225,7 @@ def _filled(
 
 
 def _declared(block: re.Match[str]) -> str:
-    """A block with the constants that it names, behind its variables."""
+    """A block with the constants that it names, after its variables."""
     text = block[0]
     names = {item.name: item for item in port_constants() if re.search(rf"\b{item.name}\b", text)}
     section = "".join(f"{line}\n" for line in constants_section(sorted_constants(names.values())))
@@ -233,7 +233,7 @@ def _declared(block: re.Match[str]) -> str:
 
 
 def _telegram(world: World, spelling: Spelling, message: MessageLayout) -> dict[str, object]:
-    """What the templates of a telegram need."""
+    """The data for the templates of a telegram."""
     sizes = {data.name: data.size or 0 for data in (message.request, message.response)}
     request, response = (sequence(sizes[data.name], BYTE) for data in (message.request, message.response))
     pascal = f"{world.names.device}{Name.of(message.name).pascal()}"

@@ -48,7 +48,7 @@ class Settings:
 
     @property
     def whole(self) -> int:
-        """The time from the end of a request until its answer is whole, for whoever gets it whole."""
+        """The time from the end of a request until its response is complete."""
         return _hundreds(2 * self.longest + self.timeout)
 
     @property
@@ -97,7 +97,7 @@ def _milliseconds(limit: Limit) -> int:
 
 
 def lines(link: LinkLayout, line: Settings) -> Iterator[str]:
-    """What a comment says of the settings: those of the program, what else a device may have, notes of the spec."""
+    """The comment on the settings: the settings of the program, alternatives of the device, notes of the spec."""
     serial = link.link.serial
     assert serial is not None
     yield f"Settings of {link.link.title or link.link.name}: {line.rate} bps, {line.frame}, station {line.station}."

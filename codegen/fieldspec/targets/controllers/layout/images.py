@@ -35,7 +35,7 @@ class Naming(Protocol):
         ...
 
     def remark(self, fact: Fact, value: Value | None) -> str:
-        """What a comment says of a member."""
+        """The comment of a member."""
         ...
 
 
@@ -56,7 +56,7 @@ class SpecNaming:
 
 
 class Images:
-    """The images of a device's records, each made once. `structs` has them behind those that lie in them, by name.
+    """The images of a device's records, each made once. `structs` has them after those that lie in them, by name.
 
     `packed` says that words of flags are structs of BOOLs, in the order of their bits in memory.
     """
@@ -68,7 +68,7 @@ class Images:
         self._bits: dict[tuple[str, str, bool], Struct] = {}
 
     def of(self, record: RecordLayout, kind: str, fact: Fact, title: str) -> Struct:
-        """The image of a record; of a list without an end, as many elements as there can be."""
+        """The image of a record; a list without an end has its greatest number of elements."""
         if record.name not in self._records:
             kinds = [self._type(field) for field in record.fields]
             typed_fields = zip(record.fields, kinds, strict=True)

@@ -45,7 +45,7 @@ MEMORIES = {
 
 @dataclass(frozen=True, slots=True)
 class PlacedMember:
-    """A member `at` bytes behind the begin of its struct; of a BOOL that shares its byte, `bit` is the bit in it.
+    """A member `at` bytes after the begin of its struct; of a BOOL that shares its byte, `bit` is the bit in it.
 
     `size` is that of one element in bytes, 0 for a bit; there are `count`, `stride` bytes apart. `inner` is the struct
     that an element is, if it is one. `is_array` says that the member is an array.
@@ -77,7 +77,7 @@ class Placed:
     alignment: int
 
     def rows(self, before: str = "", offset: int = 0, bits: bool = True) -> Iterator[tuple[str, int, PlacedMember]]:
-        """All members by their paths, with their places behind the begin; inner ones behind what holds them.
+        """All members by their paths, with their places after the begin; inner ones after what holds them.
 
         Those of words of bits are left out unless `bits` is true.
         """

@@ -56,7 +56,7 @@ def wire_bytes(placed: Placed, before: str = "", start: int = 0) -> dict[str, in
 
 
 def read(placed: Placed, placed_member: PlacedMember) -> str:
-    """What a program does to read a number of an image."""
+    """The conversion of a program that reads a number of an image."""
     if placed_member.member.at is None or placed_member.inner is not None:
         return ""
     if direct(placed, placed_member):

@@ -1,4 +1,4 @@
-"""Whether a number stands for a state and is no quantity: a function for each kind of quantity with sentinels."""
+"""Whether a number stands for a state and is not a quantity: a function for each kind of quantity with sentinels."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def absent_routines(world: World) -> Iterator[Routine]:
             (Declared(number, "input"),),
             (Assignment(Variable(function, BOOL), _test(first, number, kind)),),
             (
-                f"Whether a number of {name} is no quantity: {states}.",
+                f"Whether a number of {name} is not a quantity: {states}.",
                 f"{owners_text}{world.comment(first.fact, None)}".strip(),
             ),
         )

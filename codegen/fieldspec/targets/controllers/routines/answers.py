@@ -174,7 +174,7 @@ def _counts(
     request_values: Mapping[str, Expression],
     response_values: Mapping[str, Expression],
 ) -> list[Expression]:
-    """Whether a response has other than as many registers or bits as were asked for."""
+    """Whether the number of registers or bits in a response differs from the requested number."""
     world, access = comparison.world, message.message.accesses
     device = world.layout.device
     if access is None or access.operation != "read" or not access.count or answers.count is None:
@@ -202,7 +202,7 @@ def _counts(
 def _value(
     world: World, record: RecordLayout, field: FieldLayout, fields: Fields, values: Mapping[str, Expression]
 ) -> Expression | None:
-    """What a field holds; None where only a function sees it, which compares it with its constant."""
+    """The content of a field; None where only a function sees it, which compares it with its constant."""
     if field.field.measures is not None:
         count = values[fields.count.name] if fields.count is not None else None
         last = record.fields[-1]

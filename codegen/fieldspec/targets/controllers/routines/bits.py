@@ -124,8 +124,7 @@ def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout])
         f"registers {group.name}",
         world.status,
         f"Struct to bits: {_about(group, registers)}",
-        "All bits that are asked for must belong to registers that may be written. Other bits of the bytes stay as "
-        "they are.",
+        "All requested bits must belong to writable registers. Other bits of the bytes do not change.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
     bits_range = _range(world, group, draft, "receives the bits")

@@ -64,7 +64,7 @@ def checksum(world: World, algorithm: str) -> Routine:
             Declared(
                 _LENGTH,
                 "input",
-                "index behind the last byte that is checked; one behind the array gives 0"
+                "index after the last byte that is checked; one after the array gives 0"
                 if later
                 else "how many bytes from the first one on are checked; more than there are give 0",
             ),

@@ -77,7 +77,7 @@ def _to_raw(world: World, enum: Enum, kind: EnumType) -> Routine:
         name,
         "enums",
         BOOL,
-        (Declared(value, "input"), Declared(raw, "output", "number on the wire, 0 where it is no member")),
+        (Declared(value, "input"), Declared(raw, "output", "number on the wire, 0 where it is not a member")),
         (
             Assignment(result, Truth(True)),
             Selection(value, tuple(branches), (_member_or_number(raw, None), Assignment(result, Truth(False)))),

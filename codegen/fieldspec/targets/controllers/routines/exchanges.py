@@ -57,7 +57,7 @@ def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine])
 
 
 def judging_slots(world: World) -> dict[str, Any]:
-    """What every source may name that judges answers."""
+    """The names for every source that judges responses."""
     return {
         "StatusType": world.status.type,
         "Codec": {name: world.status.of(name) for name, _ in STATUSES},

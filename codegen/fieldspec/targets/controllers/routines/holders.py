@@ -25,7 +25,7 @@ Self = TypeVar("Self", bound="Holder")
 
 
 class Holder(Protocol):
-    """An array, the index of one of its elements, and how many bytes behind that one a record begins."""
+    """An array, the index of one of its elements, and the offset of a record after that element."""
 
     @property
     def unit(self) -> int:

@@ -49,7 +49,9 @@ class Fields:
 
 @dataclass(frozen=True, slots=True)
 class Parameters:
-    """What a routine is given for a request, or gives of a response; `refusal` is of an exception response."""
+    """The parameters of a routine for a request, or its results for a response; `refusal` is of an
+    exception response.
+    """
 
     head: dict[str, Variable]
     fields: Fields
@@ -91,7 +93,9 @@ def _head(draft: Draft, world: World, shape: FrameLayout, role: str) -> dict[str
 
 
 def _fields(draft: Draft, world: World, message: MessageLayout, record: RecordLayout, role: str) -> Fields:
-    """Parameters for the fields of a record: arrays and structs are lent, the others are inputs or outputs."""
+    """Parameters for the fields of a record: arrays and structs are passed by reference, the others are inputs or
+    outputs.
+    """
     variables: dict[str, Variable] = {}
     count: Variable | None = None
     for field in record.fields:
@@ -122,7 +126,7 @@ def _type(world: World, message: MessageLayout, field: FieldLayout) -> Type:
 
 
 def measure(record: RecordLayout, field: FieldLayout, count: Expression | None, element: Expression) -> Expression:
-    """What a field holds that measures another one, of which there are `count` elements of the size `element`."""
+    """The content of a field that measures another field with `count` elements of the size `element`."""
     measured = field.field.measures
     assert measured is not None
     other = record.named(measured.field)

@@ -143,7 +143,7 @@ def named(routine: Routine, spelling: Spelling) -> Spelling:
 
 
 def parameter(name: str, spelling: Spelling) -> str:
-    """The name of a parameter where a routine is called, or of an output where it is looked at."""
+    """The name of a parameter where a routine is called, or of an output where it is read."""
     return camel(name) if spelling.siemens_names else name
 
 
@@ -229,7 +229,7 @@ def _write(statement: Statement, spelling: Spelling, indent: str, lines: list[st
 def _invoked(
     block: Variable, arguments: Sequence[tuple[str, Expression]], spelling: Spelling, indent: str
 ) -> Iterator[str]:
-    """The lines of a call of a block, filled with as many arguments as fit."""
+    """The lines of a call of a block, filled with arguments."""
     line = f"{indent}{variable_text(block.name, spelling)}("
     for position, (name, value) in enumerate(arguments, 1):
         end = ");" if position == len(arguments) else ", "
@@ -248,7 +248,7 @@ def _branch(labels: list[str], body: list[str]) -> list[str]:
 
 
 def _labels(labels: Iterable[tuple[int, int] | EnumMemberExpression], spelling: Spelling, indent: str) -> Iterator[str]:
-    """The labels of a branch, on as many lines as they need."""
+    """The labels of a branch, on one or more lines."""
     line = indent
     texts = [_label(label, spelling) for label in labels]
     for index, text in enumerate(texts):
@@ -268,7 +268,7 @@ def _label(label: tuple[int, int] | EnumMemberExpression, spelling: Spelling) ->
 
 
 def _broken(before: str, value: Expression, after: str, spelling: Spelling, indent: str) -> list[str]:
-    """A line around an expression; where it is too long, its operands stand below each other."""
+    """A line around an expression; if it is too long, each operand is on its own line."""
     whole = f"{before}{_expression_text(value, spelling)}{after}"
     if len(whole) <= _WIDTH:
         return [whole]

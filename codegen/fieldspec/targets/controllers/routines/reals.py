@@ -68,12 +68,12 @@ class _Form:
 
     @property
     def bias(self) -> int:
-        """What is added to exponents."""
+        """The bias of exponents."""
         return (1 << (self.exponent - 1)) - 1
 
     @property
     def last(self) -> int:
-        """The exponent of infinities, and of what is no number."""
+        """The exponent of infinities, and of what is not a number."""
         return (1 << self.exponent) - 1
 
     @property
@@ -123,7 +123,7 @@ def _from_bits(world: World, precision: Precision) -> Routine:
         world.routine("real_from", *words),
         "numbers",
         world.status,
-        f"The number whose {precision.value} bits by IEEE 754 are given. Infinities, and what is no number, are"
+        f"The number whose {precision.value} bits by IEEE 754 are given. Infinities, and what is not a number, are"
         " refused.",
     )
     bits = draft.declare(bits_name, form.bits, "input")
@@ -169,7 +169,7 @@ def _to_bits(world: World, precision: Precision) -> Routine:
         "numbers",
         world.status,
         f"The {precision.value} bits of a number by IEEE 754{', ' * bool(rounded)}{rounded or '. '}"
-        "Infinities, and what is no number, are refused.",
+        "Infinities, and what is not a number, are refused.",
     )
     value = draft.declare("rValue", REAL, "input")
     bits = draft.declare(bits_name, form.bits, "output")
@@ -179,7 +179,7 @@ def _to_bits(world: World, precision: Precision) -> Routine:
     negative = draft.local("xNegative", BOOL)
     zero = _real("0.0")
     two, unit = _real("2.0"), _real("1.0")
-    # Only what is no number is none of these; only an infinity is its own half.
+    # Only what is not a number is none of these; only an infinity is its own half.
     ordered = either([compared(value, "<", zero), compared(value, "=", zero), compared(value, ">", zero)])
     half = Operation("/", (value, two), REAL)
     draft.add(

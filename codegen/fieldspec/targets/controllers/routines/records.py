@@ -37,7 +37,7 @@ Place = Callable[[FieldLayout], Expression]
 
 
 def is_user_field(field: FieldLayout) -> bool:
-    """Whether users state the value of a field: it is no constant, measures nothing, and has a meaning."""
+    """Whether users state the value of a field: it is not a constant, measures nothing, and has a meaning."""
     constant = field.value is not None and field.value.const is not None
     return not (constant or field.field.measures or field.field.reserved)
 
@@ -48,7 +48,7 @@ def members_of(world: World, record: RecordLayout, struct: Expression) -> Place:
 
 
 def field_type(world: World, field: FieldLayout) -> Type:
-    """The type of the variable of a field; of a list, an array of as many elements as it can have."""
+    """The type of the variable of a field; for a list, an array of its greatest number of elements."""
     element_type = (
         world.struct(field.record.name) if field.record is not None else world.type_of(Wire.of_field(field).value)
     )

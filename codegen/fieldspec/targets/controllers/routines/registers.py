@@ -103,7 +103,7 @@ def _packed(world: World, record: RecordLayout, read_only: list[str]) -> Routine
         f"record {record.name}",
         world.status,
         f"Struct to registers: {words} words of {record.name}. {_order_comment(world, record)}".strip(),
-        "Where a value is refused, some of the words may have been changed: do not send them.",
+        "If a value is refused, some words may have changed: do not send them.",
         *(f"The elements of {name} cannot be written." for name in read_only),
     )
     struct = draft.declare("stData", world.struct(record.name), "in_out", "is read only")
@@ -257,8 +257,8 @@ def _group_to_words(world: World, group: RegisterGroup, registers: list[Register
         f"registers {group.name}",
         world.status,
         f"Struct to registers: {_about(world, group, registers)}",
-        "All words that are asked for must belong to registers that may be written.",
-        "Where a value is refused, some of the words may have been changed: do not send them.",
+        "All requested words must belong to writable registers.",
+        "If a value is refused, some words may have changed: do not send them.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
     words_range = _range(world, group, draft, "receives the words")

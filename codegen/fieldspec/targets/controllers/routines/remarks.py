@@ -18,18 +18,18 @@ def source(fact: Fact) -> str:
 
 
 def printed(fact: Fact) -> str:
-    """What the manual calls a fact: its name in print, and its label."""
+    """The names of a fact in the manual: its printed name, and its label."""
     return " ".join(text for text in (fact.printed_name, fact.label) if text)
 
 
 def member_remark(member: Member) -> str:
-    """What the manual calls a member, its aliases, and where it is stated."""
+    """The names of a member in the manual, its aliases, and its source."""
     aliases = f"also {', '.join(member.aliases)}" if member.aliases else ""
     return cited(" ".join(text for text in (printed(member), aliases) if text), member)
 
 
 def cited(text: str, fact: Fact) -> str:
-    """A text, and behind it where the manual states the fact."""
+    """A text, and after it where the manual states the fact."""
     return " ".join(part for part in (*text.split(), source(fact)) if part)
 
 
@@ -46,9 +46,9 @@ def without_block(missing: Iterable[tuple[str, str]]) -> list[str]:
 
 
 def of_value(value: Value | None) -> str:
-    """What a count of a value is, which counts it may be, and what some of them stand for.
+    """The meaning of a count of a value, the permitted counts, and the special values.
 
-    Enums and words of bits are told by what the names of their types, functions and constants have in common.
+    Enums and bit fields are identified by the common part of the names of their types, functions and constants.
     """
     if value is None:
         return ""

@@ -164,7 +164,7 @@ def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
 
 
 def _plus(value: Expression, term_value: Ratio) -> Expression:
-    """A sum with an exact number, which is divided where it is no whole number."""
+    """A sum with an exact number, which is divided where it is not a whole number."""
     if not term_value:
         return value
     whole = _digits(abs(term_value.numerator))
@@ -244,7 +244,7 @@ def _share_about(world: World, share: Share) -> list[str]:
     formula = f"reference * (1 - counts / {full})" if share.complement else f"reference * counts / {full}"
     return [
         f"{share.title or share.name} = {formula}. {world.comment(share, None)}".strip(),
-        f"Counts are those of {', '.join(share.signals)}." if share.signals else "",
+        f"For {', '.join(share.signals)}." if share.signals else "",
         f"The reference is {' or '.join(share.references)}." if share.references else "",
     ]
 

@@ -1,4 +1,4 @@
-"""What a block of Siemens says of itself in one WORD: whether it works, is done, or what is wrong."""
+"""The status of a Siemens block in one WORD: busy, done, or an error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Responses of messages that share a code: a field in their data tells which message they answer."""
+"""Responses of messages that share a code: a field in their data identifies the message."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def refuse_other_subcode(
 ) -> None:
     """Refuses the response to another message with the same code.
 
-    Data that are too short for the field count as those of the first message, as in the other codecs.
+    Data that are too short for the field count as data of the first message, as in the other codecs.
     """
     shared = link.subcodes("response").get(message.message.code_of("response") or 0)
     if shared is None or all(other is not message for other in shared.messages.values()):

@@ -163,7 +163,7 @@ def _number_read(
     target: Expression | None,
     reading: _Reading,
 ) -> list[Statement]:
-    """The statements that refuse anything but a constant, or read what is none from its bits."""
+    """The statements that reject any value except a constant, or read another value from its bits."""
     value = wire.value
     bits = holder.number(offset, value.size, wire.order, wire.swapped)
     if value.const is not None:
@@ -388,12 +388,12 @@ def word_order(wires: Iterable[Wire]) -> str:
 
 
 def order_remark(layout: DeviceLayout, unit: str, has_several: bool = True) -> str:
-    """What a comment says of the order in which a value lies in its bytes or words; nothing where none has several."""
+    """The comment on the order of a value's bytes or words; empty without several."""
     if not has_several:
         return ""
     device = layout.device
     byte = "high" if device.byte_order == "big" else "low"
     word = "high" if device.word_order == "big" else "low"
     if unit == "bytes":
-        return f"Of several bytes, the {byte} one comes first on the wire."
-    return f"Of several words, the {word} one comes first; a word is a number, whatever the order of bytes in memory."
+        return f"The {byte} byte of several comes first on the wire."
+    return f"The {word} word of several comes first; a word is a number, whatever its byte order in memory."

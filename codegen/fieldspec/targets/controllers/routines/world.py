@@ -56,7 +56,7 @@ PREFIXES = {
     "REAL": "r",
     "LREAL": "lr",
 }
-"""What the name of a variable of an elementary type begins with."""
+"""The prefix of a variable of an elementary type."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +64,7 @@ class Names:
     """How the declarations call what belongs to the device.
 
     `structs` are known by the names of records, of groups of registers and of the data of telegrams, `members` by those
-    and the names of fields and registers. An enum that is missing in `enums` is no type; its values are numbers.
+    and the names of fields and registers. An enum that is missing in `enums` is not a type; its values are numbers.
     `has_status` says that blocks have a WORD that says how they are, in place of the number of an error. `prefixed`
     says that names of functions and blocks begin with letters for what they are.
     """
@@ -114,7 +114,7 @@ class World:
         return prefix + Name.of(name).pascal()
 
     def comment(self, fact: Fact, value: Value | None) -> str:
-        """What a comment says of a fact and its value: unit, range, meaning, place in the manual."""
+        """The comment on a fact and its value: unit, range, meaning, place in the manual."""
         return " ".join(part for part in (of_value(value), source(fact)) if part)
 
     def checksum(self, algorithm: str, length: Expression, frame: Expression, first: Expression) -> Call:
@@ -303,7 +303,7 @@ def _bit_lists(layout: DeviceLayout) -> Iterator[int]:
 
 
 def values_of(layout: DeviceLayout) -> Iterator[Value]:
-    """All values of a device: those of records, messages, heads of frames, registers and parameters."""
+    """All values of a device: of records, messages, headers of frames, registers and parameters."""
     for record in every_record(layout):
         yield from (field.value for field in record.fields if field.value is not None)
     for link in layout.links.values():

@@ -124,7 +124,7 @@ def _write_digit(
 def _marks(link: LinkLayout, shape: FrameLayout) -> str:
     text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
     before = f"16#{shape.start.hex(' ').upper()} before them" if shape.start else ""
-    end_mark = f"16#{shape.end.hex(' ').upper()} behind them" if shape.end else ""
+    end_mark = f"16#{shape.end.hex(' ').upper()} after them" if shape.end else ""
     return ", ".join(text for text in (text, before, end_mark) if text)
 
 

@@ -67,9 +67,9 @@ _WIDE = [kind.name for kind in ELEMENTARY.values() if kind.size > 4]
 
 @cache
 def source(*names: str) -> Source:
-    """Sources of this folder as one, each behind the one that it extends. Raises SourceError where one is none.
+    """Sources of this folder as one, each after the one that it extends. Raises SourceError for an invalid source.
 
-    Of actions and properties with one name, that of the last source counts. The late variables of the last source stand
+    If several actions or properties have one name, the last source counts. The late variables of the last source stand
     in front.
     """
     parts = [*{key: part for name in names for key, part in _chain(name).items()}.values()]
@@ -85,7 +85,7 @@ def source(*names: str) -> Source:
 
 
 def _chain(name: str) -> dict[str, Source]:
-    """A source behind those that it extends, by their names."""
+    """A source after those that it extends, by their names."""
     own = parsed(f"{name}.st", text(f"targets/controllers/sources/{name}.st"))
     return {**(_chain(own.extends) if own.extends else {}), name: own}
 
@@ -109,7 +109,7 @@ class Expansion(Lookup):
         return tuple(filter(None, remarks))
 
     def body(self) -> Body:
-        """The statements, behind the declarations of late variables. Raises SourceError where one cannot be."""
+        """The statements, after the declarations of late variables. Raises SourceError where one cannot be."""
         self._declare(self.source.late)
         statements = self._block(self.source.body)
         for section in (*self.source.sections, *self.source.late):
@@ -147,7 +147,7 @@ class Expansion(Lookup):
         if entry.kind is None:
             declared = self.value(entry.name)
             if not isinstance(declared, Sequence) or not all(isinstance(item, Declared) for item in declared):
-                raise self.fail(entry.token, "this slot is no list of declarations")
+                raise self.fail(entry.token, "this slot is not a list of declarations")
             self.variables.declared += declared
             return
         kind = self._type(entry.kind)
@@ -163,13 +163,13 @@ class Expansion(Lookup):
     def _type(self, term: Term) -> Type:
         name = term.token.text
         if isinstance(term, Named) and term.structure is None and name not in (*_TYPES, *self.scope):
-            raise self.fail(term.token, f"{name} is no type{near_text(name, _TYPES)}")
+            raise self.fail(term.token, f"{name} is not a type{near_text(name, _TYPES)}")
         if name in _WIDE:
             raise self.fail(term.token, f"not every controller has {name}: take the type from a slot")
         kind = _TYPES[name] if name in _TYPES else self.value(term)
         if isinstance(kind, Elementary | EnumType | StructType | ArrayType):
             return kind
-        raise self.fail(term.token, f"{name} is no type")
+        raise self.fail(term.token, f"{name} is not a type")
 
     # Statements
 
@@ -270,5 +270,5 @@ class Expansion(Lookup):
         statements = self._write(step)
         first = statements[0] if statements else Condition(())
         if len(statements) > 1 or not isinstance(first, Condition) or first.otherwise:
-            raise self.fail(step.token, f"{step.token.text} is no single IF without ELSE")
+            raise self.fail(step.token, f"{step.token.text} is not a single IF without ELSE")
         return first.branches

@@ -49,7 +49,7 @@ Members = Mapping[str, Mapping[str, tuple[str, Type]]]
 
 
 class Lookup:
-    """What the names of a source stand for while its statements are written."""
+    """The meanings of the names of a source while its statements are written."""
 
     def __init__(self, source: Source, slots: Mapping[str, Any], members: Members) -> None:
         self.source = source
@@ -67,7 +67,9 @@ class Lookup:
         return self.expression(self.source.properties[name])
 
     def value(self, term: Term) -> Any:
-        """What a term names, which need not be an expression. Raises SourceError where nothing has the name."""
+        """The object that a term names, which need not be an expression. Raises SourceError where
+        nothing has the name.
+        """
         if not isinstance(term, Named):
             return self.expression(term)
         token = term.token
@@ -97,14 +99,14 @@ class Lookup:
         return Member(outer, *members[token.text])
 
     def expression(self, term: Term, expected: Type | None = None) -> Expression:
-        """A term as an expression; a number takes the expected type. Raises SourceError for what is none."""
+        """A term as an expression; a number takes the expected type. Raises SourceError for other terms."""
         match term:
             case Named():
                 value = self.value(term)
                 if isinstance(value, bool):
                     return Truth(value)
                 if not isinstance(value, _EXPRESSION_CLASSES):
-                    raise self.fail(term.token, f"{term.token.text} is no value")
+                    raise self.fail(term.token, f"{term.token.text} is not a value")
                 return value  # type: ignore[no-any-return]
             case Literal():
                 return self._number(term.token, expected)
@@ -118,13 +120,13 @@ class Lookup:
             case Indexed():
                 array, index = self.expression(term.array), self.expression(term.index, INT)
                 if not isinstance(array.type, ArrayType):
-                    raise self.fail(term.token, f"{term.array.token.text} is no array")
+                    raise self.fail(term.token, f"{term.array.token.text} is not an array")
                 return Element(array, index, array.type.of)
             case _:
                 assert_never(term)
 
     def truth(self, term: Term) -> Expression:
-        """A term as a BOOL. Raises SourceError for what is none."""
+        """A term as a BOOL. Raises SourceError for other terms."""
         value = self.expression(term, BOOL)
         if value.type != BOOL:
             raise self.fail(term.token, f"this is {type_name(value.type)}, where a BOOL is wanted")
@@ -133,13 +135,13 @@ class Lookup:
     def _number(self, token: Token, expected: Type | None) -> Whole:
         prefix, _, digits = token.text.rpartition("#")
         if token.kind != "number":
-            raise self.fail(token, f"{token.text} is no number; a time is only what a variable has at first")
+            raise self.fail(token, f"{token.text} is not a number; a time is only what a variable has at first")
         kind = ELEMENTARY.get(prefix.partition("#")[0], expected)
         if not isinstance(kind, Elementary):
             raise self.fail(token, f"the type of {token.text} is not clear here: write UINT#{token.text}")
         value = int(digits, 16 if prefix.endswith("16") else 10)
         if not kind.low <= value <= kind.high:
-            raise self.fail(token, f"{value} is no {kind.name}, which has {kind.low}..{kind.high}")
+            raise self.fail(token, f"{value} is not a valid {kind.name}, which has {kind.low}..{kind.high}")
         return Whole(value, kind, prefix.endswith("16"))
 
     def _operation(self, term: Joined) -> Operation:
@@ -159,7 +161,7 @@ class Lookup:
         return Operation(operator, operands, BOOL if operator in _COMPARISONS else kind)
 
     def _joined(self, term: Joined) -> Expression:
-        """AND or OR; what is known is left out, or decides: then the terms behind need not exist."""
+        """AND or OR; what is known is left out, or decides: then the terms after need not exist."""
         decides = term.token.text == "OR"
         left: list[Expression] = []
         for part in term.parts:
@@ -182,7 +184,7 @@ class Lookup:
             return Conversion(value, ELEMENTARY[conversion[2]])
         routine = self.value(term.routine)
         if not isinstance(routine, Routine):
-            raise self.fail(token, f"{token.text} is no function")
+            raise self.fail(token, f"{token.text} is not a function")
         roles = {item.variable.name: item.role for item in routine.declared if item.role != "local"}
         kinds = {item.variable.name: item.variable.type for item in routine.declared}
         values: dict[str, Expression] = {}

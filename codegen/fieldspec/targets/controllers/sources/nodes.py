@@ -42,7 +42,7 @@ def wrong(token: Token, text: str, trace: Sequence[str] = ()) -> SourceError:
 
 @dataclass(frozen=True, slots=True)
 class Named:
-    """A variable, a constant, a property or a slot; behind a dot, a member of its `structure`."""
+    """A variable, a constant, a property or a slot; after a dot, a member of its `structure`."""
 
     token: Token
     structure: Term | None = None

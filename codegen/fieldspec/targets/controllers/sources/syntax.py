@@ -1,6 +1,6 @@
 """The syntax of Structured Text with slots, before anything is known of a device.
 
-What the generator decides stands in braces: `{name}` is a slot, `{Action(argument)}` writes an action in its place.
+The generator fills the slots in braces: `{name}` is a slot, `{Action(argument)}` writes an action in its place.
 """
 
 from __future__ import annotations
@@ -135,7 +135,7 @@ class _Parser:
         word = self.take()
         role = "constant" if self.taken("CONSTANT") else _ROLES.get(word.text, "")
         if not role:
-            raise wrong(word, f"{word.text} is no section: there is {', '.join(_ROLES)}")
+            raise wrong(word, f"{word.text} is not a section: there is {', '.join(_ROLES)}")
         condition: Term | None = None
         entries: list[Entry] = []
         while not self.taken("END_VAR"):
@@ -294,5 +294,5 @@ class _Parser:
 
 
 def parsed(name: str, text: str) -> Source:
-    """The source in a file. Raises SourceError where it is none."""
+    """The source in a file. Raises SourceError for other input."""
     return _Parser(name, text).file()

@@ -196,7 +196,7 @@ class Conversion:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """What a routine returns for inputs (and variables that it changes), and where it puts its outputs."""
+    """A call of a routine with inputs (and variables that it changes), and the targets of its outputs."""
 
     routine: str
     inputs: tuple[tuple[str, Expression], ...]
@@ -261,7 +261,7 @@ def either(tests: Iterable[Expression]) -> Expression:
 def within(tested: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
     """Whether a number lies in one of some intervals; None where every number of its type does.
 
-    Bounds that are those of the type are left out: compilers warn of comparisons that always hold.
+    Bounds that equal the type's limits are left out: compilers warn of comparisons that always hold.
     """
     tests: list[Expression] = []
     for low, high in sorted(intervals):

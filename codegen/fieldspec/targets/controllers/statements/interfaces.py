@@ -1,4 +1,4 @@
-"""Names of the inputs and outputs of blocks: those of PLCopen, without letters for their types.
+"""Names of the inputs and outputs of blocks: PLCopen names, without letters for their types.
 
 Siemens writes the same words with a small first letter.
 """

@@ -8,7 +8,7 @@ from fieldspec.targets.controllers.statements.expressions import SIGNED, UNSIGNE
 
 
 def whole_type(encoding: Encoding) -> Elementary:
-    """The type of whole numbers that has all those of an encoding. Raises AssertionError for what is no such number."""
+    """The integer type that holds all numbers of an encoding. Raises AssertionError for other values."""
     match encoding:
         case Whole():
             return _of_sign(encoding.sign, encoding.bits // 8)
@@ -17,7 +17,7 @@ def whole_type(encoding: Encoding) -> Elementary:
         case Truth():
             return UNSIGNED[encoding.bits // 8]
         case Real() | Text() | Octets():
-            raise AssertionError(f"{encoding} is no whole number")
+            raise AssertionError(f"{encoding} is not a whole number")
         case _:
             assert_never(encoding)
 

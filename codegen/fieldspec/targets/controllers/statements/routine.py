@@ -71,7 +71,7 @@ class Return:
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """A line of comment. In front of a branch of a Selection it stands beside the label."""
+    """A line of comment. In front of a branch of a Selection it is on the line of the label."""
 
     text: str
 
@@ -126,7 +126,7 @@ class Declared:
 
 @dataclass(frozen=True, slots=True)
 class Routine:
-    """A function. It changes nothing but its outputs and the variables that it is lent, and keeps nothing.
+    """A function. It changes only its outputs and in-out variables, and has no state.
 
     Where `returns` is None it is a function block, which keeps its variables from one call to the next. `group` is what
     it is about, in a word or two; `remarks` are the paragraphs of its comment, `example` are lines of a program that
@@ -153,7 +153,7 @@ class Routine:
 
     @property
     def constants(self) -> list[Whole]:
-        """The numbers that the statements call by a name, those of one type together."""
+        """The named numbers of the statements, grouped by type."""
         return sorted_constants(_names(self.body)[2])
 
     def called(self, **arguments: Expression) -> Call:
@@ -171,7 +171,7 @@ class Routine:
 
 
 def sorted_constants(constants: Iterable[Whole]) -> list[Whole]:
-    """Constants in the order of their declaration: those of one type together, by their numbers."""
+    """Constants in the order of their declaration: grouped by type, by their numbers."""
     return sorted(set(constants), key=lambda item: (item.type.name, item.value, item.name))
 
 
@@ -238,7 +238,7 @@ def used(body: Body) -> set[str]:
 
 
 def _names(body: Body) -> tuple[set[str], set[str], list[Whole]]:
-    """The names of the routines that some statements call, those of their variables, and numbers with a name."""
+    """The names of the routines that some statements call, of their variables, and of named numbers."""
     routines: set[str] = set()
     numbers: list[Whole] = []
     variables: set[str] = set()
@@ -304,7 +304,7 @@ class Variables:
         self._shared: dict[tuple[str, Type, str], Variable] = {}
 
     def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
-        """A new variable; where its name is taken, a number stands behind it."""
+        """A new variable; where its name is taken, a number follows it."""
         number, tried = 1, name
         while tried.lower() in self._names or (role != "local" and bare(tried).lower() in self._parameters):
             number += 1

@@ -1,4 +1,6 @@
-"""Arrays that routines are lent, as types by name, since an argument must have exactly the bounds of its parameter."""
+"""Arrays that routines receive by reference, as named types, because an argument must have exactly the bounds of its
+parameter.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,7 @@ def lent_arrays(routines: Iterable[Routine]) -> frozenset[ArrayType]:
 
 
 def named_arrays(kinds: Iterable[Type], spelling: Spelling, known: set[str]) -> Iterator[ArrayType]:
-    """The arrays that have a name, as far as it is not known yet; each behind those that lie in it."""
+    """The arrays that have a name, as far as it is not known yet; each after those that lie in it."""
     for kind in kinds:
         if not isinstance(kind, ArrayType):
             continue
@@ -32,7 +34,7 @@ def named_arrays(kinds: Iterable[Type], spelling: Spelling, known: set[str]) -> 
 
 def array_item(kind: ArrayType, spelling: Spelling) -> Item:
     """The declaration of an array type with a name."""
-    title = "For arguments: the bounds of an array must be those of the parameter."
+    title = "For arguments: the bounds of an array must equal the parameter's."
     bounds = f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
     lines = (*comment(title), f"TYPE {array_name(kind, spelling)} : {bounds};", "END_TYPE")
     return Item(array_name(kind, spelling), "type", "arrays", lines)

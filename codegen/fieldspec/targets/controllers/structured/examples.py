@@ -121,7 +121,7 @@ def _reading(device: Device, link: LinkLayout, space: str) -> MessageLayout | No
 
 
 def _telling(link: LinkLayout) -> MessageLayout | None:
-    """The message with the most fields in its request, among those with none but single values."""
+    """The message with the most fields in its request, among messages with only single values."""
     best: MessageLayout | None = None
     greatest_count = 0
     for message in link.carried("request").values():

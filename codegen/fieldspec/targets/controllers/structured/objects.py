@@ -73,7 +73,7 @@ def text_form(tables: tuple[TextTable, ...], name: str) -> TextForm | None:
 def form_item(form: TextForm) -> Item:
     """The declaration of the struct of texts."""
     code, text = form.members
-    lines = [*comment("What a code means."), f"TYPE {form.name} :", "STRUCT"]
+    lines = [*comment("A code and its meaning."), f"TYPE {form.name} :", "STRUCT"]
     lines += [f"    {code} : {form.code.name};", f"    {text} : {form.text_type};", "END_STRUCT;", "END_TYPE"]
     return Item(form.name, "type", "structs", tuple(lines))
 
@@ -107,7 +107,7 @@ def _head(title: str) -> list[str]:
 
 
 ENUM_ATTRIBUTES = ("qualified_only", "strict")
-"""Members are used with the name of their enum, and nothing but members is assigned."""
+"""Members are used with the name of their enum, and only members are assigned."""
 
 PACK_MODE = 1
 
@@ -136,7 +136,7 @@ def struct_item(struct: Struct, size: int, spelling: Spelling) -> Item:
 
 
 def sizes_item(name: str, sizes: Mapping[str, int]) -> Item:
-    """The function that compares the sizes of structs with those of the layout, for a call at the start."""
+    """The function that compares the sizes of structs with the layout, for a call at the start."""
     head = [
         *comment("Whether all structs are as large as their layout says. FALSE means that the compiler fills up gaps:"),
         *comment("then do not copy them as blocks of memory. The functions for words and bytes do not depend on it."),

@@ -16,7 +16,7 @@ PACKED = MEMORIES["tc3:1"]
 
 
 def padded(declared: Declarations) -> tuple[Struct, ...]:
-    """The structs of a device, those of records and telegrams with their padding."""
+    """The structs of a device; structs of records and telegrams have padding."""
     structs: dict[str, Struct] = {}
     for struct in declared.structs:
         record = _record(declared.layout, struct)

@@ -1,4 +1,4 @@
-"""A device as a program: all its objects in an order in which each stands behind those that it uses."""
+"""A device as a program: all its objects in an order in which each follows those that it uses."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ from fieldspec.targets.fact_texts import manual_remark
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """What is declared, its structs with padding, in memory, and the routines. `texts` is None where there are none.
+    """The declarations, with padded structs, in memory, and the routines. `texts` is None where there are none.
 
-    `spelling` names the arrays that routines are lent. `functions` are the routines as text, `items` all objects, those
-    of the functions the last. `missing` are the tasks without a block, with the reasons.
+    `spelling` names the arrays that routines receive by reference. `functions` are the routines as text, `items` all
+    objects, with the functions last. `missing` are the tasks without a block, with the reasons.
     """
 
     declared: Declarations
@@ -66,9 +66,9 @@ class Program:
     def guide(self) -> list[str]:
         """The lines that explain the use of the functions, for the head of a file with all objects."""
         return [
-            "Each function returns a status. Unless that is Ok, its outputs and what it was to fill must not be used.",
-            "Arrays for arguments have types by name, because their bounds must be those of the parameter.",
-            "Structs hold numbers as the processor has them. Members of records lie where their fields lie on the",
+            "Each function returns a status. Use its outputs and in-out variables only if it is Ok.",
+            "Array arguments have named types, because their bounds must equal the parameter's.",
+            "Structs use the byte order of the CPU. Members of records lie where their fields lie on the",
             "wire, but the order of bytes may be another one: use the functions, and do not copy memory.",
             *examples(self.declared.world, self.routines, self.spelling),
             *without_block(self.missing),
@@ -96,7 +96,7 @@ def about(declared: Declarations) -> list[str]:
 
 
 def refusals(layout: DeviceLayout, dialect: Dialect) -> list[Diagnostic]:
-    """What a dialect of Structured Text cannot have of a device: the same as any other, but each has its title."""
+    """The facts that a Structured Text dialect cannot express: the same in all dialects, but each has its title."""
     return list(declarations(layout, dialect).findings) if declared_in_text(layout).findings else []
 
 

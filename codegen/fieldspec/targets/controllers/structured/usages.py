@@ -29,7 +29,7 @@ class StructuredUsage(NamedTuple):
 
 
 def usages(declared: Declarations) -> Iterator[StructuredUsage]:
-    """The code for all facts of a device that a dialect has. What a block transfers is in its struct."""
+    """The code for all facts of a device that a dialect has. The transferred values of a block are in its struct."""
     uses = _Usages(declared, dict(_constants(declared)))
     yield from uses.registers()
     yield from uses.tables()

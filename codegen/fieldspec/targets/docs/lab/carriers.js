@@ -13,7 +13,7 @@ class SocketCarrier {
     }
     return new Promise((resolve, reject) => {
       const socket = new WebSocket(address);
-      const fail = () => reject(new ConnectionFault("Nobody answers at this address. Is the simulator running, and is the key that of its last start?"));
+      const fail = () => reject(new ConnectionFault("No response from this address. Is the simulator running, and is the key from its last start?"));
       const timer = setTimeout(() => { socket.close(); fail(); }, OPENING);
       socket.binaryType = "arraybuffer";
       socket.addEventListener("open", () => {

@@ -173,7 +173,7 @@ class DevicePanel {
     this.update();
     const { data, milliseconds, lost } = await asking;
     if (data.length) this.note("RX", data);
-    const texts = [stray ? `${stray} bytes came before that nobody had asked for.` : "", lost];
+    const texts = [stray ? `${stray} unrequested bytes came before.` : "", lost];
     if (data.length) texts.push(this.show(readAnswer(data), data, patience));
     else if (!lost) texts.push(isAnswered ? `No answer within ${patience} ms.` : "");
     this.fault(texts.filter(Boolean).join(" "));

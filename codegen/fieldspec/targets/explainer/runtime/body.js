@@ -34,7 +34,7 @@ export class ExplainedBody {
     this.beside = new Map();
     const { inner, spans } = this.record;
     Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    // A scale may be behind the value that it applies to, so all bytes are read before any row is written.
+    // A scale may be after the value that it applies to, so all bytes are read before any row is written.
     const traced = [...(spans ? this.tracedVarying() : inner ? this.tracedAround(inner) : this.traced())];
     this.rows = this.explained(traced);
   }
@@ -68,7 +68,7 @@ export class ExplainedBody {
     if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  /** The parts of a record with fields behind a list, in the order of the wire. */
+  /** The parts of a record with fields after a list, in the order of the wire. */
   *tracedAround(inner) {
     const sent = inner.sent.map((name) => this.record.named.get(name));
     let at = this.start;
@@ -103,7 +103,7 @@ export class ExplainedBody {
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
     if (this.hasWrongCount(list)) {
-      const text = `${list.countName} is no number of ${name}, so nobody knows where they end`;
+      const text = `${list.countName} is not a number of ${name}, so it is unknown where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
     if (list.parts) {
@@ -114,7 +114,7 @@ export class ExplainedBody {
     return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
   }
 
-  /** How many elements of a list of a record with fields behind a list there are. */
+  /** How many elements of a list of a record with fields after a list there are. */
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
     const { size, elements } = this.extents[number];
@@ -151,7 +151,7 @@ export class ExplainedBody {
     if (number >= 0 && number <= span.most) {
       return ["incomplete", `${span.name} has ${number} bytes, but only ${this.end - at} follow`];
     }
-    return ["wrong_measure", `${name} is no number of bytes of ${span.name}`];
+    return ["wrong_measure", `${name} is not a number of bytes of ${span.name}`];
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -233,7 +233,7 @@ export class ExplainedBody {
     return judged(read, Math.ceil(Number(read.number) / 8) === size, should, "wrong_measure");
   }
 
-  /** The value of a field that measures a list of a record with fields behind a list. */
+  /** The value of a field that measures a list of a record with fields after a list. */
   measuredList(field, other, read) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
     if (number < this.extents.length) {

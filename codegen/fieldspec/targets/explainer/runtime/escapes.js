@@ -65,7 +65,7 @@ export function inserting(pattern, inserted) {
           continue;
         }
         for (const byte of pattern) give(byte, at++);
-        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing behind the pattern`, at);
+        if (data[at] !== inserted) throw wrongEscape(`the byte ${inserted} is missing after the pattern`, at);
         at++;
       }
     },
@@ -155,7 +155,7 @@ export function canIdentifier(bits, fields) {
       if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
       return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
     },
-    // The first part is in the place of the whole header, and the others of the identifier are behind it.
+    // The first part is in the place of the whole header, and the others of the identifier are after it.
     walk(data, give) {
       const wrong = wrongCanHeader(bits, data);
       if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong), wrong);
@@ -167,7 +167,7 @@ export function canIdentifier(bits, fields) {
   };
 }
 
-/** The offset at which bytes are no CAN frame with an identifier of some bits; -1 where they are. */
+/** The offset at which bytes are not a CAN frame with an identifier of some bits; -1 where they are. */
 function wrongCanHeader(bits, data) {
   const flags = bits > 11 ? EXTENDED : 0;
   const identifier = numberIn(data.subarray(0, 4), false);
@@ -181,8 +181,8 @@ function canHeaderFault(bits, data, at) {
   const size = data.length - 8;
   if (at === 4 && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
   if (at === 4) return `a CAN frame has at most 8 bytes of data, not ${data[4]}`;
-  if (at === 5) return "the three bytes behind the number of the data are not zero";
-  return `it is no CAN frame with an identifier of ${bits} bits`;
+  if (at === 5) return "the three bytes after the data length are not zero";
+  return `it is not a CAN frame with an identifier of ${bits} bits`;
 }
 
 /** The bytes of the parts of the identifier of a CAN frame. */

@@ -9,7 +9,7 @@ export function frameOptions(device, { link, direction, message } = {}) {
   if (!link && !direction && !message) return new FrameOptions();
   let links = [...device.links.values()];
   if (link) links = links.filter(({ name }) => name === link);
-  if (!links.length) throw new RangeError(`${link} is no link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
+  if (!links.length) throw new RangeError(`${link} is not a link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
   if (message) {
     const others = links;
     links = links.filter(({ carriedMessages }) => DIRECTIONS.some((way) => carriedMessages[way].has(message)));
@@ -18,7 +18,7 @@ export function frameOptions(device, { link, direction, message } = {}) {
   const places = links.flatMap(({ name, directionNames }) => DIRECTIONS
     .filter((way) => !direction || directionNames[way] === direction || (way === direction && !isName(directionNames, direction)))
     .map((way) => [name, way]));
-  if (!places.length) throw new RangeError(`${direction} is no direction of ${links.map(({ name }) => name).join(" or ")}`);
+  if (!places.length) throw new RangeError(`${direction} is not a direction of ${links.map(({ name }) => name).join(" or ")}`);
   return new FrameOptions(places, message ?? "");
 }
 
@@ -35,8 +35,8 @@ function inputFrame(device, input) {
 }
 
 /**
- * The request that a user names, null without one. Throws Unreadable for a text that is no frame, and RangeError for a
- * frame that is no request.
+ * The request that a user names, null without one. Throws Unreadable for a text that is not a frame, and RangeError for a
+ * frame that is not a request.
  */
 export function namedRequest(device, input, options) {
   if (!input) return null;
@@ -55,7 +55,7 @@ export function explainer(data) {
 
   /**
    * The explanation of a frame: bytes, or a text with its bytes in any usual spelling. Throws Unreadable for a text that
-   * is no frame, and RangeError for options that the device does not have; no bytes make it throw.
+   * is not a frame, and RangeError for options that the device does not have; no bytes make it throw.
    */
   function explain(input, options = {}) {
     const allowed = frameOptions(device, options);
@@ -66,7 +66,7 @@ export function explainer(data) {
     return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, isWrong(reading));
   }
 
-  /** The explanations of the lines of a log; `error` says why a line is no frame. Throws like `explain` for options. */
+  /** The explanations of the lines of a log; `error` says why a line is not a frame. Throws like `explain` for options. */
   function* explainLog(text, options = {}) {
     const allowed = frameOptions(device, options);
     const reader = new LogReader(device, allowed, namedRequest(device, options.request, allowed));

@@ -10,7 +10,7 @@ const LAST = /(?:\\x(?<code>[0-9a-f]{2})|[<[]?(?<name>crlf|cr|lf|\\r|\\n)[>\]]?|
 const CHARACTERS = { "\\r": "\r", "\\n": "\n", cr: "\r", lf: "\n", crlf: "\r\n" };
 const CONTROLS = { 0x02: "STX", 0x03: "ETX", 0x0a: "LF", 0x0d: "CR" };
 
-// Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment behind them.
+// Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment after them.
 const WORDS = {
   request: ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"],
   response: ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"],
@@ -176,7 +176,7 @@ export function logLine(text, links) {
 }
 
 /**
- * The direction that marks tell; empty if they tell none. Words count more than arrows, and an arrow behind a name tells
+ * The direction that marks tell; empty if they tell none. Words count more than arrows, and an arrow after a name tells
  * nothing, as it may point either way. A word that a link uses for the other direction tells nothing either: the log may
  * take either side's view.
  */
@@ -201,7 +201,7 @@ function unmarked(text, links) {
   return { ...read, direction: (enclosed && { "[": "request", "<": "response" }[start]) || "" };
 }
 
-/** The frame behind times, labels and words, and remarks on what the text lacks of it. */
+/** The frame after times, labels and words, and remarks on what the text lacks of it. */
 function frameBehind(text, links) {
   let rest = text.replace(/^[ \t]+/, "");
   while (rest) {

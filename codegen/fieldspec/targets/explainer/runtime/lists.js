@@ -126,7 +126,7 @@ export function readAround(inner, read, bytes, offset, end) {
   const { extents, fault } = extentsIn(inner, data);
   if (fault) {
     const { name } = inner.lists[extents.length];
-    throw new CodecError(fault.reason, `${name} has another number of bytes`, offset + fault.at);
+    throw new CodecError(fault.reason, `${name} has a different number of bytes`, offset + fault.at);
   }
   const image = imageOf(inner, data, extents);
   try {

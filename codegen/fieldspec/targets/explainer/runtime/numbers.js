@@ -92,7 +92,7 @@ function resolvingPlaces(count) {
 }
 
 /**
- * A number without an exponent: in full if it is short, else rounded behind the point. The last digit is worth less
+ * A number without an exponent: in full if it is short, else rounded after the point. The last digit is worth less
  * than a count. If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
  */
 export function decimalText(number, count = "1") {

@@ -12,9 +12,9 @@ export function parameterNumbered(words, number) {
 /** A number as the manual writes it. */
 export function numberText(words, number) {
   if (!words.digits) return String(number);
-  const [least, base, upper, behind] = words.digits;
+  const [least, base, upper, after] = words.digits;
   const digits = BigInt(number).toString(base).padStart(least, "0");
-  return `${words.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${behind}`;
+  return `${words.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${after}`;
 }
 
 /** The set, named or in a space, that has a number on the wire, and the number in it. */
@@ -55,7 +55,7 @@ function elementOf(words, number, parameter, at) {
   return new ParameterElement(words, number, parameter, at, subindex);
 }
 
-/** The parameter and its number at a place among the values of all numbers of a set; nothing behind the last. */
+/** The parameter and its number at a place among the values of all numbers of a set; nothing after the last. */
 function placedParameter({ parameters }, place) {
   let rest = place;
   for (const parameter of parameters) {
@@ -93,7 +93,7 @@ export function withParameter(device, row, field, index, known, outer, isRequest
   const element = elementOf(words, number, parameterNumbered(words, number), at);
   if (part === "value") {
     const size = statedSize(field, known);
-    // Its bytes are no value.
+    // Its bytes are not a value.
     if (size === undefined) return { ...row, meanings: [element.meaning, ...row.meanings] };
     return readAs(device, row, field, element, isRequest, size);
   }

@@ -3,8 +3,8 @@ import { hexOf, latinOf, portableValue, sameBytes } from "./texts.js";
 
 /**
  * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
- * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets behind `start` of what is sent
- * for them, and of the end. `gap` is the place of the first byte behind an escape of nothing, which is sent between that
+ * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets after `start` of what is sent
+ * for them, and of the end. `gap` is the place of the first byte after an escape of nothing, which is sent between that
  * byte and the one before.
  */
 export class Spot {
@@ -32,9 +32,9 @@ export class Spot {
     if (this.places) {
       const end = this.places.length - 1;
       const first = this.places[Math.min(at, end)];
-      const behind = length && at + length === this.gap ? this.gap : this.places[Math.min(at + length, end)];
+      const after = length && at + length === this.gap ? this.gap : this.places[Math.min(at + length, end)];
       const offset = this.start + first;
-      const sent = this.frame.subarray(offset, offset + behind - first);
+      const sent = this.frame.subarray(offset, offset + after - first);
       const isSame = sameBytes(sent, this.originals.subarray(at, at + length));
       return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " "), canPlace: this.canPlace(at) };
     }
@@ -100,7 +100,7 @@ export function wrongRow(spot, at, raw, reason, detail, path = "", fact = "") {
   return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: `wrong: ${detail}`, reason });
 }
 
-/** The row of bytes behind the end. */
+/** The row of bytes after the end. */
 export function surplusRow(spot, at, raw) {
   return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
 }

@@ -23,7 +23,7 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
-/** A value with the scale that the number of its exponent makes; unchanged for a number that is no exponent. */
+/** A value with the scale that the number of its exponent makes; unchanged for a number that is not an exponent. */
 export function exponentApplied(value, exponent, number) {
   const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
   return isExponent ? scaledBy(value, Number(number)) : value;

@@ -31,8 +31,8 @@ export function widenedBytes(field, bytes) {
   if (whole === "" || (point >= 0 && fraction === "") || fraction.length > places) return null;
   if (!DIGITS_OF[form].test(whole + fraction)) return null;
   const room = most - (places ? places + 1 : 0);
-  const behind = places ? `.${fraction.padEnd(places, "0")}` : "";
-  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + behind);
+  const after = places ? `.${fraction.padEnd(places, "0")}` : "";
+  const image = latinBytes(sign + whole.replace(/^0+(?=.)/, "").padStart(room, "0") + after);
   return narrowedBytes(field, image).length <= most ? image : null;
 }
 
@@ -91,7 +91,7 @@ export function readImage(fields, read, bytes, offset, end) {
   if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
   const { count } = fields[extents.length] ?? {};
   if (count !== undefined && countedText(fields[extents.length], data, extents) === undefined) {
-    throw new CodecError("wrong_measure", `${fields[count].name} is no number of bytes`, offset + extents[count].start);
+    throw new CodecError("wrong_measure", `${fields[count].name} is not a number of bytes`, offset + extents[count].start);
   }
   if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
   const stop = extents.at(-1).stop;

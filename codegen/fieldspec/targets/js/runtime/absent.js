@@ -12,7 +12,7 @@ export function absentValues(values, lasts = {}, { ranges = null, bits = [] } = 
   const rows = Object.entries(values);
   return Object.freeze({
     values: Object.freeze(values),
-    /** The name of the state that a value stands for, or `out_of_range`; null for any other, and for what is no number. */
+    /** The name of the state that a value stands for, or `out_of_range`; null for any other, and for what is not a number. */
     nameOf(value) {
       if (typeof value !== "number" && typeof value !== "bigint") return null;
       const row = rows.find(([name, other]) =>

@@ -29,12 +29,12 @@ export function putDigits(number, bytes, offset, ...form) {
 }
 
 /**
- * The number of decimal digits with blanks in place of leading zeros, `places` of them behind a point, and `-` below zero
+ * The number of decimal digits with blanks in place of leading zeros, `places` of them after a point, and `-` below zero
  * where the number is `signed`. Throws CodecError for anything else.
  */
 export function blankDigitsOf(name, bytes, offset, size, places, signed, wide) {
   const form = { digits: "decimal", hasBlanks: true, places, signed };
-  return numberOfDigits(name, form, bytes.subarray(offset, offset + size), "a number behind blanks", offset, wide);
+  return numberOfDigits(name, form, bytes.subarray(offset, offset + size), "a number after blanks", offset, wide);
 }
 
 /** Writes a number, whose digits fit, with blanks in place of leading zeros. */

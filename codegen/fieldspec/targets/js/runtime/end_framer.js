@@ -7,7 +7,7 @@ import { wrongParts } from "./link.js";
 /**
  * The framer of frames with an end delimiter which may also occur within them, and whose length nothing else determines.
  * A frame ends with the first end delimiter with which the link decodes it. `decode` is the decoder of the link, and
- * `messages` those to try. `begins` are the possible values of the first bytes behind the start delimiter, by their
+ * `messages` those to try. `begins` are the possible values of the first bytes after the start delimiter, by their
  * place. A frame whose data the link refuses is a frame too, if all other parts are right. It comes when the line is
  * silent, or when no frame from there on can be longer.
  */
@@ -77,7 +77,7 @@ class EndFramer extends Framer {
 
   /**
    * The end of the shortest frame that begins at a byte and fits; 0 for none. No end among `examined` bytes fits, and none
-   * behind the place `last` counts.
+   * after the place `last` counts.
    */
   stop(at, examined, fits, last = this.bytes.length) {
     const { shortest, longest, parts } = this.shape;
@@ -85,9 +85,9 @@ class EndFramer extends Framer {
     const limit = Math.min(last, at + longest);
     const first = at + Math.max(shortest, examined + 1) - end.length;
     for (let close = find(this.bytes, first, end); close >= 0; close = find(this.bytes, close + 1, end)) {
-      const behind = close + end.length;
-      if (behind > limit) return 0;
-      if (fits(this.bytes.slice(at, behind))) return behind;
+      const after = close + end.length;
+      if (after > limit) return 0;
+      if (fits(this.bytes.slice(at, after))) return after;
     }
     return 0;
   }

@@ -56,7 +56,7 @@ function numbered(lines, text, nearest) {
   return null;
 }
 
-/** `v02.21` as [2, 21], without trailing zeros; null for a text that is no version number. */
+/** `v02.21` as [2, 21], without trailing zeros; null for a text that is not a version number. */
 function numbers(text) {
   const parts = text.replace(/^v/i, "").split(".");
   if (!parts.every((part) => NUMBER.test(part))) return null;

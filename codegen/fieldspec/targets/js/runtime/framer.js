@@ -136,9 +136,9 @@ export function codeFramer(shape) {
       return stop < 0 ? -1 : stop + end.length - from;
     }
     if (extent.size <= 0) return extent.size === 0 ? extent.length : -1;
-    const behind = at + extent.offset + extent.size;
-    if (behind > bytes.length) return behind - from;
-    const own = bytes.slice(behind - extent.size, behind);
+    const after = at + extent.offset + extent.size;
+    if (after > bytes.length) return after - from;
+    const own = bytes.slice(after - extent.size, after);
     const length = extent.length + readPart(extent.isTurned ? turned(own) : own, 0, extent) * extent.unit;
     return length >= shortest && length <= longest ? length : 0;
   });
@@ -174,9 +174,9 @@ class DelimiterFramer extends Framer {
       const frame = open < 0 ? null : bytes.slice(open, close + end.length);
       const isFrame = frame !== null && this.holds(frame);
       if (isFrame) frames.push(frame);
-      const behind = close + end.length - (isFrame ? 0 : this.common);
-      this.dropped += (isFrame ? open : behind) - done;
-      done = behind;
+      const after = close + end.length - (isFrame ? 0 : this.common);
+      this.dropped += (isFrame ? open : after) - done;
+      done = after;
     }
     const open = findLast(bytes, start, done, bytes.length);
     const rest = open >= 0 && bytes.length - open < longest ? open : Math.max(done, bytes.length - start.length + 1);
@@ -238,7 +238,7 @@ class EscapeFramer extends Framer {
         frames.push(frame);
         at = close + end.length;
       } else {
-        // What ends bytes that are no frame may begin one, or the frame may begin later.
+        // What ends bytes that are not a frame may begin one, or the frame may begin later.
         drop(start.length > 0 ? at + 1 : close + end.length);
       }
     }

@@ -124,7 +124,7 @@ export function conversion({ full, complement, low, high }) {
   });
 }
 
-/** A number as an exact fraction of bigints; the lower one is positive. Throws CodecError for what is no number. */
+/** A number as an exact fraction of bigints; the lower one is positive. Throws CodecError for what is not a number. */
 export function fraction(quantity) {
   if (typeof quantity === "bigint") return [quantity, 1n];
   if (typeof quantity === "number" && Number.isFinite(quantity)) {
@@ -137,7 +137,7 @@ export function fraction(quantity) {
     return power < 0 ? [signed, 1n << BigInt(-power)] : [signed << BigInt(power), 1n];
   }
   const match = typeof quantity === "string" && /^([+-]?)(\d{1,60})(?:\.(\d{1,60}))?$/.exec(quantity);
-  if (!match) throw new CodecError("wrong_type", `${printed(quantity)} is no number`);
+  if (!match) throw new CodecError("wrong_type", `${printed(quantity)} is not a number`);
   const digits = match[3] ?? "";
   const whole = BigInt(match[2] + digits);
   return [match[1] === "-" ? -whole : whole, 10n ** BigInt(digits.length)];

@@ -13,7 +13,7 @@ export function doubleOf(bits) {
 }
 
 /**
- * The 16 bits of a number. Throws CodecError for what is no number, for a finite number that would become infinite, and
+ * The 16 bits of a number. Throws CodecError for what is not a number, for a finite number that would become infinite, and
  * for one that is neither in `ranges` nor among `others`; without ranges any number is allowed.
  */
 export function halfBitsOf(name, value, ranges, others) {
@@ -97,7 +97,7 @@ export function putText(name, value, bytes, offset, size) {
 /** The text of bytes in a form of its own. Throws CodecError for bytes that are none. */
 export function encodedTextOf(name, bytes, offset, size, form) {
   const text = decodedText(form, bytes.subarray(offset, offset + size), form.little);
-  if (text === null) throw new CodecError("unknown_value", `${name} has bytes that are no text of its form`, offset);
+  if (text === null) throw new CodecError("unknown_value", `${name} has bytes that are not a text of its form`, offset);
   return text;
 }
 
@@ -127,12 +127,12 @@ export function signed48(number, bits) {
   return wholeOfBits(number, bits, true);
 }
 
-/** Throws CodecError for what is no list of `least` to `most` elements. */
+/** Throws CodecError for what is not a list of `least` to `most` elements. */
 export function checkList(name, value, least, most) {
   if (!Array.isArray(value) || value.length < least || value.length > most) throw refusedList(name, value, least, most);
 }
 
-/** The number of elements for which there is room before a list is checked: none for what is no list, `most` at the most. */
+/** The number of elements for which there is room before a list is checked: none for what is not a list, `most` at the most. */
 export function listLength(value, key, most) {
   const list = value?.[key];
   return Array.isArray(list) ? Math.min(list.length, most) : 0;

@@ -29,9 +29,9 @@ class CanFrame(Record):
 
     @classmethod
     def of(cls, frame: Data) -> CanFrame:
-        """The record of a frame as encoders return it. Raises CodecError for bytes that are none."""
+        """The record of a frame as encoders return it. Raises CodecError for other bytes."""
         if len(frame) < _HEADER or frame[4] != len(frame) - _HEADER:
-            raise CodecError("wrong_mark", "it is no CAN frame", 0)
+            raise CodecError("wrong_mark", "it is not a CAN frame", 0)
         identifier = int.from_bytes(frame[:4], "big")
         return cls(identifier & ~_EXTENDED, bytes(frame[_HEADER:]), bool(identifier & _EXTENDED))
 
@@ -73,13 +73,13 @@ class CanIdentifier:
         if wrong < 0 and any(data[5:_HEADER]):
             wrong = 5
         if wrong >= 0:
-            text, size = f"it is no CAN frame with an identifier of {self.bits} bits", len(data) - _HEADER
+            text, size = f"it is not a CAN frame with an identifier of {self.bits} bits", len(data) - _HEADER
             if wrong == 4 and data[4] != size:
                 text = f"byte 4 says {data[4]} bytes of data, but there are {size}"
             elif wrong == 4:
                 text = f"a CAN frame has at most {_DATA} bytes of data, not {size}"
             elif wrong == 5:
-                text = "the three bytes behind the number of the data are not zero"
+                text = "the three bytes after the data length are not zero"
             raise CodecError("wrong_mark", text, offset + wrong)
         parts = [
             (identifier >> first & (1 << width) - 1).to_bytes(size, order) for size, order, first, width in self.fields

@@ -63,7 +63,7 @@ def _table(term: int) -> list[int]:
 
 
 class Sum:
-    """The sum of numbers of `unit` bytes; zeros are behind the last one where its bytes are missing.
+    """The sum of numbers of `unit` bytes; zeros are after the last one where its bytes are missing.
 
     `complement` is `ones`, `twos` or empty.
     """
@@ -99,7 +99,7 @@ class Xor(Sum):
 
 
 class Fletcher:
-    """A Fletcher checksum of numbers of `unit` bytes; zeros are behind the last one where its bytes are missing.
+    """A Fletcher checksum of numbers of `unit` bytes; zeros are after the last one where its bytes are missing.
 
     It has two sums modulo `modulus`: that of the numbers and, in the upper half of the bits, that of all values of the
     first one.
@@ -121,7 +121,7 @@ class Fletcher:
 
 
 class Followed:
-    """A checksum of some bytes and of more bytes behind them."""
+    """A checksum of some bytes and of more bytes after them."""
 
     __slots__ = ("function", "suffix")
 
@@ -134,7 +134,7 @@ class Followed:
 
 
 class Swapped:
-    """A checksum of numbers of `unit` bytes that takes the last byte of each first; zeros are behind the last one."""
+    """A checksum of numbers of `unit` bytes that takes the last byte of each first; zeros are after the last one."""
 
     __slots__ = ("function", "unit")
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Case:
-    """Elements of one type. `letters` are those of one element in the Struct of its record."""
+    """Elements of one type. `letters` are the letters of one element in the Struct of its record."""
 
     __slots__ = ("_direct", "_native", "size", "structs", "value")
 

@@ -1,7 +1,7 @@
 """The exchange of frames by clients, without any input or output of its own.
 
-What a client does is a generator: it yields what is to be done with the transport, and receives the bytes that came. A
-client that blocks and a client for asyncio carry out the same generators.
+A client's work is a generator: it yields transport operations, and receives the bytes that arrived. A client that
+blocks and a client for asyncio carry out the same generators.
 """
 
 from __future__ import annotations
@@ -24,25 +24,25 @@ if TYPE_CHECKING:
     Work: TypeAlias = "Generator[tuple[int, Any], Any, T]"
 
 WRITE, READ, SLEEP, DROP = range(4)
-"""What a generator yields: bytes to write, a size to read and the seconds that are left, seconds, nothing."""
+"""The operations that a generator yields: bytes to write, a size to read with the remaining seconds, seconds, nothing.
+"""
 SILENCE: Final = 0.05
 """The seconds of silence that end a frame whose length nothing determines."""
 
 
 class Link:
-    """What a client needs to know of a link: its codec, and how requests and responses belong together.
+    """The link data of a client: its codec, and the pairing of requests and responses.
 
     Requests have a unit address where it is `addressed`, and responses too unless `answers_addressed` is false.
     `counters` are the parts of a request that number it, each with its lowest and highest number, and `parts` those
     whose values users choose. `echoes` has the parts of the response that repeat parts of the request; those that
-    number it have the same names unless it says otherwise.
-    `timeout` is how long a response may take, `pause` how long the line is silent before a request, in seconds.
-    `refusal_code` is the code of all exception responses, None where it is that of the request, `refused_code` their
-    field that repeats the code of the request, and `reason` the one that says why, empty for the first one.
-    `refusal_part` is the part before the body that says so instead, and `refusal_names` its members by their numbers.
-    `repeated` has the fields that a response repeats, each with its name there, by the class of the request, and
-    `value_counts` a field of the request and one of the response: the values, and how many there are, or reversed.
-    `unanswered` are the classes of the requests that nobody answers here.
+    number it have the same names unless it says otherwise. `timeout` is how long a response may take, `pause` how long
+    the line is silent before a request, in seconds. `refusal_code` is the code of all exception responses, None where
+    it is that of the request, `refused_code` their field that repeats the code of the request, and `reason` the one
+    that says why, empty for the first one. `refusal_part` is the part before the body that says so instead, and
+    `refusal_names` its members by their numbers. `repeated` has the fields that a response repeats, each with its name
+    there, by the class of the request, and `value_counts` a field of the request and one of the response: the values,
+    and how many there are, or reversed. `unanswered` are the classes of requests without a response.
     """
 
     def __init__(
@@ -117,8 +117,8 @@ def _response_code(request: Any) -> int | None:
 class Session:
     """The conversation with one unit on one link, as generators. It is not for several threads at once.
 
-    `settle` and `begin` are the seconds in which a device shows what it was asked for, and begins a motion. `parts` has
-    the parts of requests that users choose. Raises ValueError for those that the link does not have, or that lack.
+    `settle` and `begin` are the seconds until a device shows the requested state, and begins a motion. `parts` has the
+    parts of requests that users choose. Raises ValueError for those that the link does not have, or that lack.
     """
 
     def __init__(
@@ -153,7 +153,7 @@ class Session:
         Raises InvalidValueError, NoAnswerError, RefusedError and TransportError.
         """
         if request.__class__ in self.link.unanswered:
-            raise InvalidValueError(f"nobody answers {request.__class__.__name__} on this link: use `send` for it")
+            raise InvalidValueError(f"{request.__class__.__name__} has no response on this link: use `send`")
         again = self.retries if retries is None else retries
         while True:
             try:
@@ -164,7 +164,7 @@ class Session:
             again -= 1
 
     def send(self, request: Any, unit_address: int | None = None) -> Work[None]:
-        """Sends a request that nobody answers. Raises InvalidValueError and TransportError."""
+        """Sends a request without a response. Raises InvalidValueError and TransportError."""
         frame = self._frame(request, self.unit_address if unit_address is None else unit_address)
         yield from self._ready()
         yield WRITE, frame
@@ -199,7 +199,7 @@ class Session:
         yield DROP, None
 
     def _late_answers(self) -> Work[None]:
-        """Waits for the answers that are owed: none of them must be taken for that to the next request."""
+        """Waits for outstanding responses, so that none is mistaken for the next one."""
         framer, received = self._framer, b""
         while self._owed > 0 and (left := self._owed_until - self.now()) > 0:
             data = yield READ, (65536 if framer is None else framer.missing, left)

@@ -60,7 +60,7 @@ class CyclicWork:
 
 
 class CyclicTask(Task):
-    """A task by the fields of a cyclic message. What is watched is looked at in each exchange.
+    """A task by the fields of a cyclic message. Watched values are checked in each exchange.
 
     `started` are the bits that let something go on, which a task that fails clears; `pulsed` are those that every task
     clears at its end. Where `unless` holds already, nothing is done.
@@ -145,7 +145,7 @@ class CyclicTask(Task):
         yield from self.put(name, mask, True)
 
     def settle(self) -> Work[None]:
-        """Exchanges until the device can show what it was asked for."""
+        """Exchanges until the device can show the requested state."""
         end = self.session.now() + self.session.settle
         while True:
             yield from self.look()
@@ -166,7 +166,7 @@ class CyclicTask(Task):
         yield from self.until_begun(conditions, lambda: self._values(conditions))
 
     def wait(self, *conditions: Condition | Target) -> Work[None]:
-        """Exchanges until conditions hold. Raises TimeLimitError, MotionError, and those of what is watched."""
+        """Exchanges until conditions hold. Raises TimeLimitError, MotionError, and the errors of watched values."""
         yield from self.until(conditions, lambda: self._values(conditions))
 
     def note(self, target: Target) -> Work[None]:

@@ -156,7 +156,7 @@ class Task:
         return self.deadline is not None and self.session.now() >= self.deadline
 
     def settle(self) -> Work[None]:
-        """Waits until the device can show what it was asked for."""
+        """Waits until the device can show the requested state."""
         yield SLEEP, self.session.settle
 
     def refuse(self, condition: Condition) -> Work[None]:
@@ -385,7 +385,7 @@ class Jog:
 
 
 class DeviceWork:
-    """What the client of a device does, as generators."""
+    """The work of a device's client, as generators."""
 
     def __init__(self, session: Session) -> None:
         self.session = session

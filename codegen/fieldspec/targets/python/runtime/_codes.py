@@ -19,7 +19,7 @@ def by_printed_name(enum: str, members: Mapping[int, R], names: Mapping[int, str
 
 
 def by_number(enum: str, members: Mapping[int, R], numbers: Mapping[int, int], number: int) -> R:
-    """The member with another number than its value. Raises CodecError."""
+    """The member whose number differs from its value. Raises CodecError."""
     for value, other in numbers.items():
         if other == number:
             return members[value]

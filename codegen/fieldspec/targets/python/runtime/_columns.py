@@ -21,8 +21,8 @@ class Column:
     `size` is the bytes of a text, and of a number that has fewer bytes than its letter. `count` is the number of
     elements of a list, 0 for a single one. `swapped`: the 16-bit words are in the other order than the bytes in them.
     `tests` are the intervals outside of which a number is refused. `ratio` is (a, b, c) of value = (count * a + b) / c
-    in the unit; `absent` are the counts that are no quantity. A field without a name is tested only. `magnitude`: the
-    highest bit alone says that a number is below zero.
+    in the unit; `absent` are the counts that are not a quantity. A field without a name is only tested. `magnitude`:
+    only the highest bit is the sign.
     """
 
     __slots__ = (

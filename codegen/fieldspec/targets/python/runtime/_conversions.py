@@ -186,7 +186,7 @@ def counts(name: str, value: Quantity, ratio: tuple[int, int, int], ranges: tupl
     """The count that is nearest to a value in the unit; of two equally near ones the even one.
 
     `ratio` is (a, b, c) of value = (count * a + b) / c. The computation is exact: the float
-    0.015 is a little less than its digits say. Raises CodecError outside of `ranges`, and for what is no number.
+    0.015 is a little less than its digits say. Raises CodecError outside of `ranges`, and for what is not a number.
     """
     a, b, c = ratio
     try:

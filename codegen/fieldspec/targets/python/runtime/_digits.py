@@ -79,7 +79,7 @@ class Digits:
     ) -> list[int]:
         """The numbers of a list that begins at byte `at` of the whole, at most up to the first that is not `accepted`.
 
-        The caller refuses that one, which comes before bytes behind it that are no digits. Raises CodecError.
+        The caller refuses that one, which comes before bytes after it that are not digits. Raises CodecError.
         """
         numbers = []
         for index, raw in enumerate(raws):
@@ -139,7 +139,7 @@ class Digits:
         return number - 16**self.count if number > self.high else number
 
     def _in_order(self, characters: bytes) -> bytes:
-        """Hexadecimal digits, of which those of the lowest byte may come first."""
+        """Hexadecimal digits, possibly with the lowest byte first."""
         if not self.is_reversed:
             return characters
         return b"".join(characters[place : place + 2] for place in range(len(characters) - 2, -1, -2))

@@ -19,7 +19,7 @@ class EndFramer(Framer):
 
     A frame ends with the first end delimiter with which the link decodes it. `decode` is the decoder of the link. Where
     frames do not identify their message, `messages` are those to try. `begins` are the possible values of the first
-    bytes behind the start delimiter, by their place.
+    bytes after the start delimiter, by their place.
 
     A frame whose data the link refuses is a frame too, if all other parts are right. It comes when the line is silent,
     or when no frame from there on can be longer.
@@ -66,7 +66,7 @@ class EndFramer(Framer):
     def idle(self) -> list[bytes]:
         """The frames up to the last end delimiter, when the line has been silent; it drops the other bytes up to there.
 
-        The bytes behind that delimiter stay, as a frame that has begun may pause.
+        The bytes after that delimiter stay, as a frame that has begun may pause.
         """
         return self._cut(True)
 
@@ -113,7 +113,7 @@ class EndFramer(Framer):
         return frames
 
     def _next_end(self, at: int) -> int:
-        """The place of the first end delimiter behind a byte; -1 for none."""
+        """The place of the first end delimiter after a byte; -1 for none."""
         return self._buffer.find(self.frames.end, at + len(self.frames.start))
 
     def _may_begin(self, at: int) -> bool:
@@ -125,7 +125,7 @@ class EndFramer(Framer):
     def _stop(self, at: int, examined: int, fits: Callable[[bytes], bool], limit: int | None = None) -> int:
         """The end of the shortest frame that begins at a byte and fits; 0 for none.
 
-        No end among the first `examined` bytes fits, and none behind the place `limit` counts.
+        No end among the first `examined` bytes fits, and none after the place `limit` counts.
         """
         buffer, end = self._buffer, self.frames.end
         close = max(at + self.shortest, at + examined + 1) - len(end)

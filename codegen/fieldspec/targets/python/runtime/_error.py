@@ -36,7 +36,7 @@ def wrong_length(name: str, length: int, least: int, most: int | None, fixed: in
         return CodecError("incomplete", f"{name} has at least {least} bytes, not {length}", length)
     if most is not None and length > most:
         return CodecError("wrong_length", f"{name} has at most {most} bytes, not {length}", most)
-    return CodecError("wrong_length", f"{length - fixed} bytes are no whole number of elements of {unit}", length)
+    return CodecError("wrong_length", f"{length - fixed} bytes are not a whole number of elements of {unit}", length)
 
 
 def unknown_member(name: str, raw: int, enum: str, at: int) -> CodecError:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Filled(Value[T]):
-    """A value and the byte behind it that fills its last word: written as zero, and ignored when it is read."""
+    """A value and the byte after it that fills its last word: written as zero, and ignored when it is read."""
 
     __slots__ = ("own",)
 

@@ -1,11 +1,10 @@
 """Framers find the frames in a stream of bytes that arrives in pieces of any size, with garbage between frames.
 
 A framer is for one direction: requests and responses look alike, and the bytes of the other direction are garbage to
-it. It keeps at most the bytes of one frame. Where bytes look like a frame and are none, it drops one byte and tries
-again, so it examines each byte no more often than a frame has bytes. A regular expression skips bytes that cannot begin
-a frame.
+it. It keeps at most the bytes of one frame. If bytes look like a frame but are not, it drops one byte and tries again,
+so each byte is examined at most once per byte of a frame. A regular expression skips bytes that cannot begin a frame.
 
-Garbage may look like the beginning of a frame. Then the frames behind it wait until that frame would be complete, or
+Garbage may look like the beginning of a frame. Then the frames after it wait until that frame would be complete, or
 until the line has been silent and `idle` is called. Garbage with the right checksum by chance counts as a frame;
 with an 8-bit checksum that happens once in 256 times. `pause` shows what `idle` would return, and drops nothing: a
 sender may be slow.
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
     Extent = tuple[int, int, int, int] | tuple[int, int, int, int, Literal["big", "little"], bool]
 
 _NO_DIGITS = 1 << 64
-"""What is read where a part has no digits: no code, no unit address, no flag of a code and no length of a frame."""
+"""The number of a part without digits: not a code, unit address, flag of a code or length of a frame."""
 
 
 class Intervals:
@@ -145,7 +144,7 @@ class Framer:
     def ends_with_silence(self) -> bool:
         """Whether a silence may show a frame in the bytes so far.
 
-        A checksum or an end delimiter confirms one behind garbage that looks like the beginning of another one. Without
+        A checksum or an end delimiter confirms one after garbage that looks like the beginning of another one. Without
         them, silence shows only the end of a frame whose length nothing determines.
         """
         frames = self.frames
@@ -253,8 +252,8 @@ class CodeFramer(Framer):
     `extents` has for each code: the length of the whole frame without its repeated part; then the offset and the
     size of the part or field that measures the repeated part, and the bytes for each unit of the measure; a size
     of 0 where the length is fixed, and of -1 where nothing measures the repeated part. Such a frame ends with the
-    silence behind it. With a size of -2, the frame ends with the next end delimiter, and has at least that length.
-    Behind these four are the order of a measure, where it is not that of the unit address, and whether the bytes of its
+    silence after it. With a size of -2, the frame ends with the next end delimiter, and has at least that length.
+    After these four are the order of a measure, where it is not that of the unit address, and whether the bytes of its
     words have the opposite one.
 
     `subcodes` has the codes that messages of several lengths share: the offset, the size and the order of the number

@@ -57,7 +57,7 @@ class Response(Record, Generic[M]):
 class ErrorReply(Record, Generic[M]):
     """An exception response: the code of the request, or the one that all exception responses have, and the reason.
 
-    Where the usual response has another code than the request, `code` is that one.
+    If the code of the usual response differs from the request's, `code` is the response's.
     """
 
     __slots__ = ("code", "exception", "unit_address")
@@ -139,7 +139,7 @@ class Frames:
         except HexError:
             for at, byte in enumerate(inner):
                 if byte not in b"0123456789ABCDEFabcdef":
-                    text = f"byte {byte:#04x} is no hexadecimal character"
+                    text = f"byte {byte:#04x} is not a hexadecimal character"
                     raise CodecError("not_hex", text, first + at) from None
             raise CodecError("wrong_length", "an odd number of characters", last) from None
 

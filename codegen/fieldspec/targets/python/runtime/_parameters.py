@@ -119,7 +119,7 @@ class Parameter(Generic[T]):
 
     @property
     def ranges(self) -> tuple[tuple[int, int], ...]:
-        """The counts that may be written, as intervals with both ends; none where there is no limit but the type's."""
+        """The counts that may be written, as intervals with both ends; none if only the type limits them."""
         return self.value.ranges
 
     @property
@@ -147,7 +147,7 @@ class Parameter(Generic[T]):
 
     @property
     def absent(self) -> dict[str, float]:
-        """The values that stand for a state and are no quantity, by the names of their states."""
+        """The values that stand for a state and are not a quantity, by the names of their states."""
         return {state: first_number(number) for state, number in self.value.absent}
 
     def state_of(self, value: T | float, subindex: int = 0) -> str | None:
@@ -203,7 +203,7 @@ class Parameter(Generic[T]):
     def from_bytes(self, data: bytes, subindex: int = 0) -> T:
         """The value of exactly all of the bytes that a message carries, for its element with an index.
 
-        Of a text, the zeros that fill it up may be missing. Raises CodecError.
+        The padding zeros of a text may be missing. Raises CodecError.
         """
         own, title = self._element(subindex)
         data = _filled(own, data)
@@ -368,7 +368,7 @@ class ParameterSpace:
 
 
 def _filled(value: Value[Any], data: bytes) -> bytes:
-    """The bytes of a value with the zeros behind a text, which need not be sent."""
+    """The bytes of a value with the zeros after a text, which need not be sent."""
     return data.ljust(value.struct.size, b"\0") if isinstance(value, Text) else data
 
 

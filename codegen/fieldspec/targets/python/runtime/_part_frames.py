@@ -86,7 +86,7 @@ class PartFrames(Frames):
         self.forms = {offset: self.digits[place] for place, offset in enumerate(offsets) if place in self.digits}
 
     def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
-        """The row, the offset and the number of each part of a frame that is long enough; -1 for what are no digits."""
+        """The row, the offset and the number of each part of a frame that is long enough; -1 if not digits."""
         numbers = []
         at = 0
         for place, row in enumerate((*self.rows, *self.tail)):
@@ -166,11 +166,11 @@ class PartFrames(Frames):
 
     @property
     def _own(self) -> frozenset[int] | None:
-        """The places of the lengths and checksums that are those of the bytes of the parts; None for all."""
+        """The places of the lengths and checksums over the bytes of the parts; None for all."""
         return None
 
     def _sent(self, data: bytes) -> bytes:
-        """What is sent for the bytes of the parts."""
+        """The sent form of the bytes of the parts."""
         return data
 
     def _compare_lengths(self, numbers: list[tuple[Part, int, int]], size: int, places: frozenset[int] | None) -> None:
@@ -233,7 +233,7 @@ def _bytes(number: int, size: int, order: Order, signed: bool | None) -> bytes:
 
 
 def _number(checksum: int, size: int, order: Literal["big", "little"], digits: str) -> int:
-    """The number whose bytes are those of a checksum, which may be sent as digits."""
+    """The number in the bytes of a checksum, which may be sent as digits."""
     if not digits:
         return checksum
     text = f"{checksum:0{size}d}" if digits == "decimal" else f"{checksum:0{size}x}"
@@ -241,7 +241,7 @@ def _number(checksum: int, size: int, order: Literal["big", "little"], digits: s
 
 
 def _order(order: Order | Form) -> Order:
-    """The byte order of a checksum, whose digits are no concern of its row."""
+    """The byte order of a checksum, whose digits are not a concern of its row."""
     return "little" if order == "little" else "big"
 
 

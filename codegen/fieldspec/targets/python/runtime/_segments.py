@@ -46,7 +46,7 @@ class Place:
         """The number in a message. Raises PieceError where the field cannot be what it is."""
         value = index(getattr(message, self.field))
         if self.ranges and not any(low <= value <= high for low, high in self.ranges):
-            raise PieceError("counter", f"{self.field} is {value}, which is no answer with a piece")
+            raise PieceError("counter", f"{self.field} is {value}, which is not an answer with a piece")
         return (value & self.mask) >> self.shift
 
     def put(self, fields: dict[str, Any], number: int) -> None:
@@ -55,7 +55,7 @@ class Place:
         fields[self.field] = value & ~self.mask | number << self.shift
 
     def number_behind(self, count: int) -> int:
-        """The number of the piece behind `count` others."""
+        """The number of the piece after `count` others."""
         return self.low + count % (self.high - self.low + 1)
 
 
@@ -102,7 +102,7 @@ class Segments:
         return index(getattr(response, self.by)) in self.numbers
 
     def read(self, session: Session, first: Any, response: Any, most: int) -> Work[bytes]:
-        """The value whose pieces follow the response to the request `first`, of at most so many bytes."""
+        """The segmented value that follows the response to the request `first`, of at most `most` bytes."""
         try:
             content = yield from self._read(session, response, most)
         except PieceError as error:
@@ -139,7 +139,7 @@ class Segments:
         return content
 
     def write(self, session: Session, first: Any, content: bytes) -> Work[None]:
-        """Writes a value in pieces behind the request that begins it."""
+        """Writes a value in pieces after the request that begins it."""
         yield from session.ask(first, 0)
         for count, (piece, is_last) in enumerate(self._pieces(content)):
             message = (yield from session.ask(self._request(count, piece, is_last), 0)).message

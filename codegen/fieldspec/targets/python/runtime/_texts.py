@@ -1,4 +1,4 @@
-"""Texts that are not ASCII filled up with zeros behind them."""
+"""Texts that are not ASCII filled up with zeros after them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class TextForm:
     """What reads and writes a text of a fixed size.
 
     `letters` are the encoding, the number of bytes, the codes of the character that fills the text up and of the one
-    that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is behind spaces. With `turned`, the
+    that ends it, `-` without one, and where the text is: `utf-16-be 12 32 - right` is after spaces. With `turned`, the
     bytes of each word are exchanged. `packed_ascii` has four characters in three bytes. Characters that the encoding
     does not have are refused.
     """
@@ -46,7 +46,7 @@ class TextForm:
         except UnicodeDecodeError:
             text = None
         if text is None or "\0" in text:
-            raise CodecError("unknown_value", f"{name} is {raw!r}, which is no text of its form", at)
+            raise CodecError("unknown_value", f"{name} is {raw!r}, which is not a text of its form", at)
         return text
 
     def texts(self, name: str, raws: Sequence[bytes], at: int) -> list[str]:

@@ -47,9 +47,8 @@ class Value(Generic[T]):
     The letters of a number that no Struct has are the order and the type: `>u24`. Those of digits: see `Digits`.
 
     `ranges` are in counts. The scale, if there is one, is (a, b, c) of unit = (count * a + b) / c. `absent` are the
-    states that counts stand for, each with its name, and `others` these counts: they may be outside the ranges, and
-    are no quantity. `stated` are the ranges of what is read, and of fields of its bits, where they differ from those
-    of what may be written.
+    states that counts stand for, each with its name, and `others` these counts: they may be outside the ranges, and are
+    not a quantity. `stated` are the ranges for reading, and of bit fields, if they differ from the ranges for writing.
     """
 
     __slots__ = ("absent", "high", "low", "others", "ranges", "ratio", "size", "stated", "struct", "swapped", "unit")
@@ -121,7 +120,7 @@ class Value(Generic[T]):
         return value
 
     def in_unit(self, count: float, ratio: tuple[int, int, int] | None = None) -> float | None:
-        """A count in the unit, by another scale than its own where one is stated; None where it is an absent value."""
+        """A count in the unit, by a different scale if it is stated; None where it is an absent value."""
         if is_among(count, self.others):
             return None
         a, b, c = ratio or self.ratio

@@ -39,7 +39,7 @@ class Varying:
         return data.find(self.end, at) if self.end else len(data)
 
     def widened(self, piece: bytes) -> bytes | None:
-        """The bytes in the image; None for bytes that are no such value."""
+        """The bytes in the image; None for other bytes."""
         if len(piece) > self.most:
             return None
         if self.form == "text":
@@ -57,7 +57,7 @@ class Varying:
         return image if len(self.narrowed(image)) <= self.most else None
 
     def narrowed(self, image: bytes) -> bytes:
-        """What is sent of the bytes in the image: no leading zeros, and a sign only below zero."""
+        """The sent form of the bytes in the image: without leading zeros, with a sign only below zero."""
         if self.form == "text":
             return image.rstrip(b"\0")
         digits = image[1:] if self.has_sign else image
@@ -82,7 +82,7 @@ class Widths:
         self.fields = [(name, form if isinstance(form, int) else Varying(form)) for name, form in fields]
 
     def decoded(self, function: Callable[[bytes], Any], data: bytes) -> Any:
-        """What a function makes of the image of some data. Raises CodecError with the place in the data."""
+        """The result of a function for the image of some data. Raises CodecError with the place in the data."""
         image, starts = self._image(data)
         try:
             return function(image)
@@ -90,7 +90,7 @@ class Widths:
             raise CodecError(error.reason, error.detail, self._place(starts, error.offset)) from None
 
     def encoded(self, image: bytes) -> bytes:
-        """What is sent of an image. Raises CodecError for a text that has the byte which would end it."""
+        """The sent form of an image. Raises CodecError for a text that has the byte which would end it."""
         pieces: list[bytes] = []
         at = 0
         for name, form in self.fields:
@@ -120,7 +120,7 @@ class Widths:
                 count_at = starts[number]
                 length = int.from_bytes(data[count_at : count_at + count_size], order) - plus
                 if not 0 <= length <= form.most:
-                    text = f"{self.fields[number][0]} is no number of bytes"
+                    text = f"{self.fields[number][0]} is not a number of bytes"
                     raise unfit or CodecError("wrong_measure", text, count_at)
                 stop = at + length
                 pieces[number] = (form.size + plus).to_bytes(count_size, order)

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class DeviceError(Exception):
-    """Whatever a client raises about a device, its line, or what it is asked for."""
+    """The errors of a client about a device, its line, or a request."""
 
 
 class InvalidValueError(DeviceError, ValueError):
@@ -55,7 +55,7 @@ class NotReadyError(DeviceError):
 
 
 class TimeLimitError(DeviceError):
-    """What a task waits for has not come within its time limit. A task that moves has told the device to stop."""
+    """The condition of a task was not met within its time limit. A task that moves has told the device to stop."""
 
 
 class MotionError(DeviceError):

@@ -1,6 +1,6 @@
-"""Many records at once: a buffer of frames or log entries of a fixed size, as one column a field.
+"""Many records at once: a buffer of frames or log entries of a fixed size, as one column per field.
 
-`arrays` needs nothing but Python. `decode_many`, `records`, `view`, `dtype`, `bits` and `in_unit` need NumPy.
+`arrays` needs only Python. `decode_many`, `records`, `view`, `dtype`, `bits` and `in_unit` need NumPy.
 
     columns = decode_many(Telegram111Response, captured)
     speed = in_unit(Telegram111Response, "speed_actual_b", columns["speed_actual_b"])
@@ -52,8 +52,8 @@ _SIGNS = bytes(0xFF if byte > 0x7F else 0 for byte in range(256))
 def arrays(record: type[Record], data: Data) -> Arrays:
     """The columns of all records as `array.array`, with Python alone; bytes and texts as lists of bytes.
 
-    Floating-point numbers of 16 bits are in an array of those of 32 bits, as it has no others. The elements of a list
-    follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
+    Floating-point numbers of 16 bits are in an array of 32-bit numbers, because `array` lacks them. The elements of a
+    list follow each other. Raises CodecError for bytes left over, and for what `decode` refuses.
     """
     number = _number(record, data)
     buffer = data if isinstance(data, bytes) else bytes(data)
@@ -266,7 +266,7 @@ def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
 def _number_of_bits(
     word: type[Flags], name: str, column: np.ndarray[Any, Any], first: int, most: int
 ) -> np.ndarray[Any, Any]:
-    """The numbers in a field of bits; those of a signed one are of 64 bits."""
+    """The numbers in a field of bits; signed numbers have 64 bits."""
     numbers: np.ndarray[Any, Any] = column >> first & most
     if name in word._RUNS:
         numbers = sum((column >> place & ones) << weight for place, ones, weight in word._RUNS[name])  # type: ignore[assignment]
@@ -292,7 +292,7 @@ def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np
                 low, high = (count.start, count.stop - 1) if isinstance(count, range) else (count, count)
                 quantities[(column >= low) & (column <= high)] = float("nan")
             return quantities
-    raise KeyError(f"{name} is no field of {record.__name__} that counts in parts of a unit")
+    raise KeyError(f"{name} is not a field of {record.__name__} that counts in parts of a unit")
 
 
 def _number(record: type[Record], data: Data) -> int:

@@ -75,7 +75,7 @@ def _is_ascii(data: _pl.Expr) -> _pl.Expr:
 
 
 def _text(data: _pl.Expr) -> _pl.Expr:
-    # A cast looks at the bytes behind a null too.
+    # A cast looks at the bytes after a null too.
     text = _pl.when(_is_ascii(data)).then(data).otherwise(_pl.lit(b"")).cast(_pl.String).str.strip_chars_end("\0")
     return _pl.when(_is_ascii(data)).then(text).otherwise(None)
 

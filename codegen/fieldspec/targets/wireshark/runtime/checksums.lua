@@ -50,7 +50,7 @@ local function crc_of_bits(kind, bytes, high, low)
     return high, low
 end
 
--- The register of a CRC of at most 32 bits behind each byte alone: the half of the 64 bits that it is in.
+-- The register of a CRC of at most 32 bits after each byte alone: the half of the 64 bits that it is in.
 local function table_of(kind)
     local list = {}
     for number = 0, 255 do
@@ -92,7 +92,7 @@ local function crc(kind, bytes)
     return numbers.bxor(high, kind.final[1]), numbers.bxor(low, kind.final[2])
 end
 
--- The numbers of `unit_size` bytes; the last one is filled up with zeros behind its bytes.
+-- The numbers of `unit_size` bytes; the last one is filled up with zeros after its bytes.
 local function units(kind, bytes)
     local result = {}
     bytes = bytes .. ("\0"):rep(-#bytes % kind.unit_size)

@@ -21,7 +21,7 @@ local function encoded(characters)
     return (characters:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
 end
 
--- The bytes of the first parts behind the start mark, as far as there are any.
+-- The bytes of the first parts after the start mark, as far as there are any.
 function frames.first_parts(link, shape, bytes)
     local parts = bytes:sub(#shape.start + 1)
     if not link.hex then

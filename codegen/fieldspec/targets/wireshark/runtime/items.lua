@@ -69,7 +69,7 @@ local function show_part(context, part, at)
         if addresses and number == numbers.bound(addresses.broadcast, part.value) then
             item:append_text(", for all stations")
         elseif addresses and addresses.ranges and not values.is_within(number, addresses.ranges, part.value) then
-            values.report(item, "out_of_range", part.name .. " is no address of this device")
+            values.report(item, "out_of_range", part.name .. " is not an address of this device")
         end
     elseif part.same_as and context.asked and not reason then
         local expected = context.asked[part.same_as]

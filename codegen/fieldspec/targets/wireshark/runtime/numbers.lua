@@ -107,7 +107,7 @@ end
 local function is_real(value)
     local kind = number_kind(value)
     if not kind then
-        error("a text or bytes are no number")
+        error("a text or bytes are not a number")
     end
     return kind == "real"
 end

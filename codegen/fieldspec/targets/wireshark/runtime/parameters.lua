@@ -24,7 +24,7 @@ local function row_at(set_name, wire_number)
     return nil, nil
 end
 
--- The row of a parameter, and its number, at a place among the values of all numbers of a set; nil behind the last.
+-- The row of a parameter, and its number, at a place among the values of all numbers of a set; nil after the last.
 local function row_placed(set, place)
     for _, row in ipairs(set.rows) do
         if place < row.count then

@@ -112,12 +112,12 @@ function registers.show(context, tree, span, operation)
         local places = space.at[address]
         for number = 1, places and #places or 0 do
             local place = places[number]
-            local behind = address + place.row.words
-            if behind > span.address then
+            local after = address + place.row.words
+            if after > span.address then
                 if address > reached then
                     show_gap(context, tree, span, reached, address - 1)
                 end
-                reached = math.max(reached, behind)
+                reached = math.max(reached, after)
                 local options = options_of(place, operation)
                 names[#names + 1] = options.name
                 local item = show_present(context, tree, span, place, options)

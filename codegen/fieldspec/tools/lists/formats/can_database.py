@@ -67,7 +67,7 @@ def can_database(text: str, node: str = "") -> tuple[Sheet, Listing]:
     try:
         database: Any = cantools.database.load_string(text, "dbc", strict=False)
     except Exception as error:  # the library raises what it stumbles over: ParseError, KeyError, ValueError
-        raise ListError(f"is no database of CAN messages: {' '.join(str(error).split())[:300]}") from None
+        raise ListError(f"is not a database of CAN messages: {' '.join(str(error).split())[:300]}") from None
     lines = _lines(text)
     rows = FormatRows("a database of CAN messages (DBC)", _ROLES, _NOTES)
     own_node = _node(database.messages, node, rows)
@@ -95,13 +95,13 @@ def _node(messages: list[Any], node: str, rows: FormatRows) -> str:
     receivers = {receiver for message in messages for receiver in message.receivers}
     nodes = sorted({*senders, *receivers} - {_NOBODY})
     if node and node not in nodes:
-        raise ListError(f"has no node {node}; there are {', '.join(nodes) or 'none'}")
+        raise ListError(f"has no node {node}; choose from {', '.join(nodes) or 'none'}")
     if node or not senders:
         return node
     own_node: str
     (own_node, count), *further = sorted(senders.items(), key=lambda pair: (-pair[1], pair[0]))
     if further and further[0][1] == count:
-        raise ListError(f"has nodes that send as many messages ({', '.join(nodes)}); choose one with --node")
+        raise ListError(f"has nodes that send the same number of messages ({', '.join(nodes)}); choose one with --node")
     if len(nodes) > 1:
         evidence = f"it sends {count} messages, more than any other node"
         rows.assumptions.append(Assumption("node", own_node, evidence, "--node"))

@@ -113,7 +113,7 @@ def _row(entity: str, item: Mapping) -> ListRow:
     values = item.values
     address = whole_of(values.get("address"))
     if address is None:
-        raise CellError("address\nis no address")
+        raise CellError("address\nis not an address")
     space = _space(entity, text_of(values.get("register_type")))
     offset = whole_of(values.get("offset")) or 0
     if space not in _BITS and offset % 2:
@@ -162,7 +162,7 @@ def _space(entity: str, text: str) -> str:
     if not text and (entity in _HOLDING_BY_DEFAULT or entity == _SERVER):
         return REGISTERS
     if text not in _SPACES:
-        raise CellError("register_type\nis no kind of registers" if text else "register_type\nis not stated")
+        raise CellError("register_type\nis not a kind of registers" if text else "register_type\nis not stated")
     return _SPACES[text]
 
 
@@ -174,13 +174,13 @@ def _type(entity: str, values: dict[str, Node], space: str) -> tuple[Typed, int 
     if entity == "text_sensor":
         count = count or (size + 1) // 2 if size is not None else count
         if not count or count < 0:
-            raise CellError("register_count\nis no number of registers")
+            raise CellError("register_count\nis not a number of registers")
         is_text = text_of(values.get("raw_encode")) in ("", "NONE")
         return Typed("text" if is_text else "bytes", length=size or 0), count, ""
     text = text_of(values.get("value_type")) or "U_WORD"
     name = _TYPES.get(text.removesuffix("_R"))
     if name is None:
-        raise CellError("value_type\nhas no size" if text == "RAW" else "value_type\nis no type")
+        raise CellError("value_type\nhas no size" if text == "RAW" else "value_type\nis not a type")
     own_type = Typed(name)
     order = ("CDAB" if text.endswith("_R") else "ABCD") if own_type.size > 1 else ""
     return own_type, own_type.size, order
@@ -192,7 +192,7 @@ def _mask(values: dict[str, Node], space: str) -> tuple[int, int] | None:
         return None
     bits = mask_bits(mask)
     if bits is None:
-        raise CellError("bitmask\nhas bits that do not stand beside each other")
+        raise CellError("bitmask\nhas bits that are not adjacent")
     return bits
 
 

@@ -30,7 +30,7 @@ SIGNS = re.compile(
     r"^[ \t]*\[(?:FileInfo|DeviceInfo|DeviceComissioning|DeviceCommissioning|DummyUsage|MandatoryObjects)\]",
     re.IGNORECASE | re.MULTILINE,
 )
-"""What such a file begins with, behind comments."""
+"""What such a file begins with, after comments."""
 
 _TYPES = {
     0x01: "bool8",
@@ -273,7 +273,7 @@ def _add(rows: FormatRows, element: _Element, place: tuple[int, int] | None) -> 
         reason = f"has the data type 0x{variable.data_type:04X}, whose size such a file does not have"
         rows.refuse(line, _cells(section), reason, "DataType")
     elif access.casefold() not in _ACCESSES:
-        rows.refuse(line, _cells(section), "is no access of an object", "AccessType")
+        rows.refuse(line, _cells(section), "is not an access of an object", "AccessType")
     else:
         if name == _TEXT and not any(assumption.subject == "texts" for assumption in rows.assumptions):
             reading = f"up to {TEXT_BYTES} bytes, or as long as their defaults"

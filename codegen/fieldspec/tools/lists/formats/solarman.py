@@ -81,7 +81,7 @@ def definition(node: Node, lines: int) -> tuple[Sheet, Listing]:
             if isinstance(item, Mapping):
                 _add(rows, item, requests)
             else:
-                rows.refuse(line_of(item), {"name": text_of(item)}, "is no item")
+                rows.refuse(line_of(item), {"name": text_of(item)}, "is not an item")
     return rows.listing(lines)
 
 
@@ -149,7 +149,7 @@ def _type(rule: int | None, registers: list[int]) -> tuple[Typed, str]:
     ascending = all(b - a == 1 for a, b in pairwise(registers))
     descending = all(a - b == 1 for a, b in pairwise(registers))
     if not (ascending or descending):
-        raise CellError("registers\nhas registers that do not stand one behind the other")
+        raise CellError("registers\nhas registers that are not consecutive")
     if rule == _TEXT and ascending:
         return Typed("text", length=len(registers) * 2), ""
     width = _WIDTHS.get(len(registers))

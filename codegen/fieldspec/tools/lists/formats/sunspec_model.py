@@ -78,7 +78,7 @@ _MOST_ELEMENTS = 1 << 16
 
 @dataclass(slots=True)
 class _Model:
-    """What is read of a model: its rows, the next address, and the variable group behind which addresses are open."""
+    """The content of a model: its rows, the next address, and the variable group after which addresses are open."""
 
     rows: FormatRows
     following: int = 0
@@ -149,16 +149,16 @@ def _points(model: _Model, group: dict[str, Any], names: tuple[str, ...], count:
     points = group.get("points", [])
     for point in points if isinstance(points, list) else []:
         if not isinstance(point, dict):
-            raise ListError("has a point that is no object")
+            raise ListError("has a point that is not an object")
         cells = {key: value if isinstance(value, str) else json.dumps(value) for key, value in point.items()}
         cells |= {"address": str(model.following)}
         line = len(model.rows.items) + 1
         size = point.get("size")
         if not isinstance(size, int) or not 0 < size < _MOST_ELEMENTS:
-            raise ListError(f"has a point {str(point.get('name'))[:60]} whose size is no number of registers")
+            raise ListError(f"has a point {str(point.get('name'))[:60]} whose size is not a number of registers")
         try:
             if model.open:
-                raise CellError(f"stands behind {model.open}, which repeats as often as the device has it")
+                raise CellError(f"follows {model.open}, which repeats as often as the device has it")
             model.rows.add(line, cells, _row(model, point, names, count, size))
         except CellError as error:
             model.rows.refuse(line, cells, str(error))
@@ -169,7 +169,7 @@ def _row(model: _Model, point: dict[str, Any], names: tuple[str, ...], count: in
     """The row of a point. Raises CellError."""
     kind = str(point.get("type", ""))
     if kind not in _TYPES:
-        raise CellError(f"has the type {kind[:60]}, which is none of SunSpec")
+        raise CellError(f"has the type {kind[:60]}, which is not a SunSpec type")
     type_name, absent = _TYPES[kind]
     own_name = str(point.get("name", ""))
     doubts: list[str] = []

@@ -24,7 +24,7 @@ def tree(text: str) -> Node:
         node, problems = parsed(file)
     if problems or node is None:
         place = f" in line {problems[0].span.position()[0]}" if problems else ""
-        raise ListError(f"is no YAML{place}: {problems[0].message if problems else 'it is empty'}")
+        raise ListError(f"is not YAML{place}: {problems[0].message if problems else 'it is empty'}")
     return node
 
 

@@ -30,7 +30,7 @@ from fieldspec.targets.controllers.statements.routine import Routine
 
 @dataclass(frozen=True, slots=True)
 class Blocks:
-    """The functions and blocks, each behind what it calls. `missing` has the reasons of tasks without a block."""
+    """The functions and blocks, each after what it calls. `missing` has the reasons of tasks without a block."""
 
     routines: tuple[Routine, ...]
     missing: tuple[tuple[str, str], ...]
@@ -103,7 +103,7 @@ def jobs(tasks: Sequence[Task]) -> Iterator[Job]:
 
 
 def _distinct(blocks: list[Routine], routines: dict[str, Routine]) -> Iterator[Routine]:
-    """The blocks, with a number behind a name that is taken: tasks come first and have theirs."""
+    """The blocks, with a number after a name that is taken: tasks come first and have theirs."""
     used_names = {name.lower() for name in routines}
     for block in blocks:
         number, name = 1, block.name
@@ -145,7 +145,7 @@ class _Maker:
         raise NoBlock("its steps act on parameters, or on several kinds of facts: send the messages one by one")
 
     def _line(self, job: Job, port: str) -> Routine:
-        """A block that asks over a line. It is made twice, so that steps know the numbers of those behind them."""
+        """A block that asks over a line. It is made twice, so that steps know the numbers of those after them."""
 
         def build(known: LineTask | None) -> tuple[LineDraft, LineTask]:
             draft = LineDraft(self.world, self.world.block(job.name), f"task {job.name}", port)
@@ -162,7 +162,7 @@ class _Maker:
         return draft.block()
 
     def _cyclic(self, job: Job, message: MessageLayout) -> Routine:
-        """A block that works with a telegram, made twice as those of a line."""
+        """A block that works with a telegram, generated twice like the blocks of a line."""
         # The telegram comes first, also where a task has it in its name since others have one of the same kind.
         rest = job.name.removesuffix(f"_{message.name}").removeprefix(f"{message.name}_")
         name = self.world.block(message.name, rest)
@@ -196,13 +196,13 @@ def _kind(draft: BlockDraft, job: Job) -> Kind:
 
 
 _HIDDEN = (
-    "The device does not show that it takes this command, so that nobody would know which of two it carries out: it "
-    "begins at standstill only and while no other block has a command under way, and no other begins meanwhile; else "
-    "Error 11. A motion of its own it halts first."
+    "The device does not show that it accepts this command, so of two it is unknown which it carries out: it begins "
+    "only at standstill and while no other block has a command under way, and no other begins meanwhile; else Error "
+    "11. It first halts a motion of its own."
 )
 _AGAIN = (
-    "The stop is sent again where the device moves for longer than StartTime. What was accepted and not seen to begin "
-    "may begin in spite of it: then the block is Busy until the device has stood for StartTime."
+    "The stop is sent again if the device moves for longer than StartTime. An accepted command that was not seen to "
+    "begin may still begin: then the block is Busy until the device has stood for StartTime."
 )
 
 

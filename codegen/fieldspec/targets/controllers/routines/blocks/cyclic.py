@@ -32,7 +32,7 @@ from fieldspec.targets.controllers.statements.expressions import Expression, Neg
 from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
 _BY_LEVEL = frozenset({"homing_start", "jog_positive", "jog_negative", "jog_start"})
-"""Those of them that no other motion needs. A block clears them even where another one has taken over."""
+"""Those of them that no other motion needs. A block clears them even if another block has taken control."""
 _SETTLE = "T#20ms"
 
 
@@ -210,7 +210,7 @@ class CyclicTask:
             draft.add([chain(branches, success)] if branches else success, remark="whether it may begin")
 
     def _walk(self, task: Task, first: int, stop: int, accepted_at: int = -1) -> None:
-        """Adds steps of a task; a motion has the axis behind the step at `accepted_at`."""
+        """Adds steps of a task; a motion has the axis after the step at `accepted_at`."""
         draft = self.draft
         starts_at = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
         index, self.prepared = first, -1
@@ -326,7 +326,7 @@ class CyclicTask:
         return constant(self.world, operand, field.value, step.value, kind_of(self.world, operand, field.value))
 
     def _follow(self) -> None:
-        """Adds the step in which a motion goes on while Execute is TRUE: what is commanded follows its inputs.
+        """Adds the step in which a motion continues while Execute is TRUE and follows the inputs.
 
         Where the response shows that the speed is reached, it counts once the command has stood for some time.
         """
@@ -363,7 +363,7 @@ class CyclicTask:
         safe = cleared([self.places.bit(operand) for operand in self.places.starting()])
         if safe:
             self.remarks.append(
-                "Clears the bits that switch on and start first, so that nothing goes on when the alarm is gone."
+                "Clears the bits that switch on and start first, so that nothing moves when the alarm is gone."
             )
             draft = self.draft
             draft.add([*safe, draft.go(draft.next + 1)])

@@ -127,12 +127,12 @@ class MessageTask(LineTask):
         self.by_name = by_name
 
     def units(self, task: Task, first: int, stop: int) -> Iterable[Unit]:
-        """See `LineTask`. Raises NoBlock for what is no message."""
+        """See `LineTask`. Raises NoBlock for what is not a message."""
         index = first
         while index < stop:
             step = task.steps[index]
             if step.action != "send":
-                raise NoBlock(f"`{step.target}` is no message")
+                raise NoBlock(f"`{step.target}` is not a message")
             last = index + 1
             while last < stop and task.steps[last].action in ("wait", "read"):
                 last += 1
@@ -232,7 +232,7 @@ class MessageTask(LineTask):
             elif name in step.values:
                 value = step.values[name]
                 if not isinstance(value, bool | int | str):
-                    raise NoBlock(f"{name} of {exchange.message.name} is no single number")
+                    raise NoBlock(f"{name} of {exchange.message.name} is not a single number")
                 request_values[variable.name] = constant(self.world, operand, operand.value, value, variable.type)
             else:
                 raise NoBlock(f"the task does not say what {name} of {exchange.message.name} is")

@@ -43,11 +43,11 @@ _HANDSHAKE: dict[str, dict[str, Whole]] = {
     },
 }
 TRIES = 3
-"""How often the end of a motion is asked for, where it fails."""
+"""How often a failed read of the end of a motion is repeated."""
 
 
 def handshake_slots(world: World) -> dict[str, Any]:
-    """What the sources of blocks may name that ask through ports, and of those that serve them."""
+    """The names for sources of blocks that send requests through ports, and of blocks that serve them."""
     return {**judging_slots(world), **_HANDSHAKE}
 
 
@@ -64,7 +64,7 @@ class Kind:
 
     sources: tuple[str, ...]
     comment = (
-        "Only a rising edge of Execute starts it, the first scan included; one while Busy starts it anew, with its "
+        "Only a rising edge of Execute starts it, the first scan included; one while Busy restarts it with its "
         "inputs. Done, CommandAborted, Error stay until Execute is FALSE, at least one scan. Call it in each scan."
     )
 
@@ -78,7 +78,7 @@ class Kind:
         draft.expand(Expansion(sources, draft, slots, port_members(draft.world)))
 
     def known(self) -> dict[str, Any]:
-        """What the sources may name once the steps of the block are known."""
+        """The names for sources once the steps of the block are known."""
         draft = self.draft
         return {
             "converts": bool(draft.at_start),
@@ -116,7 +116,7 @@ class Executed(Kind):
 
 
 class Reading(Kind):
-    """A block that reads while Enable is TRUE. It goes on after an error, and recovers by itself."""
+    """A block that reads while Enable is TRUE. It continues after an error, and recovers by itself."""
 
     sources = ("reading",)
     comment = "Reads again and again while Enable is TRUE, after an error too. Call it in each scan."
@@ -143,12 +143,12 @@ class Stopping(Kind):
 class Moving(Kind):
     """A block that moves the axis, or halts it.
 
-    `commands` are the steps whose requests begin the motion, `look` is the one behind its acceptance. `ending` is the
+    `commands` are the steps whose requests begin the motion, `look` is the one after its acceptance. `ending` is the
     first step of what ends the motion, and `stop` the last one that asks for its end, both 0 where nothing does.
-    `at_once` is done where it begins, `restart` where its end begins, `tries` is how often that is tried. One that
-    `lasts` goes on while Execute is TRUE. One that `halts` is sent before all starts, and has failed only where none of
-    its tries succeeds. Where the device does not show that it takes the command, it is `hidden`: no other may be under
-    way then. Where it `remembers`, an edge that comes while the motion is being ended begins afterwards.
+    `at_once` is done where it begins, `restart` where its end begins, `tries` is how often that is tried. A motion that
+    `lasts` continues while Execute is TRUE. One that `halts` is sent before all starts, and has failed only where none
+    of its tries succeeds. Where the device does not show that it takes the command, it is `hidden`: no other may be
+    under way then. Where it `remembers`, an edge that comes while the motion is being ended begins afterwards.
     """
 
     sources: tuple[str, ...] = ("edged", "moving")

@@ -32,14 +32,14 @@ from fieldspec.targets.controllers.statements.expressions import Variable
 from fieldspec.targets.controllers.statements.routine import Assignment, Statement, when
 
 Decide = Callable[[int], list[Statement]]
-"""What is done with an answer, by the number of the step that comes next."""
+"""The handling of a response, by the number of the next step."""
 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """Steps of a task that belong together, from `index` to before `behind`: what is sent, and what is looked at.
+    """Steps of a task that belong together, from `index` to before `after`: what is sent, and what is read.
 
-    It is looked at `again` and again, with some time between.
+    If `again`, it is read repeatedly, with some time between.
     """
 
     index: int
@@ -192,8 +192,8 @@ class LineTask(ABC):
     def _look_first(self) -> None:
         """Adds what looks whether the task may begin, and notes what is compared with later.
 
-        Where the device does not show that it accepts a command, nothing begins while it moves: nobody would know which
-        of two commands it carries out.
+        Where the device does not show that it accepts a command, nothing begins while it moves: it would be unknown
+        which of two commands it carries out.
         """
         draft, task, conditions = self.draft, self.task, self.conditions
         refusals = [step for step in task.steps if step.action == "wait" and REFUSAL in self.target(step).roles]
@@ -209,7 +209,7 @@ class LineTask(ABC):
                 noted += conditions.start_of(step, value_of) if value_of(self.target(step)) is not None else []
             for step in refusals[:1]:
                 if value_of(self.target(step)) is not None:
-                    remark = "a fault was there before the command, so that a refusal is not told from it"
+                    remark = "an earlier fault hides a refusal"
                     self.fault_before = draft.flag("xFaultBefore", remark)
                     computed, absent = conditions.test(step, value_of)
                     noted += [*computed, Assignment(self.fault_before, opposite(absent))]
@@ -244,11 +244,11 @@ class LineTask(ABC):
         last: bool | None = None,
         behind_all: int = 0,
     ) -> None:
-        """Adds steps of a task. What is `accepted` is done behind the step at `accepted_at`.
+        """Adds steps of a task. The `accepted` statements follow the step at `accepted_at`.
 
-        Where it `begins_motion`, what is waited for later is judged as one; `ending` a motion is not watched. `last`
-        says that nothing comes behind, by default where these are the last steps of the task; `behind_all` is the step
-        that comes behind instead.
+        If it `begins_motion`, later waits are judged as a motion; `ending` a motion is not watched. `last` says that
+        nothing comes after, by default where these are the last steps of the task; `behind_all` is the step that comes
+        after instead.
         """
         draft, kind = self.draft, self.draft.kind
         command = max((n for n in range(first, accepted_at + 1) if is_command(task, n)), default=-1)
@@ -341,7 +341,7 @@ class LineTask(ABC):
         return operand.value
 
     def _refused(self) -> list[Statement]:
-        """The statements for a refused command: the device goes on with its earlier motion."""
+        """The statements for a refused command: the device continues its earlier motion."""
         kind, refused = self.draft.kind, self.draft.fail("exception")
         if not isinstance(kind, Moving):
             return [refused]

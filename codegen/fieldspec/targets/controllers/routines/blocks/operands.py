@@ -85,7 +85,7 @@ def kind_of(world: World, operand: Operand, value: Value | None) -> Type:
         raise NoBlock(f"{operand.path} has no value")
     kind = world.type_of(value)
     if isinstance(kind, ArrayType):
-        raise NoBlock(f"{operand.path} is no single number")
+        raise NoBlock(f"{operand.path} is not a single number")
     return kind
 
 

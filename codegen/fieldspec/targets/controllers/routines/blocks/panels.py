@@ -1,4 +1,4 @@
-"""Ready programs: a block that calls those of an axis; its inputs and outputs are what a panel sets and shows."""
+"""Ready programs: a block that calls the blocks of an axis; its inputs and outputs are for a panel."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ class _Panel:
         return self.variables.declared_once(variable.name, variable.type, "in_out", remark)
 
     def _argument(self, kind: str, variable: Variable, remark: str) -> Expression:
-        """What an input of a block is set to."""
+        """The value of an input of a block."""
         if variable.name == "Enable":
             remark_text = f"reads position and alarm again and again{_RESTS if self.rests else ''}"
             shows = self.variables.declared_once("Show", BOOL, "input", remark_text, "TRUE")
@@ -159,5 +159,5 @@ class _Panel:
         return (
             "Ready program: set the inputs and look at the outputs from a panel or from your own program. Nothing "
             "moves without a rising edge, a reset of an alarm and a stop move nothing.",
-            "Call it in each scan, and behind it what serves its port.",
+            "Call it in each scan, and after it what serves its port.",
         )

@@ -1,7 +1,7 @@
 """What stands between the blocks of a device and its line: structs that several blocks and one transport share.
 
-A port is used in turns. A block asks while the port is free, the transport answers, and the block that has asked takes
-the answer and frees the port. Each request has a number, which its answer bears.
+Blocks use a port one after another. A block asks while the port is free, the transport answers, and the block that has
+asked takes the answer and frees the port. Each request has a number, which its answer bears.
 """
 
 from __future__ import annotations
@@ -35,20 +35,20 @@ FREE, ASKED, ANSWERED, ABANDONED = range(4)
 AXIS, FRAMES = "axis of the device", "frames of the device"
 """The keys of the ports that belong to no telegram. No fact has a name with spaces."""
 PRESSING, URGENT = 3, 6
-"""What a block that looks whether its command is accepted, and one that stops, write in each scan to go before others.
+"""The priority that a block writes in each scan while it stops, or checks whether its command is accepted.
 
 Whoever serves the port counts it down: twice between two calls of a block, where the order of the calls changes.
 """
 POSTPONED = 65535
-"""The error of a request that was not sent because a stop goes first: whoever has asked asks again."""
+"""The error of a request that was not sent because a stop has priority: the block repeats the request."""
 STATE_REMARK = "0 free, 1 asked, 2 answered, 3 abandoned"
 _HANDSHAKE: tuple[tuple[str, Type, str], ...] = (
     ("state", INT, STATE_REMARK),
     ("error", UINT, "0, or why there is no answer: an ErrorID"),
-    ("request", UDINT, "the number of the request, which whoever asks counts up"),
+    ("request", UDINT, "the number of the request, counted up by its sender"),
     ("answered", UDINT, "the number of the request that was answered"),
     ("first", UDINT, "the number of the last request of a stop"),
-    ("urgent", INT, "while it is not 0, what is not urgent waits; whoever serves the port counts it down in each scan"),
+    ("urgent", INT, "while it is not 0, only urgent requests are sent; the server counts it down in each scan"),
 )
 """What ports have through which blocks ask. An answer with another number is that to a request which was given up."""
 

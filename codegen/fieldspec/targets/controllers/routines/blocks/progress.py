@@ -56,7 +56,7 @@ class Conditions:
     def start_of(self, step: Step, value_of: Seen) -> list[Statement]:
         """What notes where the device is before the command: the value there, and whether that is away from the target.
 
-        What is near the target may not have begun yet, or need no motion at all.
+        An axis near the target may not have begun to move yet, or need no motion at all.
         """
         raw = self._raw(step, value_of)
         noted: list[Statement] = [Assignment(self._at_start(step, raw), raw)] if step.relative else []
@@ -81,7 +81,7 @@ class Conditions:
         return raw
 
     def test(self, step: Step, value_of: Seen) -> tuple[list[Statement], Expression]:
-        """What is computed before, and whether what a step waits for is there.
+        """The preceding computation, and whether the condition of a wait holds.
 
         Raises NoBlock for an argument that nothing sends, and for what is not to be seen.
         """
@@ -89,7 +89,7 @@ class Conditions:
         if not step.argument:
             return [], self.has(operand, step.wanted, raw)
         if step.argument not in self.arguments:
-            raise NoBlock(f"no step before sends what `{step.target}` is waited for")
+            raise NoBlock(f"no earlier step sends the value that `{step.target}` waits for")
         expected = self.arguments[step.argument]
         if step.within is None and not step.relative and expected.type == raw.type:
             return [], compared(raw, "=", expected)
@@ -170,12 +170,12 @@ class Conditions:
     ) -> list[Statement]:
         """Judges a motion: whether it is where it is to be, has not begun, or has ended before.
 
-        Where it `must_begin`, what is waited for may be that of a motion before: it must be seen not to be there first.
+        If it `must_begin`, the condition may belong to the motion before: it must first be seen not to hold.
         """
         draft = self.draft
         computed, reached = self.all_of(steps, value_of)
         is_standing = self.stands(value_of)
-        reached_flag = draft.flag("xReached", "all that is waited for is there, in one look")
+        reached_flag = draft.flag("xReached", "all conditions hold in one read")
         standing = draft.flag("xStanding", "the device stands")
         idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
         body = [
@@ -193,7 +193,7 @@ class Conditions:
             evidence.append(moved)
         enough: Expression = reached_flag
         if must_begin:
-            changed = draft.flag("xChanged", "what is waited for was seen not to be there: the motion has begun")
+            changed = draft.flag("xChanged", "a condition did not hold: the motion has begun")
             fresh.append(changed)
             body.append(when(Negation(reached_flag), [assigned(changed, True)]))
             enough = every([reached_flag, changed])
@@ -214,8 +214,8 @@ class Conditions:
     ) -> list[Statement]:
         """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
 
-        What moves for long is stopped anew: the device may have begun what it had accepted before. A stop that is sent
-        too often might begin its ramp anew each time.
+        A device that moves for long is stopped again: it may have begun a command that it had accepted before. A stop
+        that is sent too often might restart its ramp each time.
         """
         draft = self.draft
         computed, is_standing = self.all_of(steps, value_of)
@@ -256,7 +256,7 @@ def _real(value: Expression) -> Expression:
     kind = value.type
     assert isinstance(kind, Elementary)
     if kind.family not in ("signed", "unsigned"):
-        raise NoBlock("what it compares is no whole number")
+        raise NoBlock("what it compares is not a whole number")
     return Conversion(value, LREAL)
 
 

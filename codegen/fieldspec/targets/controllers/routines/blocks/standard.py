@@ -68,7 +68,7 @@ Branches: TypeAlias = tuple[tuple[tuple[tuple[int, int], ...], tuple[Statement, 
 
 
 class BlockDraft(BlockVariables):
-    """A block while it is being made. Its steps are numbered from 1 on; the step 0 is behind the last one.
+    """A block while it is being made. Its steps are numbered from 1 on; the step 0 is after the last one.
 
     `carrier` is the source of what carries its requests, `slots` is what the sources may name.
     `refusal` is the variable that says whether a value of an input is refused, by the number of an error.
@@ -165,7 +165,7 @@ class BlockDraft(BlockVariables):
         step = self.next
         self.settling.append(step)
         timer = self.declared_once("fbSettle", TIMER, "local")
-        remark = "how long the device has to see what it was sent, before that changes or is looked at"
+        remark = "how long the device has to read a telegram before the next change or read"
         self.declared_once("SettlingTime", TIME, "input", remark, initial)
         self.add([when(Member(timer, "Q", BOOL), [self.go(step + 1)])], remark="the device sees what was sent")
 

@@ -44,6 +44,6 @@ def describe(block: BlockDraft, tasks: Sequence[Task], title: str, *further_rema
     if tasks[0].kind in MOVING:
         block.remarks.append(
             "It takes the axis over when the device has accepted its command, and the block before it ends with "
-            "CommandAborted. Where its command may be on its way, it ends the motion before it says Error. Behind 2, "
+            "CommandAborted. Where its command may be on its way, it ends the motion before it says Error. After 2, "
             "3, 7 and 9 the device may be moving: whether it has heard of the end is not known."
         )

@@ -73,7 +73,7 @@ class TelegramPlaces:
         raise NoBlock(f"{operand.path} is not in {self.message.name}")
 
     def bit(self, operand: Operand) -> RequestBit:
-        """The bit of the request for an operand. Raises NoBlock for what is no bit."""
+        """The bit of the request for an operand. Raises NoBlock for what is not a bit."""
         if operand.bit is None:
             raise NoBlock(f"{operand.path} is not a bit")
         word, _ = self.place(operand)

@@ -109,9 +109,9 @@ def register_of(world: World, operand: Operand) -> RegisterLayout:
             if device.space("").unit != WORD or device.space_name(group.space) != device.space_name(""):
                 raise NoBlock(f"{operand.path} is in another address space")
             if register.count > 1 or register.words > world.words.high + 1:
-                raise NoBlock(f"{operand.path} is no single number")
+                raise NoBlock(f"{operand.path} is not a single number")
             return register
-    raise NoBlock(f"{operand.path} is no register")
+    raise NoBlock(f"{operand.path} is not a register")
 
 
 class WordTask(LineTask):
