@@ -164,6 +164,7 @@ def _parser() -> argparse.ArgumentParser:
             "--bounds", choices=("counts", "unit"), help="what bounds and defaults beside a scale are in"
         )
         inner.add_argument("--length", choices=("words", "bytes", "bits"), help="what lengths count")
+        inner.add_argument("--address-unit", choices=("words", "bytes"), help="what addresses count")
         orders = "the order of the bytes of two words, where the list does not say it"
         inner.add_argument("--order", choices=("ABCD", "CDAB", "BADC", "DCBA"), help=orders)
         inner.add_argument("--node", metavar="NAME", help="the node that the device is, of a database of messages")

@@ -9,14 +9,15 @@ from functools import cache, reduce
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text, place
+from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.row_quantity import decimal_places
 from fieldspec.tools.lists.sheet import CellError, ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.value_texts import bit_names
+from fieldspec.tools.lists.value_texts import bit_names, value_meanings
 from fieldspec.tools.lists.words import folded, words
 
 _SHORT_REGISTER = re.compile(r"reg(?![a-z])", re.IGNORECASE)
-_ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
+_OF_MODBUS = re.compile(r"modbus(?:[ _-]*(?:rtu|tcp))?[ _-]+", re.IGNORECASE)
 _BETWEEN = re.compile(r"\s*[/|\n]\s*")
 _LONGEST = 200
 _HEADED_BY = 40
@@ -28,6 +29,8 @@ _LOOKED_AT = 200
 """The number of rows whose cells show what a column holds."""
 
 NOTE = "note"
+_NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discrete", "c", "h")
+"""Names of address spaces that also are directions, and types."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +74,7 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     if not sheet.rows:
         raise ListError("is empty")
     best: Columns | None = None
+    earlier: list[Columns] = []
     for index, row in enumerate(sheet.rows[:_HEADED_BY]):
         if not _is_heading(row):
             continue
@@ -80,13 +84,26 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
                 break
             parts = _heading_parts(below)
             candidate = _guessed(parts, names, sheet.rows[last + 1 :])
+            if candidate is not None and last == index and len(candidate.places) > 1:
+                earlier.append(candidate)
             if candidate is not None and (best is None or len(candidate.places) >= len(best.places) + (last == index)):
                 best = candidate
     if best is None:
         best = _without_heading(sheet, names)
     if not best.rows:
         raise ListError("has a heading and no rows")
-    return best if names else _with_further_tables(best)
+    if names:
+        return best
+    first_row = best.rows[0].number
+    tables = (table for table in earlier if _has_rows_before(table, first_row))
+    return _with_further_tables(next(tables, best))
+
+
+def _has_rows_before(table: Columns, number: int) -> bool:
+    """Whether a table has rows with addresses before that of a number, below a heading whose words are all known."""
+    heads = [folded(text) for text in table.headings if text]
+    texts = (table.cell(row, "address") for row in table.rows if row.number < number - 1)
+    return all(head in _whole_words() for head in heads) and any(address_text(text) for text in texts)
 
 
 def _with_further_tables(first: Columns) -> Columns:
@@ -182,9 +199,12 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
     sample = rows[:_LOOKED_AT]
     further: dict[str, tuple[int, ...]] = {}
+    of_spaces = [column for column in _ranked(heads, words("headings")["type"], set()) if _are_spaces(sample, column)]
     for role, role_words in words("headings").items():
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         fits = _ranked(heads, role_words, used_columns)
+        if role in ("type", "space"):
+            fits = [column for column in fits if column not in of_spaces] + (of_spaces if role == "space" else [])
         is_fallback = not fits
         if is_fallback:
             fits = _ranked(heads, words("fallbacks").get(role, ()), used_columns)
@@ -209,6 +229,18 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     if codes and "printed_name" not in places:
         places["printed_name"] = further["address"][codes[0]]
         further["address"] = tuple(column for column in further["address"] if column != places["printed_name"])
+    if "name" not in places:
+        used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+        if labels := _ranked(heads, words("headings")["label"], used_columns):
+            places["name"] = labels[0]
+    if "value" in places and not {"range", "values"} & {*places}:
+        filled = [text for row in sample if (text := row.cell(places["value"]))]
+        if 0 < len(filled) <= 3 * sum(bool(cells.bounds(text) or value_meanings(text)) for text in filled):
+            places["range"] = places.pop("value")
+    of_heading = cells.space(headings[places["address"]]) if "address" in places else ""
+    if of_heading and "address" in further:
+        others = {column: cells.space(headings[column]) for column in further["address"]}
+        further["address"] = tuple(column for column, other in others.items() if other in ("", of_heading))
     if byte_columns := _byte_columns(heads, {*places.values()}):
         rows, headings = _with_addresses_of_bytes(rows, headings, byte_columns)
         further |= {"bytes of addresses": byte_columns}
@@ -242,14 +274,16 @@ def _variants(texts: Sequence[str]) -> Iterator[str]:
     """A heading as a whole, its rows, each without what is in brackets, and what means the same in two languages."""
     for text in (" ".join(texts), *texts):
         yield text
-        if bare := _ASIDE.sub(" ", text).strip():
+        if bare := without_brackets(text).strip():
             yield bare
+        if _OF_MODBUS.match(text):
+            yield _OF_MODBUS.sub("", text)
         if _SHORT_REGISTER.match(text):
             yield _SHORT_REGISTER.sub("register", text)
         pieces = _BETWEEN.split(text)
         roles = {_whole_words().get(folded(piece)) for piece in pieces}
-        if len(pieces) > 1 and len(roles) == 1 and None not in roles:
-            yield pieces[0]
+        if len(pieces) > 1 and len(roles - {None}) == 1:
+            yield next(piece for piece in pieces if folded(piece) in _whole_words())
 
 
 def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_columns: set[int]) -> list[int]:
@@ -286,9 +320,15 @@ def _fits(head: str, word: str) -> bool:
     return word[1:] in head if word.startswith("*") else head == word
 
 
+def _are_spaces(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column, whose heading is that of types, has nothing but names of address spaces."""
+    texts = {text for row in rows if (text := row.cell(column))}
+    return all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
+
+
 def _repeats(rows: Sequence[SheetRow], column: int) -> bool:
-    """Whether a column has most of its texts several times, as a column of groups has."""
-    texts = [text for row in rows if (text := row.cell(column))]
+    """Whether a column has most of its texts several times, as one of groups has; those in brackets do not count."""
+    texts = [without_brackets(text) for row in rows if (text := row.cell(column))]
     return len(texts) > 3 and len(set(texts)) * 2 < len(texts)
 
 

@@ -11,6 +11,7 @@ from fractions import Fraction
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.lists.addresses import BASES
 from fieldspec.tools.lists.assumption import Refusal
+from fieldspec.tools.lists.halves import with_halves_joined
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS, Item
 from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.quantities import known_unit
@@ -142,10 +143,10 @@ class _Known:
                     self.inside[item.space, address + word] = item
 
     def space(self, row: ListRow) -> str:
-        """The space of a row: the one that it names, else the registers, else the first one."""
-        space_name = folded(row.texts.get("space", ""))
-        if space_name in self.spaces:
-            return self.spaces[space_name]
+        """The space of a row: the one that it names or that its list shows, else the registers, else the first one."""
+        for space_name in (row.texts.get("space", ""), row.space):
+            if (known := folded(space_name)) in self.spaces:
+                return self.spaces[known]
         if row.kind != REGISTER:
             return row.space
         return self.spaces.get(REGISTERS) or next(iter(self.spaces.values()), REGISTERS)
@@ -166,9 +167,10 @@ def compared(
     known = _Known(items)
     aspects = [aspect for aspect in ASPECTS if aspect not in ignored]
     ways = [
-        (base, shift, list(moved(listing.rows(base), shift)))
+        (base, shift, list(moved(rows, shift)))
         for shift in ((offset,) if offset is not None else _OFFSETS)
         for base in sorted(listing.bases, key=lambda base: listing.bases.index(base))
+        for rows in _with_halves(listing.rows(base))
     ]
     base, best, rows = _likeliest(known, ways, aspects)
     assert base in BASES
@@ -178,6 +180,14 @@ def compared(
     if not rows:
         raise ListError(f"has no row that can be compared: {unreadable[0].text()}")
     return Compared(base, best, offset is None, tuple(pairs), tuple(extras), missing, unreadable)
+
+
+def _with_halves(rows: list[ListRow]) -> Iterator[list[ListRow]]:
+    """The rows, and those with the two words of a value as one, where the list has such rows."""
+    yield rows
+    joined = with_halves_joined(rows, [])
+    if len(joined) < len(rows):
+        yield joined
 
 
 def _likeliest(

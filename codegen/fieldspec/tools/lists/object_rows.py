@@ -11,7 +11,7 @@ from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, address_text, 
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.column_roles import Columns
 from fieldspec.tools.lists.row_reading import PARAMETER, ListRow, bits
-from fieldspec.tools.lists.sheet import Sheet, SheetRow
+from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
 from fieldspec.tools.lists.type_words import Loose, Typed
 from fieldspec.tools.lists.words import meaning
 
@@ -90,7 +90,18 @@ def with_objects(
         return replace(columns, rows=tuple(row for row in columns.rows if row not in other)), False
     if not stated and not any(text.mark or text.lettered for text in texts):
         reading = "hexadecimal" if own_base == HEXADECIMAL else "decimal"
-        assumptions.append(Assumption("indices", reading, "those of objects are 0x1000..0xFFFF", "--base"))
+        least = min(texts, key=lambda text: int(text.digits))
+        if own_base == HEXADECIMAL and int(least.digits) >= _FIRST:
+            raise ListError(
+                f"has indices with two readings: `{least.digits}` is 0x{least.digits}, or 0x{int(least.digits):04X}. "
+                "The evidence is equal; choose with --base hex or --base decimal"
+            )
+        evidence = (
+            f"`{least.digits}` is less than 0x1000 as a decimal number, and no index is"
+            if (own_base == HEXADECIMAL)
+            else "those of objects are 0x1000..0xFFFF"
+        )
+        assumptions.append(Assumption("indices", reading, evidence, "--base"))
     return replace(columns, rows=tuple(rows)), True
 
 

@@ -204,7 +204,7 @@ class _Writer:
         parts += [f"access: {row.access}"] if row.access else []
         parts += _orders(row.order, kind, int(texts["bytes"]) if "digits" in row.form else kind.size)
         unit = known_unit(row.unit) or row.unit
-        if unit and (is_count(kind.encoding) or is_real(kind.encoding)):
+        if unit and not meaning.flags_line and (is_count(kind.encoding) or is_real(kind.encoding)):
             parts.append(f"unit: {quoted(unit)}")
         elif unit:
             doubts.append(f"Unit in the list: {texts.get('unit', unit)}.")

@@ -19,7 +19,7 @@ _COMPOSED = re.compile(
 )
 _EARLY_BITS = re.compile(r"(8|16|32|64)bits?(.*)")
 _LENGTH = re.compile(
-    r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
+    r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*\u00d7]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
 )
 _SIZED = re.compile(r"([0-9]{1,2})\s*-?(byte|bit|word|register)s?", re.IGNORECASE)
 _ORDERED = re.compile(
@@ -83,8 +83,12 @@ class Typed:
     @property
     def size(self) -> int:
         """Its size in words where the type says it; 0 where it does not."""
-        bits = PRIMITIVES[self.name].size * 8 if self.name else self.bits
-        return (bits + _WORD_BITS - 1) // _WORD_BITS
+        return (self.bytes + 1) // 2
+
+    @property
+    def bytes(self) -> int:
+        """Its size in bytes where the type says it; 0 where it does not."""
+        return PRIMITIVES[self.name].size if self.name else (self.bits + 7) // 8
 
     def of_words(self, words: int | None) -> str:
         """The name of the type; if the list has only its kind, that of the type with so many words."""
@@ -109,6 +113,10 @@ def typed(text: str) -> Typed | None:
     if swapped := _ORDERED.fullmatch(text.casefold()):
         inner = _known(swapped[1])
         return replace(inner, order="CDAB") if inner else None
+    before, _, behind = text.partition(",")
+    if behind and not {*"[("} & {*before} and not {*"[("} & {*before} and (inner := typed(before)) and not inner.aside:
+        stated, rest = _order_and_rest(behind)
+        return replace(inner, order=stated or inner.order, aside=rest)
     length = _LENGTH.search(text)
     if length and (inner := typed(text[: length.start()])) and not inner.length:
         return replace(inner, length=int(next(filter(None, length.groups()))))
