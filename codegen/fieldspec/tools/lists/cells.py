@@ -34,7 +34,7 @@ _SMALL_COMMA = re.compile(r"(?<![0-9,.])[-+]?0,[0-9]+(?![0-9,])")
 _POINTED = re.compile(r"(?<![0-9,.])[-+]?[0-9]+\.[0-9]+(?![0-9.,])")
 _PIECES = re.compile(r"[\s/|-]+")
 _CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|:|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
-_SAID = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
+_WORDS_BEHIND = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
 """What a function does, in words behind its code."""
 
 _WRITING = {5: "coils", 15: "coils", 6: "registers", 16: "registers", 22: "registers", 23: "registers"}
@@ -67,7 +67,7 @@ def functions(text: str) -> Functions | None:
     """The meaning of `03`, `3/6`, `FC04`, `03H, 10H`; None if a text has other things, or codes of two spaces."""
     codes = []
     for part in re.split(r"[,;/&+|]|\band\b|\s(?=0)", without_brackets(unicodedata.normalize("NFKC", text)).strip()):
-        match = _CODE.fullmatch(_SAID.sub("", part.strip()))
+        match = _CODE.fullmatch(_WORDS_BEHIND.sub("", part.strip()))
         if match is None:
             return None
         codes.append(match[1])
@@ -88,8 +88,8 @@ def space(text: str) -> str:
     if stated := meaning("spaces", text):
         return stated
     bare = without_brackets(text)
-    named = {meaning("spaces", piece) for piece in _PIECES.split(bare.strip())} or {""}
-    return meaning("spaces", bare) or (named.pop() if len(named) == 1 else "")
+    space_names = {meaning("spaces", piece) for piece in _PIECES.split(bare.strip())} or {""}
+    return meaning("spaces", bare) or (space_names.pop() if len(space_names) == 1 else "")
 
 
 def order(text: str) -> str:

@@ -44,12 +44,12 @@ def decided(
     _refuse_bytes(rows, gaps, unit, options.address_unit)
     decided = _with_elements([_with_length(row, unit) for row in rows], columns_of_sheet, assumptions)
     role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
-    plain = [row for row in decided if row.factor is not None and not row.is_times]
-    factors = [row.factor for row in plain if row.factor is not None]
-    measured = [decision for row in plain if (decision := _measured(row, row.factor)) is not None]
+    bare_rows = [row for row in decided if row.factor is not None and not row.is_times]
+    factors = [row.factor for row in bare_rows if row.factor is not None]
+    measured = [decision for row in bare_rows if (decision := _measured(row, row.factor)) is not None]
     factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
     direction, gain_assumption = directions.gain_direction(
-        factor_heading, role, factors, measured, _coarse(plain), options.gain
+        factor_heading, role, factors, measured, _coarse(bare_rows), options.gain
     )
     if not direction and gain_assumption is not None:
         undecided.append(gain_assumption)
@@ -93,9 +93,9 @@ def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, state
 
 def _with_elements(rows: list[ListRow], columns_of_sheet: Columns, assumptions: list[Assumption]) -> list[ListRow]:
     """The rows, with counts as their lengths where each is the number of words of its type: no value is repeated."""
-    counted = [row for row in rows if "count" in row.texts and row.type is not None and row.type.size]
-    are_lengths = "words" not in columns_of_sheet.places and any(row.count > 1 for row in counted)
-    if not are_lengths or any(row.type is not None and row.count != row.type.size for row in counted):
+    rows_with_counts = [row for row in rows if "count" in row.texts and row.type is not None and row.type.size]
+    are_lengths = "words" not in columns_of_sheet.places and any(row.count > 1 for row in rows_with_counts)
+    if not are_lengths or any(row.type is not None and row.count != row.type.size for row in rows_with_counts):
         return rows
     heading = columns_of_sheet.heading("count")
     assumptions.append(Assumption(heading, "lengths in words", "each is that of the type", "--column words"))

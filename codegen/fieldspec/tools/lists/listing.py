@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.language.model.fact import LINES
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
@@ -28,7 +29,7 @@ from fieldspec.tools.lists.numbering import (
 )
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
-from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row
+from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row, uncited
 from fieldspec.tools.lists.shapes import with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.values_beneath import with_values_beneath
@@ -152,6 +153,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     undecided: list[Assumption] = []
     if own:
         read = [exported_row(row) for row in read]
+        marks = {row.cited.mark if row.cited is not None else LINES for row in read}
+        if len(marks) > 1:  # a manual has lines or pages, and rows without a place have lines of the list
+            read = [uncited(row) if row.cited is not None and row.cited.mark != LINES else row for row in read]
     else:
         columns_of_sheet, read = with_values_beneath(columns_of_sheet, read, places.skipped)
         read = decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)

@@ -21,8 +21,8 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
     Raises ListError.
     """
     groups = list(_groups("", data)) if isinstance(data, list | dict) else []
-    named = [(name, objects) for name, objects in groups if any(map(_has_address, objects))]
-    objects = _joined(named if named or only_with_addresses else _alike(groups))
+    with_addresses = [(name, objects) for name, objects in groups if any(map(_has_address, objects))]
+    objects = _joined(with_addresses if with_addresses or only_with_addresses else _alike(groups))
     if not objects:
         raise ListError(f"is {format_name} but not a list of objects; give each register one, or a row of a table")
     if len(objects) > MOST_ROWS:

@@ -59,7 +59,10 @@ def with_objects(
     columns: Columns, base: str, refused: list[Refusal], assumptions: list[Assumption]
 ) -> tuple[Columns, bool]:
     """The columns of a list, and whether its rows are objects: each has its index then, such as 0x6040, and a decimal
-    subindex. In another list, such as one that names spaces, rows with a subindex are refused."""
+    subindex. In another list, such as one that names spaces, rows with a subindex are refused.
+
+    Raises ListError for indices with two readings.
+    """
     if _SUBINDEX not in columns.places:
         return columns, False
     texts = [text for row in columns.rows if (text := address_text(columns.cell(row, "address")))]
@@ -90,17 +93,15 @@ def with_objects(
         return replace(columns, rows=tuple(row for row in columns.rows if row not in other)), False
     if not stated and not any(text.mark or text.lettered for text in texts):
         reading = "hexadecimal" if own_base == HEXADECIMAL else "decimal"
-        least = min(texts, key=lambda text: int(text.digits))
-        if own_base == HEXADECIMAL and int(least.digits) >= _FIRST:
+        lowest = min((text.digits for text in texts), key=int)
+        if own_base == HEXADECIMAL and int(lowest) >= _FIRST:
             raise ListError(
-                f"has indices with two readings: `{least.digits}` is 0x{least.digits}, or 0x{int(least.digits):04X}. "
-                "The evidence is equal; choose with --base hex or --base decimal"
+                f"has indices with two readings: `{lowest}` is 0x{lowest}, or 0x{int(lowest):04X}. The evidence is "
+                "equal; choose with --base hex or --base decimal"
             )
-        evidence = (
-            f"`{least.digits}` is less than 0x1000 as a decimal number, and no index is"
-            if (own_base == HEXADECIMAL)
-            else "those of objects are 0x1000..0xFFFF"
-        )
+        evidence = "those of objects are 0x1000..0xFFFF"
+        if own_base == HEXADECIMAL:
+            evidence = f"`{lowest}` is less than 0x1000 as a decimal number"
         assumptions.append(Assumption("indices", reading, evidence, "--base"))
     return replace(columns, rows=tuple(rows)), True
 

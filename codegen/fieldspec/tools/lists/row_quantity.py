@@ -40,7 +40,7 @@ _STEP = re.compile(
     re.IGNORECASE,
 )
 _DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
-_SHOWN = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
+_PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
 _EXAMPLE = re.compile(
     r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
 )
@@ -69,7 +69,7 @@ def quantity_of(
         doubts.append(f"Unit in the list: {text}.")
         unit = Quantity()
     stated: list[tuple[Fraction, str]] = [(unit.scale, text)] if unit.scale not in (None, 1) else []
-    counted = replace(unit, evidence=text or next(iter(names), ""))
+    in_counts = replace(unit, evidence=text or next(iter(names), ""))
     offset = number(texts.get("value_offset", ""), decimal) or Decimal(0)
     if texts.get("value_offset") and number(texts["value_offset"], decimal) is None:
         doubts.append(f"Offset in the list: {texts['value_offset']}.")
@@ -94,9 +94,11 @@ def quantity_of(
         ]
     powers = list(_powers(texts, doubts))
     if "places" in texts and any(role in texts for role in FACTORS):
-        shown = [cell for _, cell in powers if cell == texts["places"]]  # beside a scale, it says how a value is shown
-        powers = [power for power in powers if power[1] not in shown]
-        doubts += [f"Places in the list: {cell}." for cell in shown]
+        display = [
+            cell for _, cell in powers if cell == texts["places"]
+        ]  # beside a scale, it says how a value is shown
+        powers = [power for power in powers if power[1] not in display]
+        doubts += [f"Places in the list: {cell}." for cell in display]
     stated += powers
     for _, note in notes:
         weight = _WEIGHT.fullmatch(note.strip())
@@ -105,8 +107,8 @@ def quantity_of(
             unit = replace(unit, unit=unit.unit or known_unit(weight[1]))
     for role in FACTORS:
         cell = factor_cell(texts, role)
-        if (in_counts := times(cell, decimal)) is not None:
-            counted = Quantity(times=in_counts, evidence=texts[role])
+        if (count_factor := times(cell, decimal)) is not None:
+            in_counts = Quantity(times=count_factor, evidence=texts[role])
         elif cell and states_direction(cell):
             bare = _TIMES.sub("", cell)
             scaled = scaled_unit(bare, decimal) or unit_cell(bare, decimal)
@@ -116,7 +118,7 @@ def quantity_of(
             if own_factor is not None:
                 stated.append((own_factor, texts[role]))
     type_aside = texts.get("type", "").partition(",")[2].strip()
-    if not stated and counted.times is None and not has_factors:
+    if not stated and in_counts.times is None and not has_factors:
         for described in (
             *names,
             *(note for _, note in notes),
@@ -130,9 +132,9 @@ def quantity_of(
     if len(scales) > 1:
         doubts.append("The list has several scales: " + ", ".join(cell for _, cell in stated) + ".")
         return replace(unit, scale=None, offset=offset, times=None)
-    if scales or counted.times is None:
+    if scales or in_counts.times is None:
         return Quantity(next(iter(scales), None), unit.unit, offset)
-    return Quantity(None, unit.unit, offset, counted.times, counted.evidence)
+    return Quantity(None, unit.unit, offset, in_counts.times, in_counts.evidence)
 
 
 def factor_cell(texts: Mapping[str, str], role: str) -> str:
@@ -172,8 +174,8 @@ def _described(text: str, decimal: str) -> Quantity | None:
         quantity = scaled_unit(step[1], decimal)
         return quantity if quantity is not None and known_unit(quantity.unit) else None
     for aside in _ASIDES.findall(text):
-        if (shown := _SHOWN.fullmatch(aside)) and (unit := known_unit(shown[2])):
-            return Quantity(Fraction(1, 10 ** len(shown[1])), unit)
+        if (digits := _PLACES.fullmatch(aside)) and (unit := known_unit(digits[2])):
+            return Quantity(Fraction(1, 10 ** len(digits[1])), unit)
         if parts := _DIVIDED.fullmatch(aside):
             unit = known_unit(parts[2] or "")
             return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.address_space import BIT
+from fieldspec.language.model.fact import LINES, PAGES, Citation
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists import cells
@@ -28,7 +29,7 @@ REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", 
 OF_THE_MANUAL = ("section", "line", "unverified")
 """The columns of an export about the place where the manual prints a fact."""
 
-_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile("[1-9][0-9]{0,5}")
+_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
@@ -109,7 +110,7 @@ class ListRow:
     special: tuple[tuple[str, str], ...] = ()
     doubts: tuple[str, ...] = ()
     parts: tuple[int, ...] = ()
-    cited: tuple[str, int] | None = None
+    cited: Citation | None = None
     is_verified: bool = False
 
     @property
@@ -119,7 +120,7 @@ class ListRow:
 
     def source(self, section: str = "1 ") -> list[str]:
         """The keys that cite the row: its place in the manual, or in the list, whose `section` a holder may have."""
-        place = f"{section}L{self.row}" if self.cited is None else f"{self.cited[0]} L{self.cited[1]}"
+        place = f"{section}L{self.row}" if self.cited is None else self.cited.text()
         return [f"source: {place}", *([] if self.is_verified else ["unverified: true"])]
 
 
@@ -194,14 +195,23 @@ def exported_row(row: ListRow) -> ListRow:
     subindices = bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
     doubts = list(row.doubts)
     section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
-    cited = (section, int(line)) if _SECTION.fullmatch(section) and _LINE.fullmatch(line) else None
-    if cited is None:
-        doubts += [
-            f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts
-        ]
+    cited = None
+    if _SECTION.fullmatch(section) and (place := _LINE.fullmatch(line)):
+        cited = Citation(section, ((int(place[2]), int(place[2])),), place[1] or LINES)
+    else:
+        doubts += _unciting(row)
     row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
     row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
     return replace(row, scale=scale, scale_text=own_text)
+
+
+def uncited(row: ListRow) -> ListRow:
+    """An exported row without its place in the manual, which becomes a note."""
+    return replace(row, cited=None, is_verified=False, doubts=(*row.doubts, *_unciting(row)))
+
+
+def _unciting(row: ListRow) -> list[str]:
+    return [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
 
 
 def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
@@ -210,8 +220,10 @@ def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
     if text and (own_type is None or (own_type.aside and scaled_unit(own_type.aside, POINT) is None)):
         doubts.append(f"Type in the list: {text}.")
     if not text:
-        sides = (parted(texts.get(role, ""))[1] for role in FACTORS)
-        own_type = next((word for side in sides if (word := typed(side)) is not None and not word.aside), None)
+        asides_of_factors = (parted(texts.get(role, ""))[1] for role in FACTORS)
+        own_type = next(
+            (word for side in asides_of_factors if (word := typed(side)) is not None and not word.aside), None
+        )
     signed_text = texts.get("signed", "")
     if not signed_text:
         return own_type

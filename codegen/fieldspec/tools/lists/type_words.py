@@ -113,9 +113,9 @@ def typed(text: str) -> Typed | None:
     if swapped := _ORDERED.fullmatch(text.casefold()):
         inner = _known(swapped[1])
         return replace(inner, order="CDAB") if inner else None
-    before, _, behind = text.partition(",")
-    if behind and not {*"[("} & {*before} and not {*"[("} & {*before} and (inner := typed(before)) and not inner.aside:
-        stated, rest = _order_and_rest(behind)
+    bare, _, further_text = text.partition(",")
+    if further_text and not {*"[("} & {*bare} and (inner := typed(bare)) and not inner.aside:
+        stated, rest = _order_and_rest(further_text)
         return replace(inner, order=stated or inner.order, aside=rest)
     length = _LENGTH.search(text)
     if length and (inner := typed(text[: length.start()])) and not inner.length:
