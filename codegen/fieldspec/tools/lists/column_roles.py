@@ -213,6 +213,8 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
                 columns or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
             )
         if role == "address" and (len(columns) > 1 or "address" in places):
+            lengths = _ranked(heads, words("headings")["words"], set())
+            columns = [column for column in columns if column not in lengths] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
         if role == "name" and "name" not in places:
             columns = sorted(columns, key=lambda column: repeats(sample, column))

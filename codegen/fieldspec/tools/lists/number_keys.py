@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from fractions import Fraction
 
-from fieldspec.language.model.encoding import is_count, is_exact, is_real, is_text
+from fieldspec.language.model.encoding import is_count, is_exact, is_real, is_text, is_truth
 from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges, whole_intervals
 from fieldspec.tools.lists.meaning_text import count_of
@@ -29,7 +29,10 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
     has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
     low, high = (count_of(bound, row) for bound in (row.low, row.high))
     are_counts = has_counts and (low, high).count(None) == (row.low, row.high).count(None)
-    if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
+    is_switch = is_truth(primitive.encoding)
+    if is_switch and row.low == 0 and row.high == 1:
+        pass  # it has no other values
+    elif low is not None and high is not None and has_counts and not is_switch and lowest <= low <= high <= highest:
         parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
         lowest, highest = low, high
     elif row.is_own and is_real(primitive.encoding) and row.low is not None and row.high is not None:

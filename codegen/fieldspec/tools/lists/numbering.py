@@ -25,6 +25,9 @@ from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
 _NEAR = 100
 _FAR = 1000
 _MOST_EXAMPLES = 5
+_FEWEST = 3
+"""The rows that show a difference of two columns of addresses, which is more than that of counting from 1."""
+
 _NOTATIONS = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal", REFERENCE: "references that count from 1"}
 
 
@@ -336,7 +339,7 @@ def contradictions(placed_rows: Placed, base: str, columns: Columns) -> tuple[di
             continue
         (usual, times), *_ = Counter(difference for difference, _ in pairs.values()).most_common(1)
         heading = columns.heading_at(column)
-        if times * 2 <= len(pairs):
+        if times * 2 <= len(pairs) or (abs(usual) > 1 and times < _FEWEST):
             continue  # the column has other numbers, such as those of rows
         if usual:
             evidence = (

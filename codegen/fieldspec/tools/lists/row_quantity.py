@@ -64,7 +64,7 @@ def quantity_of(
 ) -> Quantity:
     """The unit of a row, and the scale and the offset that need no decision for the whole list."""
     text = texts.get("unit", "")
-    unit = unit_cell(text, decimal) if text else _unit_of_name(names, decimal)
+    unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_name(names, decimal)
     if unit is None:
         doubts.append(f"Unit in the list: {text}.")
         unit = Quantity()

@@ -16,7 +16,7 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
-from fieldspec.tools.lists.quantities import scaled_unit
+from fieldspec.tools.lists.quantities import known_unit, scaled_unit
 from fieldspec.tools.lists.row_quantity import FACTORS, example, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, joined_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
@@ -202,7 +202,8 @@ def exported_row(row: ListRow) -> ListRow:
         doubts += _unciting(row)
     row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
     row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
-    return replace(row, scale=scale, scale_text=own_text)
+    unit = row.texts.get("unit", "")
+    return replace(row, scale=scale, scale_text=own_text, unit=known_unit(unit) or unit)
 
 
 def uncited(row: ListRow) -> ListRow:
