@@ -24,6 +24,16 @@ def are_spaces(rows: Sequence[SheetRow], column: int) -> bool:
     return all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
 
 
+def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column has numbers that rise from row to row, or have the mark of addresses: it adds to no value."""
+    texts = [text for row in rows if (text := row.cell(column))]
+    addresses = [address_text(text) for text in texts]
+    numbers = [cells.whole(text) for text in texts]
+    are_marked = bool(addresses) and all(address is not None and address.mark for address in addresses)
+    rising = [number for number in numbers if number is not None]
+    return are_marked or (len(rising) == len(texts) > 2 and rising == sorted(set(rising)))
+
+
 def repeats(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column has most of its texts several times, as one of groups has; those in brackets do not count."""
     texts = [without_brackets(text) for row in rows if (text := row.cell(column))]

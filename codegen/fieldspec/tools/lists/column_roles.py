@@ -10,7 +10,7 @@ from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.brackets import without_brackets
-from fieldspec.tools.lists.column_contents import NOTED, are_spaces, has_role, repeats
+from fieldspec.tools.lists.column_contents import NOTED, are_spaces, counts_on, has_role, repeats
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.value_texts import value_meanings
 from fieldspec.tools.lists.words import folded, words
@@ -227,6 +227,8 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     if codes and "printed_name" not in places:
         places["printed_name"] = further["address"][codes[0]]
         further["address"] = tuple(column for column in further["address"] if column != places["printed_name"])
+    if "value_offset" in places and "address" in places and counts_on(sample, places["value_offset"]):
+        further["address"] = (*further.get("address", ()), places.pop("value_offset"))
     if "name" not in places:
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         if labels := _ranked(heads, words("headings")["label"], used_columns):

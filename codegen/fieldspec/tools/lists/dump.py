@@ -88,8 +88,8 @@ def dump_sheet(content: bytes, encoding: str = "") -> Sheet | None:
             return Sheet((_HEADING, *lines), len(text.splitlines()))
         data = json_data(text, _Pairs)
         rows = list(_rows(data, ""))
-        are_objects = any(isinstance(item, _Pairs) for item in data)
-        if start == b"[" and are_objects and not any(isinstance(v, list) for item in data for _, v in _pairs(item)):
+        are_lists = all(isinstance(item, list) and not isinstance(item, _Pairs) for item in data)
+        if start == b"[" and not (data and are_lists) and not any(isinstance(v, list) for item in data for _, v in _pairs(item)):
             return None
         if len(rows) > MOST_ROWS:
             raise ListError(f"has more than {MOST_ROWS} addresses; a dump has fewer")

@@ -32,6 +32,7 @@ from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row, uncited
 from fieldspec.tools.lists.shapes import with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.type_words import described_order
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import folded
 
@@ -125,6 +126,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
+    order = options.order or _titled_order(sheet, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
         texts = {
@@ -136,7 +138,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             texts.setdefault("readable", "no")
         if "function_write" in texts:
             texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
-        row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, options.order)
+        row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, order)
         area = row_place.first.space
         if area and row.space not in ("", area):
             row = replace(row, doubts=(*row.doubts, f"The list says {row.space}, and {row_place.first.area}."))
@@ -213,6 +215,17 @@ def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
         if column in used and row >= first:
             heading = columns_of_sheet.heading(used[column])
             yield Refusal(row, heading, f"{letters(column)}{row}", "is a formula whose value the file does not have")
+
+
+def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
+    """The order of words that a row with nothing but a text says for the whole list; empty where none does."""
+    titles = [cell for row in sheet.rows for cell in row.cells if cell and len({*filter(None, row.cells)}) == 1]
+    orders = {order: title for title in titles if (order := described_order(title))}
+    if len(orders) != 1:
+        return ""
+    ((order, title),) = orders.items()
+    assumptions.append(Assumption("order of words", order, f"`{title}`", "--order"))
+    return order
 
 
 def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:

@@ -282,9 +282,12 @@ def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Ma
 def _for_wire(
     placed_rows: Placed, ends: Sequence[AddressText], columns: Columns, spaces: Mapping[int, str]
 ) -> Iterator[str]:
-    lowest = min((reference[1] for end in ends if (reference := end.reference())), default=0)
+    references = [reference for end in ends if (reference := end.reference())]
+    lowest = min((reference[1] for reference in references), default=0)
     if lowest >= _FAR:
         yield f"no number is less than {lowest} above the first of a table"
+        if len({reference[0] for reference in references}) > 1:
+            yield "and so in each of several tables"
     other = [
         row.number for row, row_place in placed_rows.rows if spaces.get(row.number, "") not in ("", _table(row_place))
     ]

@@ -20,7 +20,7 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
 
     Raises ListError.
     """
-    groups = list(_groups("", data)) if isinstance(data, list | dict) else []
+    groups = list(_groups("", data, {})) if isinstance(data, list | dict) else []
     with_addresses = [(name, objects) for name, objects in groups if any(map(_has_address, objects))]
     objects = _joined(with_addresses if with_addresses or only_with_addresses else _alike(groups))
     if not objects:
@@ -44,8 +44,8 @@ def _alike(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[tuple[str, li
 
 def _joined(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[dict[str, Any]]:
     """The objects of some groups, those of several with the names of their groups."""
-    if len(groups) == 1:
-        return groups[0][1]
+    if len({name for name, _ in groups}) == 1:
+        return [item for _, objects in groups for item in objects]
     head = "space" if all(meaning("spaces", name) for name, _ in groups) else "group"
     return [{head: name, **item} for name, objects in groups for item in objects]
 
@@ -55,10 +55,17 @@ def _has_address(item: dict[str, Any]) -> bool:
     return any(folded(str(key)) in addresses and not isinstance(value, list | dict) for key, value in item.items())
 
 
-def _groups(name: str, value: Any) -> Iterator[tuple[str, list[dict[str, Any]]]]:
-    """The groups of objects in some data, each with the key that it stands under."""
+def _groups(name: str, value: Any, around: dict[str, Any]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
+    """The groups of objects in some data, each with the key that it stands under.
+
+    `around` are the functions and spaces that stand beside the groups, or farther out.
+    """
     if objects := _group(value):
-        yield name, objects
+        yield name, [{**around, **item} for item in objects]
+    if isinstance(value, dict):
+        stated = {*words("headings")["function"], *words("headings")["space"]} - {"object", "kind"}
+        scalars = {key: inner for key, inner in value.items() if not isinstance(inner, list | dict)}
+        around = {**around, **{key: inner for key, inner in scalars.items() if folded(str(key)) in stated}}
     pairs = (
         value.items()
         if isinstance(value, dict)
@@ -68,7 +75,7 @@ def _groups(name: str, value: Any) -> Iterator[tuple[str, list[dict[str, Any]]]]
     )
     for key, inner in pairs:
         if isinstance(inner, list | dict):
-            yield from _groups(str(key), inner)
+            yield from _groups(str(key), inner, around)
 
 
 def _group(value: Any) -> list[dict[str, Any]]:

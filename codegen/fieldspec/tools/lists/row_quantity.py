@@ -35,10 +35,11 @@ _WEIGHT = re.compile(r"(?:value\s+)?weight\s*:?\s*([^\W\d]+)\s*[*x\u00d7]\s*([1-
 """How many counts are one of a unit: `Value weight: Volt*10`."""
 
 _STEP = re.compile(
-    r"(?:\b(?:in|units? of|steps? of|unit:?|resolution:?|einheit:?)|单位:?)"
-    r"\s*((?:0[.,][0-9]{1,4}|1/10+)\s?[^\s0-9,;.()]{1,6})",
+    r"(?:\b(?:in|units? of|steps? of|unit:?|resolution:?|einheit:?)|单位:?|,(?=[^,]*$))"
+    r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})",
     re.IGNORECASE,
 )
+_COUNTED = re.compile(r"[x\u00d7*]\s*(10{1,5})\s*(\S{1,6})", re.IGNORECASE)
 _DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
 _PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
 _EXAMPLE = re.compile(
@@ -111,7 +112,7 @@ def quantity_of(
             in_counts = Quantity(times=count_factor, evidence=texts[role])
         elif cell and states_direction(cell):
             bare = _TIMES.sub("", cell)
-            scaled = scaled_unit(bare, decimal) or unit_cell(bare, decimal)
+            scaled = example(cell, decimal) or scaled_unit(bare, decimal) or unit_cell(bare, decimal)
             own_factor = factor(cell, decimal)
             if own_factor is None and scaled is not None and scaled.scale is not None:
                 own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
@@ -176,6 +177,8 @@ def _described(text: str, decimal: str) -> Quantity | None:
     for aside in _ASIDES.findall(text):
         if (digits := _PLACES.fullmatch(aside)) and (unit := known_unit(digits[2])):
             return Quantity(Fraction(1, 10 ** len(digits[1])), unit)
+        if (parts := _COUNTED.fullmatch(aside)) and (unit := known_unit(parts[2])):
+            return Quantity(unit=unit, times=Fraction(int(parts[1])), evidence=text)
         if parts := _DIVIDED.fullmatch(aside):
             unit = known_unit(parts[2] or "")
             return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None

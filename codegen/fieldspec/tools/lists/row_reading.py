@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 
@@ -18,7 +18,7 @@ from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
 from fieldspec.tools.lists.row_quantity import FACTORS, example, open_factor, quantity_of
-from fieldspec.tools.lists.type_words import Loose, Typed, joined_order, typed
+from fieldspec.tools.lists.type_words import Loose, Typed, described_order, joined_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded
@@ -169,7 +169,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         scaled_by=quantity.evidence,
         offset=quantity.offset,
         unit=quantity.unit,
-        order=_order(texts, own_type, default_order, doubts),
+        order=_order(texts, own_type, default_order, doubts, [*row.names, *(note for _, note in row.notes)]),
         meanings=meanings,
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
@@ -307,7 +307,8 @@ def _bounds(
 ) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
     """The least and the greatest number, or the meanings that a list has in their place."""
     low, high = (number_in_unit(texts.get(role, ""), decimal) for role in ("min", "max"))
-    text = texts.get("range", "")
+    values = texts.get("values", "")
+    text = texts.get("range", "") or (values if bounds(values, decimal) is not None else "")
     range_ends = bounds(text, decimal)
     if range_ends is not None:
         if (low, high) != (None, None) and (low, high) != range_ends:
@@ -323,7 +324,7 @@ def _bounds(
 def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[str]) -> Meanings:
     text = texts.get("values", "")
     if text:
-        if example(text, POINT) is not None:
+        if example(text, POINT) is not None or bounds(text, POINT) is not None:
             return of_range or Meanings()
         meanings = value_meanings(text, single=True)
         if meanings is not None:
@@ -347,14 +348,16 @@ def _with_bits(texts: Mapping[str, str], meanings: Meanings, doubts: list[str]) 
     return replace(meanings, bits=bits) if bits else meanings
 
 
-def _order(texts: Mapping[str, str], own_type: Typed | None, default_order: str, doubts: list[str]) -> str:
+def _order(
+    texts: Mapping[str, str], own_type: Typed | None, default_order: str, doubts: list[str], described: Sequence[str]
+) -> str:
     of_words, of_bytes = (_stated_order(role, texts.get(role, ""), doubts) for role in ("word_order", "byte_order"))
     stated = joined_order(of_bytes, of_words)
     of_type = own_type.order if own_type is not None else ""
     if stated and of_type and stated != of_type:
         text = texts.get("word_order") or texts.get("byte_order")
         doubts.append(f"The list says {texts['type']}, and the order {text}.")
-    return stated or of_type or default_order
+    return stated or of_type or next(filter(None, map(described_order, described)), "") or default_order
 
 
 def _stated_order(role: str, text: str, doubts: list[str]) -> str:

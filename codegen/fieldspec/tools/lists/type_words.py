@@ -29,6 +29,11 @@ _ORDER_WORD = re.compile(
     r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
 )
 
+_ORDER_PHRASE = re.compile(
+    r"\b(?:low|high|least significant|most significant) word first|\b[lm]sw first|\bwords? swap(?:ped)?"
+    r"|\bCDAB\b|\bBADC\b|\bDCBA\b",
+    re.IGNORECASE,
+)
 _OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)
 _ORDERS = {(False, False): "ABCD", (False, True): "CDAB", (True, False): "BADC", (True, True): "DCBA"}
 """The orders of bytes by whether words have the low byte first, and whether the low word is first."""
@@ -117,6 +122,10 @@ def typed(text: str) -> Typed | None:
     if further_text and not {*"[("} & {*bare} and (inner := typed(bare)) and not inner.aside:
         stated, rest = _order_and_rest(further_text)
         return replace(inner, order=stated or inner.order, aside=rest)
+    for blank in re.finditer(r"\s+", text) if not {*"[("} & {*text} else ():
+        stated = meaning("orders", text[blank.end() :])
+        if stated and (inner := typed(text[: blank.start()])) is not None:
+            return replace(inner, order=stated)
     length = _LENGTH.search(text)
     if length and (inner := typed(text[: length.start()])) and not inner.length:
         return replace(inner, length=int(next(filter(None, length.groups()))))
@@ -135,6 +144,12 @@ def _order_and_rest(aside: str) -> tuple[str, str]:
     of_words = [order for piece, order in stated if order and _OF_WORDS.search(piece)]
     of_bytes = [order for piece, order in stated if order and not _OF_WORDS.search(piece)]
     return joined_order("".join(of_bytes[:1]), "".join(of_words[:1])), rest
+
+
+def described_order(text: str) -> str:
+    """The order of two words that a text says: `low word first`; empty for none, and for an order of bytes."""
+    phrase = _ORDER_PHRASE.search(text)
+    return meaning("orders", phrase[0]) if phrase else ""
 
 
 def joined_order(of_bytes: str, of_words: str) -> str:
