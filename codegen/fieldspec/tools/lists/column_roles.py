@@ -12,6 +12,7 @@ from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.column_contents import NOTED, are_spaces, counts_on, has_role, repeats
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
 from fieldspec.tools.lists.words import folded, words
 
@@ -237,6 +238,8 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
         filled = [text for row in sample if (text := row.cell(places["value"]))]
         if 0 < len(filled) <= 3 * sum(bool(cells.bounds(text) or value_meanings(text)) for text in filled):
             places["range"] = places.pop("value")
+        elif filled and "type" not in places and all(map(typed, filled)):
+            places["type"] = places.pop("value")
     of_heading = cells.space(headings[places["address"]]) if "address" in places else ""
     if of_heading and "address" in further:
         column_spaces = {column: cells.space(headings[column]) for column in further["address"]}

@@ -89,7 +89,8 @@ def dump_sheet(content: bytes, encoding: str = "") -> Sheet | None:
         data = json_data(text, _Pairs)
         rows = list(_rows(data, ""))
         are_lists = all(isinstance(item, list) and not isinstance(item, _Pairs) for item in data)
-        if start == b"[" and not (data and are_lists) and not any(isinstance(v, list) for item in data for _, v in _pairs(item)):
+        has_lists = (data and are_lists) or any(isinstance(value, list) for item in data for _, value in _pairs(item))
+        if start == b"[" and not has_lists:
             return None
         if len(rows) > MOST_ROWS:
             raise ListError(f"has more than {MOST_ROWS} addresses; a dump has fewer")

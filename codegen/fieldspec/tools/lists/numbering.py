@@ -12,6 +12,7 @@ from fieldspec.tools.lists.addresses import (
     HEXADECIMAL,
     HIGHEST,
     REFERENCE,
+    TABLES,
     AddressText,
     Place,
     address_text,
@@ -64,7 +65,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
             skipped.append(row)
     if not rows:
         _refuse_all(columns, refused)
-    placed_rows = list(_with_areas(list(_with_bits(rows)), base, heading))
+    placed_rows = list(_with_areas(list(_with_coils(list(_with_bits(rows)))), base, heading))
     shortened = {row.number for row in _shortened(placed_rows)}
     reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
     refused += [
@@ -95,6 +96,19 @@ def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, P
     for row, row_place in rows:
         whole = row_place.pointless and not bits
         yield row, Place(row_place.first, row_place.last, None, row_place.other) if whole else row_place
+
+
+def _with_coils(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, Place]]:
+    """The places, with `0x0002` as the coil 2 beside `4x0010`, where each of them is written so in decimal digits."""
+    firsts = [row_place.first for _, row_place in rows]
+    widths = {len(first.digits) for first in firsts if first.mark == REFERENCE}
+    marked = [first for first in firsts if first.mark == HEXADECIMAL]
+    are_coils = widths and all(first.digits.isdecimal() and len(first.digits) in widths for first in marked)
+    for row, row_place in rows:
+        first = row_place.first
+        if are_coils and first.mark == HEXADECIMAL:
+            row_place = replace(row_place, first=replace(first, mark=REFERENCE, space=TABLES["0"]))
+        yield row, row_place
 
 
 def _with_areas(rows: list[tuple[SheetRow, Place]], base: str, heading: str) -> Iterator[tuple[SheetRow, Place]]:

@@ -142,7 +142,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     """A row without its address. `decimal` is the sign before a fraction, `default_order` that of other rows."""
     texts = row.texts
     doubts: list[str] = []
-    own_type = _type(texts, doubts)
+    own_type = _type(texts, row.notes, doubts)
     low, high, meanings = _bounds(texts, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
     quantity = quantity_of(texts, row.names, row.notes, decimal, row.has_factors, doubts)
@@ -215,16 +215,14 @@ def _unciting(row: ListRow) -> list[str]:
     return [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
 
 
-def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
+def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: list[str]) -> Typed | None:
     text = texts.get("type", "")
     own_type = typed(text)
     if text and (own_type is None or (own_type.aside and scaled_unit(own_type.aside, POINT) is None)):
         doubts.append(f"Type in the list: {text}.")
     if not text:
-        asides_of_factors = (parted(texts.get(role, ""))[1] for role in FACTORS)
-        own_type = next(
-            (word for side in asides_of_factors if (word := typed(side)) is not None and not word.aside), None
-        )
+        type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *(note for _, note in notes)]
+        own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
         return own_type
