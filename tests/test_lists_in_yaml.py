@@ -332,7 +332,7 @@ def test_what_a_configuration_has_beside_registers_is_named(run: CommandLine) ->
             "cannot be read as decimal",
         ),
         ("parameters: " + "[" * 3000, "is not YAML in line 1"),
-        ("sensors:\n  - name: Speed\n    address: 100\n", "is YAML"),
+        ("sensors:\n  speed: [fast, slow]\n", "is YAML of no program that is known but not a list of objects"),
     ],
 )
 def test_damaged_yaml_is_one_clean_error(run: CommandLine, text: str, reason: str) -> None:

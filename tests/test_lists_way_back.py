@@ -81,6 +81,22 @@ def test_what_nobody_has_compared_with_the_manual_comes_back_so(run: CommandLine
     assert [(row["section"], row["line"], row["unverified"]) for row in rows] == [("3.4", 17, None), ("1", 3, "yes")]
 
 
+def test_the_pages_of_a_manual_come_back_where_each_row_has_one(run: CommandLine, tmp_path: Path) -> None:
+    device = run.folder / "first" / "device.yaml"
+    run("import", "-", "--to", str(device), stdin=b"Address,Name,Values\n7,Speed,\n9,Mode,0 off; 1 on\n")
+    text = device.read_text("utf-8").replace("L2, unverified: true", "3.4 P17").replace("lines: 3", "pages: 17")
+    device.write_text(text.replace(" L1", " P1").replace(" L3", " P3"), "utf-8")
+    exported = run("export", "first", "--to", "csv").out
+    path = tmp_path / "list.csv"
+    path.write_text(exported, "utf-8")
+    run("import", str(path), "--to", str(run.folder / "again" / "device.yaml"))
+    assert [row["line"] for row in json.loads(run("export", "first", "--to", "json").out)] == ["P17", "P3"]
+    assert run("export", "again", "--to", "csv").out == exported
+    path.write_text(exported.replace("P3", ""), "utf-8")
+    run("import", str(path), "--to", str(run.folder / "other" / "device.yaml"))
+    assert "Line in the list: P17." in (run.folder / "other" / "device.yaml").read_text("utf-8")
+
+
 def test_a_row_of_an_export_without_a_place_in_the_manual_says_so(run: CommandLine, tmp_path: Path) -> None:
     own, run.folder = run.folder, SPECS
     lines = run("export", "tc100", "--to", "csv").out.splitlines()

@@ -171,6 +171,7 @@ def _parser() -> argparse.ArgumentParser:
             "--bounds", choices=("counts", "unit"), help="whether bounds and defaults are raw counts or in the unit"
         )
         inner.add_argument("--length", choices=("words", "bytes", "bits"), help="the unit of lengths")
+        inner.add_argument("--address-unit", choices=("words", "bytes"), help="the unit of addresses")
         orders = "the byte order of two words, if the list does not state it"
         inner.add_argument("--order", choices=("ABCD", "CDAB", "BADC", "DCBA"), help=orders)
         inner.add_argument("--node", metavar="NAME", help="the node of the device in a CAN database")

@@ -163,6 +163,10 @@ def test_values_that_are_not_the_initial_ones_are_told_and_no_finding(run: Comma
         "\ufeffaddress,value\r\n0x10,50\r\n0x13,1\r\n",
         "| address | value |\n|---|---|\n| 0x10 | 50 |\n| 0x13 | 1 |\n",
         "address,value\n0x10,50\n0x12,-\n0x13,1\n",
+        "16: 50\n19: 1\n",
+        "Register 16 = 50 (0x0032)\nRegister 19 = 1 (0x0001)\n",
+        "[[16, 50], [19, 1]]",
+        "0x13: 0x0001\n0x10: 0x0032\n",
     ],
 )
 def test_a_dump_may_be_written_in_many_ways(run: CommandLine, text: str) -> None:
@@ -223,6 +227,11 @@ def test_a_file_that_cannot_be_used_is_wrong_use(run: CommandLine, text: str | b
 def test_another_encoding_can_be_named(run: CommandLine) -> None:
     text = "地址,当前值\n0x10,50\n".encode("gbk")
     assert values(run, text, "--encoding", "gbk") == {"percent": ("50", "50 %")}
+
+
+def test_rows_of_several_values_have_all_of_them(run: CommandLine) -> None:
+    read = values(run, "Addr,+0,+1,+2,+3\n0x10,50,0,0,1\n")
+    assert (read["percent"], read["mode"]) == (("50", "50 %"), ("1", "go"))
 
 
 def test_options_of_dumps_need_a_dump(run: CommandLine) -> None:

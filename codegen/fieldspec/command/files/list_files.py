@@ -38,6 +38,7 @@ def reading_options(arguments: argparse.Namespace) -> Options:
         gain=arguments.gain or "",
         bounds=arguments.bounds or "",
         length=arguments.length or "",
+        address_unit=arguments.address_unit or "",
         order=arguments.order or "",
         node=arguments.node or "",
     )

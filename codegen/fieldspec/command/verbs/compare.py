@@ -14,7 +14,8 @@ from fieldspec.command.sources import layout_cache
 def run(arguments: argparse.Namespace) -> int:
     """Prints what agrees, differs and is missing. Exit code 1 where there is any difference. Raises UsageError."""
     from fieldspec.command.rendering import comparison
-    from fieldspec.tools.lists.comparison import ASPECTS, compared, has_messages
+    from fieldspec.tools.lists.comparison import compared, has_messages
+    from fieldspec.tools.lists.differences import ASPECTS
     from fieldspec.tools.lists.item import items
     from fieldspec.tools.lists.list_file import file_list
     from fieldspec.tools.lists.sheet import ListError

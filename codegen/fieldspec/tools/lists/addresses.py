@@ -37,6 +37,7 @@ _OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
 _HALF = re.compile(
     r"(.*[0-9a-f]h?)(?:_(l|h|lo|hi|low|high)|[\s_(\[]*(?:(lo|low|hi|high)[\s_-]*byte|([lm]sb)))\s*[)\]]?", re.IGNORECASE
 )
+_NUMBERED_BYTE = re.compile(r"[0-9a-fx]+h?[\s,;:._(-]*byte\s*[0-9]\)?", re.IGNORECASE)
 _LETTERED = re.compile(r"[a-z]?([0-9]{1,10})", re.IGNORECASE)
 _AREA = re.compile(r"([^\W\d_]{2,}(?:[ _-][^\W\d_]+)*)[ _.:#-]*(?=[0-9])")
 _PAIR = re.compile(r"(.+?)\s*[(\[/=|]\s*([^()\[\]]+?)\s*[)\]]?")
@@ -153,6 +154,8 @@ def place(text: str) -> Place | None:
         return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless, pointed=pointed)
     if (half := _HALF.fullmatch(normalized)) and (address := address_text(half[1])):
         return Place(address, bits=(0, 7) if half[half.lastindex or 2][0] in "lL" else (8, 15))
+    if _NUMBERED_BYTE.fullmatch(normalized):
+        raise CellError("is one of two bytes, and a number does not say which; write `high byte` or `low byte`")
     for separator in (_SPAN, _SEVERAL):
         ends = [address_text(part) for part in separator.split(normalized)]
         addresses = [end for end in ends if end is not None]

@@ -40,8 +40,8 @@ class Options:
     """The user's options for a list: empty if the list itself decides.
 
     `base` is the notation of addresses, `decimal` the sign before a fraction, `gain` whether a factor multiplies or
-    divides counts, `bounds` whether they are counts or in the unit, `length` the unit of lengths, `order` the order of
-    the bytes of two words. `node` is the node of a bus that the device is.
+    divides counts, `bounds` whether they are counts or in the unit, `length` the unit of lengths, `address_unit` what
+    addresses count, `order` the order of the bytes of two words. `node` is the node of a bus that the device is.
     """
 
     base: str = ""
@@ -49,6 +49,7 @@ class Options:
     gain: str = ""
     bounds: str = ""
     length: str = ""
+    address_unit: str = ""
     order: str = ""
     node: str = ""
 

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from decimal import Decimal
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.words import folded, meaning
 
 COMMA, POINT = "comma", "point"
@@ -22,7 +23,8 @@ _POWER = re.compile(
     re.IGNORECASE,
 )
 _RANGE = re.compile(
-    r"\s*(?:\.\.+|~|\u2013|\u2014|至|…|(?<=[\w.,%°\s])\bto\b|(?<=[\w.,%°\s])\bbis\b|(?<=[\w.])\s?- ?(?=[-+0-9.]))\s*",
+    r"\s*(?:\.\.+|~|\u2013|\u2014|至|…|(?<=[\w.,%°\s])\b(?:to|bis)\b|(?<=[\w.])\s?- ?(?=[-+0-9.])"
+    r"|(?<=[\w.,%°])\s+[àa]\s+(?=[-+0-9])|(?<=[0-9])\s*÷\s*(?=[-+0-9]))\s*",
     re.IGNORECASE,
 )
 _CLOSED = re.compile(r"\[[^\[\],;]+,[^\[\],;]+\]")
@@ -31,7 +33,11 @@ _THOUSANDS = re.compile(r"[-+]?[0-9]{1,3}([,.' ])[0-9]{3}(?:\1[0-9]{3})*")
 _COMMA = re.compile(r"(?<![0-9,.])[-+]?[0-9]+,(?:[0-9]{1,2}|0[0-9]{2,}|[0-9]{4,})(?![0-9,])")
 _SMALL_COMMA = re.compile(r"(?<![0-9,.])[-+]?0,[0-9]+(?![0-9,])")
 _POINTED = re.compile(r"(?<![0-9,.])[-+]?[0-9]+\.[0-9]+(?![0-9.,])")
+_PIECES = re.compile(r"[\s/|-]+")
 _CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|:|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
+_WORDS_BEHIND = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
+"""What a function does, in words behind its code."""
+
 _WRITING = {5: "coils", 15: "coils", 6: "registers", 16: "registers", 22: "registers", 23: "registers"}
 _READING = {1: "coils", 2: "discrete_inputs", 3: "registers", 4: "input_registers"}
 
@@ -47,7 +53,9 @@ class Functions:
 
 def access(text: str) -> str:
     """`ro`, `rw`, `wo`, or empty if the text is not an access."""
-    bare = re.sub(r"[\[(].*|\*+$", "", text)
+    if "?" in text:
+        return ""
+    bare = re.sub(r"[\[(].*|\*+$", "", without_brackets(text))
     return meaning("accesses", text) or (meaning("accesses", bare) if folded(bare) else "")
 
 
@@ -59,19 +67,30 @@ def answer(text: str) -> bool | None:
 def functions(text: str) -> Functions | None:
     """The meaning of `03`, `3/6`, `FC04`, `03H, 10H`; None if a text has other things, or codes of two spaces."""
     codes = []
-    for part in re.split(r"[,;/&+|]|\band\b|\s(?=0)", unicodedata.normalize("NFKC", text).strip()):
-        match = _CODE.fullmatch(part.strip())
+    for part in re.split(r"[,;/&+|]|\band\b|\s(?=0)", without_brackets(unicodedata.normalize("NFKC", text)).strip()):
+        match = _CODE.fullmatch(_WORDS_BEHIND.sub("", part.strip()))
         if match is None:
             return None
         codes.append(match[1])
-    numbers = [
-        int(code, 16) if re.search(r"h\b|0x", text, re.IGNORECASE) else int(code) if code.isdecimal() else 0
-        for code in codes
-    ]
+    hexadecimal = [int(code, 16) for code in codes]
+    numbers = [int(code) for code in codes if code.isdecimal()]
+    known = {*_READING, *_WRITING}
+    is_marked = re.search(r"h\b|0x", text, re.IGNORECASE)
+    if is_marked or (not known.issuperset(numbers) and known.issuperset(hexadecimal)) or len(numbers) < len(codes):
+        numbers = hexadecimal
     spaces = {_READING.get(number) or _WRITING.get(number) or "" for number in numbers}
     if len(spaces) != 1 or "" in spaces:
         return None
     return Functions(spaces.pop(), any(n in _READING for n in numbers), any(n in _WRITING for n in numbers))
+
+
+def space(text: str) -> str:
+    """The address space that a text names, perhaps in two languages or notations: `线圈 COIL`, `Coil (0x)`."""
+    if stated := meaning("spaces", text):
+        return stated
+    bare = without_brackets(text)
+    space_names = {meaning("spaces", piece) for piece in _PIECES.split(bare.strip())} or {""}
+    return meaning("spaces", bare) or (space_names.pop() if len(space_names) == 1 else "")
 
 
 def order(text: str) -> str:
@@ -85,6 +104,7 @@ def number(text: str, decimal: str = POINT) -> Decimal | None:
     With `decimal` as `comma`, a comma is before the fraction. Where it is empty, `1.000` is none: it has two readings.
     """
     text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`'").strip()
+    text = f"-{text[1:]}" if text.startswith(("\u2013", "\u2014")) else text
     if decimal != POINT and _is_ambiguous(text):
         return None
     if decimal == COMMA:

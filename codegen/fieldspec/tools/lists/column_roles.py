@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache, reduce
 
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.addresses import address_text, place
-from fieldspec.tools.lists.row_quantity import decimal_places
-from fieldspec.tools.lists.sheet import CellError, ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.addresses import address_text
+from fieldspec.tools.lists.brackets import without_brackets
+from fieldspec.tools.lists.column_contents import NOTED, are_spaces, counts_on, has_role, repeats
+from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.value_texts import bit_names
+from fieldspec.tools.lists.value_texts import value_meanings
 from fieldspec.tools.lists.words import folded, words
 
 _SHORT_REGISTER = re.compile(r"reg(?![a-z])", re.IGNORECASE)
-_ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
 _BETWEEN = re.compile(r"\s*[/|\n]\s*")
 _LONGEST = 200
 _HEADED_BY = 40
@@ -25,7 +25,7 @@ _HEADED_BY = 40
 _MOST_HEADING_ROWS = 3
 _MOST_TABLES = 40
 _LOOKED_AT = 200
-"""The number of rows whose cells show what a column holds."""
+"""The number of rows whose cells show what a column has_role."""
 
 NOTE = "note"
 
@@ -71,6 +71,7 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     if not sheet.rows:
         raise ListError("is empty")
     best: Columns | None = None
+    earlier: list[Columns] = []
     for index, row in enumerate(sheet.rows[:_HEADED_BY]):
         if not _is_heading(row):
             continue
@@ -80,13 +81,26 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
                 break
             parts = _heading_parts(below)
             candidate = _guessed(parts, names, sheet.rows[last + 1 :])
+            if candidate is not None and last == index and len(candidate.places) > 1:
+                earlier.append(candidate)
             if candidate is not None and (best is None or len(candidate.places) >= len(best.places) + (last == index)):
                 best = candidate
     if best is None:
         best = _without_heading(sheet, names)
     if not best.rows:
         raise ListError("has a heading and no rows")
-    return best if names else _with_further_tables(best)
+    if names:
+        return best
+    first_row = best.rows[0].number
+    tables = (table for table in earlier if _has_rows_before(table, first_row))
+    return _with_further_tables(next(tables, best))
+
+
+def _has_rows_before(table: Columns, number: int) -> bool:
+    """Whether a table has rows with addresses before that of a number, below a heading whose words are all known."""
+    heads = [folded(text) for text in table.headings if text]
+    texts = (table.cell(row, "address") for row in table.rows if row.number < number - 1)
+    return all(head in _whole_words() for head in heads) and any(address_text(text) for text in texts)
 
 
 def _with_further_tables(first: Columns) -> Columns:
@@ -182,24 +196,29 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
     sample = rows[:_LOOKED_AT]
     further: dict[str, tuple[int, ...]] = {}
+    of_spaces = [column for column in _ranked(heads, words("headings")["type"], set()) if are_spaces(sample, column)]
     for role, role_words in words("headings").items():
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         fits = _ranked(heads, role_words, used_columns)
+        if role in ("type", "space"):
+            fits = [column for column in fits if column not in of_spaces] + (of_spaces if role == "space" else [])
         is_fallback = not fits
         if is_fallback:
             fits = _ranked(heads, words("fallbacks").get(role, ()), used_columns)
         texts = {column: [text for row in sample if (text := row.cell(column))] for column in fits}
-        columns = [column for column in fits if _holds(role, texts[column], is_fallback)]
-        if role in _NOTED and not columns:
+        columns = [column for column in fits if has_role(role, texts[column], is_fallback)]
+        if role in NOTED and not columns:
             columns = [column for column in fits if not {*heads[column]}.isdisjoint(role_words)]
         if role == "address" and "address" not in places:
             columns = (
                 columns or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
             )
         if role == "address" and (len(columns) > 1 or "address" in places):
+            lengths = _ranked(heads, words("headings")["words"], set())
+            columns = [column for column in columns if column not in lengths] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
         if role == "name" and "name" not in places:
-            columns = sorted(columns, key=lambda column: _repeats(sample, column))
+            columns = sorted(columns, key=lambda column: repeats(sample, column))
         if role not in places and columns:
             places[role] = columns[0]
             columns = columns[1:]
@@ -209,15 +228,48 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
     if codes and "printed_name" not in places:
         places["printed_name"] = further["address"][codes[0]]
         further["address"] = tuple(column for column in further["address"] if column != places["printed_name"])
+    if "value_offset" in places and "address" in places and counts_on(sample, places["value_offset"]):
+        further["address"] = (*further.get("address", ()), places.pop("value_offset"))
+    if "name" not in places:
+        used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+        if labels := _ranked(heads, words("headings")["label"], used_columns):
+            places["name"] = labels[0]
+    if "value" in places and not {"range", "values"} & {*places}:
+        filled = [text for row in sample if (text := row.cell(places["value"]))]
+        if 0 < len(filled) <= 3 * sum(bool(cells.bounds(text) or value_meanings(text)) for text in filled):
+            places["range"] = places.pop("value")
+        elif filled and "type" not in places and all(map(typed, filled)):
+            places["type"] = places.pop("value")
+    of_heading = cells.space(headings[places["address"]]) if "address" in places else ""
+    if of_heading and "address" in further:
+        column_spaces = {column: cells.space(headings[column]) for column in further["address"]}
+        further["address"] = tuple(column for column, other in column_spaces.items() if other in ("", of_heading))
     if byte_columns := _byte_columns(heads, {*places.values()}):
         rows, headings = _with_addresses_of_bytes(rows, headings, byte_columns)
         further |= {"bytes of addresses": byte_columns}
         if "address" in places:
             further["address"] = (*further.get("address", ()), len(headings) - 1)
         places.setdefault("address", len(headings) - 1)
+    if "address" not in places and len(marked := _marked_columns(sample, {*places.values()})) == 1:
+        places["address"] = marked[0]
     if "address" not in places:
         return None
     return Columns(places, headings, rows, further)
+
+
+def _marked_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[int]:
+    """The columns with nothing but addresses that have a mark, such as `0x10`, whatever their headings are."""
+    texts: dict[int, list[str]] = {}
+    for row in rows:
+        for column, text in enumerate(row.cells):
+            texts.setdefault(column, []).extend(filter(None, [text]))
+    return [
+        column
+        for column, cells_of_column in texts.items()
+        if column not in used_columns
+        and len(cells_of_column) * 2 > len(rows)
+        and all((address := address_text(text)) is not None and address.mark for text in cells_of_column)
+    ]
 
 
 def _byte_columns(heads: Sequence[tuple[str, ...]], used_columns: set[int]) -> tuple[int, ...]:
@@ -242,14 +294,14 @@ def _variants(texts: Sequence[str]) -> Iterator[str]:
     """A heading as a whole, its rows, each without what is in brackets, and what means the same in two languages."""
     for text in (" ".join(texts), *texts):
         yield text
-        if bare := _ASIDE.sub(" ", text).strip():
+        if bare := without_brackets(text).strip():
             yield bare
         if _SHORT_REGISTER.match(text):
             yield _SHORT_REGISTER.sub("register", text)
         pieces = _BETWEEN.split(text)
         roles = {_whole_words().get(folded(piece)) for piece in pieces}
-        if len(pieces) > 1 and len(roles) == 1 and None not in roles:
-            yield pieces[0]
+        if len(pieces) > 1 and len(roles - {None}) == 1:
+            yield next(piece for piece in pieces if folded(piece) in _whole_words())
 
 
 def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_columns: set[int]) -> list[int]:
@@ -284,64 +336,6 @@ def _whole_words() -> Mapping[str, str]:
 
 def _fits(head: str, word: str) -> bool:
     return word[1:] in head if word.startswith("*") else head == word
-
-
-def _repeats(rows: Sequence[SheetRow], column: int) -> bool:
-    """Whether a column has most of its texts several times, as a column of groups has."""
-    texts = [text for row in rows if (text := row.cell(column))]
-    return len(texts) > 3 and len(set(texts)) * 2 < len(texts)
-
-
-def _is_place(text: str) -> bool:
-    try:
-        return place(text) is not None
-    except CellError:
-        return True
-
-
-_CONTENTS: dict[str, Callable[[str], object]] = {
-    "address": _is_place,
-    "words": lambda text: re.fullmatch(
-        r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?)?\.?", text, re.IGNORECASE
-    ),
-    "bits": lambda text: bit_names(text) is not None,
-    "last": address_text,
-    "access": cells.access,
-    "readable": lambda text: cells.answer(text) is not None,
-    "writable": lambda text: cells.answer(text) is not None or cells.access(text),
-    "function": cells.functions,
-    "function_write": cells.functions,
-    "places": lambda text: decimal_places(text) is not None,
-    "exponent": lambda text: cells.whole(text) is not None,
-    "value_offset": lambda text: cells.number(text, cells.COMMA) is not None,
-    "count": lambda text: cells.whole(text) is not None,
-    "stride": lambda text: cells.whole(text) is not None,
-    "first": lambda text: cells.whole(text) is not None,
-    "bit": lambda text: re.search(r"[0-9]", text),
-    "name": lambda text: any(map(str.isalpha, text)),
-    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None,
-    "unit": lambda text: not text.isdecimal() or text == "1",
-    "word_order": lambda text: cells.order(text) or cells.answer(text) is not None,
-    "byte_order": lambda text: cells.order(text) or cells.answer(text) is not None,
-}
-"""What at least a third of the cells of a column must be, so that it has a role that its heading names."""
-
-
-_FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
-    "type": typed,
-    "places": lambda text: not text.isdecimal() and decimal_places(text) is not None,
-}
-"""The same for roles whose own headings are enough, and others are not."""
-
-_NOTED = ("access", "unit", "writable", "word_order", "byte_order")
-"""Roles whose heading, if it is a whole word, is enough: cells that are none become notes."""
-
-
-def _holds(role: str, texts: Sequence[str], is_fallback: bool) -> bool:
-    check = (_FALLBACK_CONTENTS.get(role) if is_fallback else None) or _CONTENTS.get(role)
-    if check is None or not texts:
-        return check is None or role != "address"
-    return sum(bool(check(text)) for text in texts) * 3 >= len(texts)
 
 
 def _column_index(headings: Sequence[str], text: str) -> int | None:

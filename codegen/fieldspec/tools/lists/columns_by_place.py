@@ -6,8 +6,28 @@ import re
 
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, Sheet, SheetRow
 
+_NUMBERED = re.compile(
+    r"\s*(?:[-*\u2022]\s+)?`?((?:0x|x)?[0-9a-f]{1,6}h?(?:\s?(?:-|\u2013|\.\.|~)\s?(?:0x)?[0-9a-f]{1,6}h?)?)`?"
+    r"(?:\s*[:=]\s*|\s+[-\u2013\u2014]\s+)(\S[^\t;|]*)",
+    re.IGNORECASE,
+)
 _CELL = re.compile(r"\S+(?: \S+)*")
 _FEWEST = 3
+
+
+def numbered_sheet(text: str) -> Sheet | None:
+    """The sheet of a text of lines such as `30001 - Frequency (Hz x 100)`; None for another text, and a longer one."""
+    lines = text.splitlines()[: MOST_ROWS + 1]
+    matches = [_NUMBERED.fullmatch(line.rstrip()) for line in lines]
+    filled = sum(bool(line.strip()) for line in lines)
+    numbered = [match for match in matches if match and any(map(str.isdecimal, match[1]))]
+    if len(lines) > MOST_ROWS or len(numbered) < _FEWEST or len(numbered) * 2 <= filled:
+        return None
+    rows = [SheetRow(0, ("Address", "Name"))]
+    for number, (line, match) in enumerate(zip(lines, matches, strict=True), 1):
+        if line.strip():
+            rows.append(SheetRow(number, (match[1], match[2].strip()) if match else (line.strip(),)))
+    return Sheet(tuple(rows), len(lines))
 
 
 def placed_sheet(text: str) -> Sheet | None:

@@ -91,6 +91,25 @@ def gain_direction(
     return MULTIPLY, Assumption(heading, _direction(MULTIPLY), evidence, option)
 
 
+def times_direction(
+    example: str, measured: Sequence[Measured], coarse: int, stated: str
+) -> tuple[str, Assumption | None]:
+    """The same of factors behind a multiplication sign, as in `V x 10`, which are not used where nothing shows it."""
+    if stated:
+        return stated, None
+    proofs = {proof for entry in measured for proof in _proofs(entry, True)}
+    option = "--gain multiply or --gain divide"
+    if len(proofs) == 1:
+        (direction,) = proofs
+        return direction, Assumption(
+            f"`{example}`", _direction(direction), "the bounds are whole counts only so", option
+        )
+    if coarse and not proofs:
+        evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
+        return DIVIDE, Assumption(f"`{example}`", _direction(DIVIDE), evidence, option)
+    return "", Assumption(f"`{example}`", "not used", "a unit is so many counts, or a count so many units", option)
+
+
 def _direction(direction: str) -> str:
     return (
         "quantity = count \u00d7 factor (multiply)" if direction == MULTIPLY else "quantity = count ÷ factor (divide)"

@@ -17,6 +17,7 @@ from fieldspec.tools.lists.json_text import json_data
 from fieldspec.tools.lists.listing import Listing, listing
 from fieldspec.tools.lists.sheet import MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.tools.lists.text_sheet import decoded
+from fieldspec.tools.lists.workbook_reader import MAGIC
 
 _GROUPED = re.compile(r"[-+]?(?:[0-9]{1,3}(?:[,'][0-9]{3})+|[1-9][0-9]{0,2}(?:\.[0-9]{3})+)")
 _BETWEEN = re.compile(r"[\s,;]+")
@@ -26,7 +27,11 @@ _WORDS = {"true": "1", "on": "1", "false": "0", "off": "0"}
 _NOT_READ = ("", "-", "--", "n/a", "none", "null", "timeout", "error")
 _LIMIT = 1 << 64
 _HEADING = SheetRow(1, ("space", "address", "value"))
-_LINE = re.compile(r"\s*\[\s*([0-9a-fA-Fx]{1,10})\s*\]\s*[:=]?\s*([-+0-9a-fA-Fx.]+)(?:\s*\([^()]*\))?\s*")
+_VALUE = r"[-+0-9a-fA-Fx.]+"
+_LINE = re.compile(
+    r"\s*(?:\[\s*(?P<marked>[0-9a-fA-Fx]{1,10})\s*\]\s*[:=]?|(?:[Rr]eg(?:ister)?s?\s*)?(?P<bare>(?:0x)?[0-9a-fA-F]{1,6})\s*[:=])"
+    rf"\s*(?P<values>{_VALUE}(?:[ ,]+{_VALUE})*)(?:\s*\([^()]*\))?\s*"
+)
 _STEP = re.compile(r"\+?(?:[0-9]{1,2}|[a-fA-F])")
 _STARTS = ("start", "address", "first", "base", "start_address", "startaddress", "offset")
 _VALUES = ("values", "value", "registers", "words", "data")
@@ -83,12 +88,14 @@ def dump_sheet(content: bytes, encoding: str = "") -> Sheet | None:
             return Sheet((_HEADING, *lines), len(text.splitlines()))
         data = json_data(text, _Pairs)
         rows = list(_rows(data, ""))
-        if start == b"[" and not any(isinstance(value, list) for item in data for _, value in _pairs(item)):
+        are_lists = all(isinstance(item, list) and not isinstance(item, _Pairs) for item in data)
+        has_lists = (data and are_lists) or any(isinstance(value, list) for item in data for _, value in _pairs(item))
+        if start == b"[" and not has_lists:
             return None
         if len(rows) > MOST_ROWS:
             raise ListError(f"has more than {MOST_ROWS} addresses; a dump has fewer")
         return Sheet((_HEADING, *(SheetRow(number, cells) for number, cells in enumerate(rows, 2))), len(rows) + 1)
-    if b"]:" not in content:
+    if content.startswith(MAGIC):
         return None
     text = decoded(content, encoding)
     lines = _lines(text)
@@ -104,16 +111,26 @@ def _pairs(item: object) -> _Pairs:
 
 
 def _lines(text: str) -> list[SheetRow]:
-    """The rows of lines with an address in square brackets and what was read there; the others say how it was read."""
-    matches = [(number, _LINE.fullmatch(line)) for number, line in enumerate(text.splitlines(), 1)]
-    return [SheetRow(number, ("", match[1], match[2])) for number, match in matches if match]
+    """The rows of lines with an address and what was read there: `[100]: 7`. The others say how it was read.
+
+    Where no brackets are around the addresses, half of the lines have one.
+    """
+    lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip()]
+    matches = [(number, match) for number, line in lines if (match := _LINE.fullmatch(line))]
+    if not any(match["marked"] for _, match in matches) and len(matches) * 2 < len(lines):
+        return []
+    return [SheetRow(number, ("", match["marked"] or match["bare"], match["values"])) for number, match in matches]
 
 
 def _rows(data: object, space: str) -> Iterator[tuple[str, str, str]]:
     """The space, the address and the value of all in JSON: pairs of both, and lists of values with their start."""
     if not isinstance(data, _Pairs):
         for item in data if isinstance(data, list) else ():
-            yield from _rows(item, space)
+            is_pair = isinstance(item, list) and len(item) == 2 and all(isinstance(part, int | str) for part in item)
+            if is_pair and not isinstance(item, _Pairs):
+                yield space, clean(str(item[0])), _cell(item[1])
+            else:
+                yield from _rows(item, space)
         return
     by_key = {key.casefold(): value for key, value in data}
     own_space = by_key.get("space") or by_key.get("type") or space
@@ -140,7 +157,10 @@ def _cell(value: object) -> str:
 
 
 def _unfolded(sheet: Sheet) -> Sheet:
-    """A sheet with a row for each value where its rows have several, under headings such as `+0`, `+1`."""
+    """A sheet with one cell for the values of rows that have several, under headings such as `+0`, `+1`.
+
+    Raises ListError.
+    """
     heading = next((row for row in sheet.rows[:_LOOKED_AT] if _has_steps(row)), None)
     if heading is None:
         return sheet
@@ -152,9 +172,11 @@ def _unfolded(sheet: Sheet) -> Sheet:
         base = HEXADECIMAL if first is not None and first.lettered else DECIMAL
         number = first.number(base) if first is not None else None
         if number is not None:
-            rows += [
-                SheetRow(row.number, ("", f"0x{number + step:X}", row.cell(column))) for column, step in steps.items()
-            ]
+            texts = [row.cell(column) for column in steps]
+            filled = [text for text in texts if text]
+            if texts[: len(filled)] != filled:
+                raise ListError(f"has an empty cell among the values of row {row.number}; give each address a row")
+            rows.append(SheetRow(row.number, ("", f"0x{number:X}", " ".join(filled))))
     return Sheet(tuple(rows), sheet.lines, sheet.name)
 
 

@@ -10,6 +10,7 @@ from typing import TypeAlias
 
 from fieldspec.foundation.line_text import visible_json
 from fieldspec.foundation.spreadsheet import clean, guarded
+from fieldspec.language.model.fact import LINES, Citation
 from fieldspec.language.model.value import Value
 from fieldspec.tools.lists.item import Item, exact_number
 from fieldspec.tools.lists.workbook_writer import workbook
@@ -89,9 +90,15 @@ def row(item: Item) -> dict[str, Cell]:
         "bytes": value.size if value is not None and (value.digits or value.type.name in ("text", "bytes")) else None,
         "order": item.order or None,
         "section": source.section or None if source else None,
-        "line": source.line() if source else None,
+        "line": _line(source) if source else None,
         "unverified": "yes" if item.unverified else None,
     }
+
+
+def _line(source: Citation) -> Cell:
+    """The line of a citation, or its page with its mark: `P17`; None for a section alone."""
+    first = source.first() or None
+    return first if source.mark == LINES or first is None else f"{source.mark}{first}"
 
 
 def _run(first: int, last: int) -> str:

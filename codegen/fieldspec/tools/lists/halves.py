@@ -12,8 +12,8 @@ from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.type_words import Typed
 
 _HALF = re.compile(
-    r"[\s_(\[,-]+(?P<half>h|l|msw|lsw|(?:high|hi|upper|low|lo|lower)[\s_-]*(?P<word>word|16|half)?(?:[\s_-]*bits?)?"
-    r"|[高低](?P<sign>字|16位|位))[)\]]*$",
+    r"(?:[\s_(\[,-]+|(?=[高低]))(?P<half>h|l|msw|lsw|(?:high|hi|upper|low|lo|lower)[\s_-]*(?P<word>word|16|half)?"
+    r"(?:[\s_-]*bits?)?|[高低](?P<sign>字|16位|位))[)\]]*$",
     re.IGNORECASE,
 )
 _LONGEST_HALF = 30

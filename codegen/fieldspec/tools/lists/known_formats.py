@@ -28,7 +28,11 @@ def refuse_known_format(text: str) -> None:
     for pattern, name in _FORMATS:
         if re.search(pattern, head, re.MULTILINE):
             raise ListError(f"is {name}, {_REFUSED}")
+
+
+def is_yaml(text: str) -> bool:
+    """Whether a text begins with a key of YAML, or with a list of objects."""
+    head = text[:_LOOKED_AT].removeprefix("\ufeff")
     lines = [line for line in head.splitlines() if line.strip() and not line.lstrip().startswith(("#", "---"))][:2]
     is_pair = len(lines) == 2 and all(_KEY.match(line) and not re.search(r"[,;\t|]", line) for line in lines)
-    if lines and (is_pair or _SECTION.match(lines[0])):
-        raise ListError(f"is YAML of no program that is known, {_REFUSED}")
+    return bool(lines) and (is_pair or _SECTION.match(lines[0]) is not None)

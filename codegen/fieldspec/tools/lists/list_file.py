@@ -33,5 +33,5 @@ def file_list(
         return sheet, listing(sheet, names, options)
     idle = [*names, *(key for key in attributes(Options) if key != "node" and getattr(options, key))]
     if idle:
-        raise ListError(f"says that itself, so --{idle[0]} has no effect; leave it out")
+        raise ListError(f"says that itself, so --{idle[0].replace('_', '-')} has no effect; leave it out")
     return formatted

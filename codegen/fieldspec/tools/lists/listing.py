@@ -5,16 +5,17 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
 from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.tools.lists import directions
+from fieldspec.language.model.fact import LINES
+from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
 from fieldspec.tools.lists.column_roles import NOTE, Columns, columns
-from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
+from fieldspec.tools.lists.decisions import decided
+from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.numbering import (
     Placed,
@@ -27,15 +28,15 @@ from fieldspec.tools.lists.numbering import (
     wire_number,
 )
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
-from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS, unread_scales
-from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row
+from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
+from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row, uncited
+from fieldspec.tools.lists.shapes import with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.type_words import described_order
 from fieldspec.tools.lists.values_beneath import with_values_beneath
-from fieldspec.tools.lists.words import folded, meaning
+from fieldspec.tools.lists.words import folded
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
-_FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
 _SHORTEST_TITLE, _COILS = 8, "coils"
 """The letters of a title that names a space: shorter ones, such as `Inputs`, are those of groups."""
 
@@ -50,7 +51,8 @@ class Listing:
     """A list. `skipped` are the numbers of rows without an address, `refused` what was not taken of rows and cells.
 
     `bases` are the ways in which the addresses can be read, the likeliest first. `open` are the decisions for which the
-    evidence is equal. `own` says that the list is an export, whose columns need no decisions.
+    evidence is equal. `own` says that the list is an export, whose columns need no decisions, `in_bytes` that its
+    addresses count bytes.
     """
 
     columns: Columns
@@ -62,6 +64,7 @@ class Listing:
     assumptions: tuple[Assumption, ...]
     open: tuple[Assumption, ...]
     own: bool
+    in_bytes: bool = False
 
     def rows(self, base: str) -> list[ListRow]:
         """The rows, with the addresses read in one of the ways of `bases`, but those that cannot be read so."""
@@ -93,7 +96,13 @@ class Listing:
                 reason = "is too great" if address is not None else f"cannot be read as {base}"
                 refused.append(Refusal(row.row, heading, self.columns.cell(sheet_row, "address"), reason))
                 continue
-            rows.append(_numbered(row, row_place, address, base))
+            numbered = _numbered(row, row_place, address, base)
+            whole = _of_bytes(numbered) if self.in_bytes else numbered
+            if whole is None:
+                cell = self.columns.cell(sheet_row, "address")
+                refused.append(Refusal(row.row, heading, cell, "begins at the second byte of a register"))
+            else:
+                rows.append(whole if row.is_own else with_elements(whole, SPACES.get(whole.space, False)))
         return _with_gaps(_with_bits_beneath(rows, self)), refused
 
 
@@ -117,6 +126,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
+    order = options.order or _titled_order(sheet, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
         texts = {
@@ -128,11 +138,11 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             texts.setdefault("readable", "no")
         if "function_write" in texts:
             texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
-        row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, options.order)
+        row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, order)
         area = row_place.first.space
         if area and row.space not in ("", area):
             row = replace(row, doubts=(*row.doubts, f"The list says {row.space}, and {row_place.first.area}."))
-        space = area or row.space or meaning("spaces", sheet.name)
+        space = area or row.space or cells.space(sheet.name)
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
     read = _by_functions(_beneath_titles(read, sheet, assumptions))
     unknown = list(unknown_areas(places, {row.row: row.space for row in read}, columns_of_sheet.heading("address")))
@@ -145,9 +155,12 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     undecided: list[Assumption] = []
     if own:
         read = [exported_row(row) for row in read]
+        marks = {row.cited.mark if row.cited is not None else LINES for row in read}
+        if len(marks) > 1:  # a manual has lines or pages, and rows without a place have lines of the list
+            read = [uncited(row) if row.cited is not None and row.cited.mark != LINES else row for row in read]
     else:
         columns_of_sheet, read = with_values_beneath(columns_of_sheet, read, places.skipped)
-        read = _decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
+        read = decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
     if has_objects:
         indices = {row.number: row_place.first.number(HEXADECIMAL) or 0 for row, row_place in places.rows}
         read = list(as_parameters(read, indices, refused, assumptions))
@@ -161,6 +174,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         tuple(assumptions),
         tuple(undecided),
         own,
+        options.address_unit == "bytes",
     )
 
 
@@ -176,7 +190,8 @@ def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -
         for column in (*noted, *further_columns.get(NOTE, ()))
         if row.cell(column) and row.cell(column) not in _EMPTY
     )
-    return Cells(row.number, texts, tuple(names), notes)
+    has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
+    return Cells(row.number, texts, tuple(names), notes, has_factors)
 
 
 def _decimal(columns_of_sheet: Columns, assumptions: list[Assumption]) -> str:
@@ -202,6 +217,17 @@ def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
             yield Refusal(row, heading, f"{letters(column)}{row}", "is a formula whose value the file does not have")
 
 
+def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
+    """The order of words that a row with nothing but a text says for the whole list; empty where none does."""
+    titles = [cell for row in sheet.rows for cell in row.cells if cell and len({*filter(None, row.cells)}) == 1]
+    orders = {order: title for title in titles if (order := described_order(title))}
+    if len(orders) != 1:
+        return ""
+    ((order, title),) = orders.items()
+    assumptions.append(Assumption("order of words", order, f"`{title}`", "--order"))
+    return order
+
+
 def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
     """The rows, those that name no space in that of the title above: a row with nothing but the name of a space."""
     titles: dict[int, tuple[str, str]] = {}
@@ -209,7 +235,7 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
         texts = {cell for cell in row.cells if cell}
         text = next(iter(texts)) if len(texts) == 1 else ""
         is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
-        if is_long and (space := meaning("spaces", text)):
+        if is_long and (space := cells.space(text)):
             titles[row.number] = space, text
     result = []
     title, used = ("", ""), dict[str, str]()
@@ -239,80 +265,13 @@ def _by_functions(rows: list[ListRow]) -> list[ListRow]:
     ]
 
 
-def _decided(
-    columns_of_sheet: Columns,
-    rows: Sequence[ListRow],
-    places: Placed,
-    ways: Sequence[str],
-    options: Options,
-    assumptions: list[Assumption],
-    undecided: list[Assumption],
-) -> list[ListRow]:
-    """The rows with what the whole list decides: the unit of lengths, the direction of factors, the unit of bounds."""
-    numbers = [wire_number(row_place, ways[0]) for _, row_place in places.rows]
-    gaps = [b - a if a is not None and b is not None else 0 for a, b in pairwise(numbers)] + [0]
-    sizes = [
-        (row.length, row.type.size if row.type else 0, gap) for row, gap in zip(rows, gaps, strict=True) if row.length
-    ]
-    heading = columns_of_sheet.heading("words") if "words" in columns_of_sheet.places else ""
-    unit, length_assumption = directions.length_unit(heading, sizes, options.length)
-    decided = [_with_length(row, unit) for row in rows]
-    role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
-    factors = [row.factor for row in decided if row.factor is not None]
-    measured = [decision for row in decided if (decision := _measured(row, row.factor)) is not None]
-    factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
-    direction, gain_assumption = directions.gain_direction(
-        factor_heading, role, factors, measured, _coarse(decided), options.gain
-    )
-    if not direction and gain_assumption is not None:
-        undecided.append(gain_assumption)
-        gain_assumption = None
-    decided = [_scaled(row, direction) for row in decided]
-    proved = gain_assumption is not None and gain_assumption.evidence.startswith("the bounds")
-    measured = [decision for row in decided if (decision := _measured(row, row.scale)) is not None]
-    bounds, bounds_assumption = directions.bounds_unit(measured, proved, options.bounds)
-    assumptions += [
-        decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
-    ]
-    return [replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1)) for row in decided]
-
-
-def _with_length(row: ListRow, unit: str) -> ListRow:
-    """A row with its words, by the unit of its length; a length that is not a whole number of words is a doubt."""
-    text = row.texts.get("words", "")
-    factor = LENGTHS[unit]
-    if not text or (row.length is not None and row.length > 0 and (row.length < factor or row.length % factor == 0)):
-        return replace(row, words=max(row.length // factor, 1)) if row.length else row
-    return replace(row, doubts=(*row.doubts, f"Length in the list: {text}."))
-
-
-def _scaled(row: ListRow, direction: str) -> ListRow:
-    """A row with its scale; a factor beside another scale has to be the same, or is a doubt."""
-    if row.factor is None:
-        unread = [f"Scale in the list: {text}." for text in unread_scales(row.texts)] if row.scale is None else []
-        return replace(row, doubts=(*row.doubts, *unread))
-    own_way = DIVIDE if "divisor" in row.texts and "scale" not in row.texts and "gain" not in row.texts else direction
-    scale = 1 / row.factor if own_way == DIVIDE else row.factor
-    if not own_way or (row.scale is not None and row.scale != scale and 1 not in (row.scale, scale)):
-        text = next(row.texts[role] for role in FACTORS if role in row.texts)
-        return replace(row, doubts=(*row.doubts, f"Scale in the list: {text}."))
-    return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
-
-
-def _coarse(rows: Sequence[ListRow]) -> int:
-    """How many rows would count in steps of ten or more of a unit in whose parts devices measure, if their factors
-    multiplied; 0 where some would if they divided."""
-    factors = [row.factor for row in rows if row.factor is not None and (known_unit(row.unit) or row.unit) in _FINE]
-    return 0 if any(factor * 10 <= 1 for factor in factors) else sum(factor >= 10 for factor in factors)
-
-
-def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:
-    if factor is None or row.low is None or row.high is None:
-        return None
-    type_name = row.type.of_words(row.words) if row.type else {1: "u16", 2: "u32"}.get(row.words or 1, "u64")
-    if row.type is None and row.low < 0:
-        type_name = type_name.replace("u", "i")
-    return Measured(row.row, factor, row.low, row.high, type_name)
+def _of_bytes(row: ListRow) -> ListRow | None:
+    """A row whose address counts bytes with that of its register; None for more bytes than one from its second one."""
+    address, is_second = divmod(row.address, 2)
+    if row.type is not None and row.type.bytes == 1 and row.bits is None:
+        low = 0 if is_second else 8
+        return replace(row, address=address, bits=(low, low + 7), words=None)
+    return None if is_second else replace(row, address=address)
 
 
 def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRow:

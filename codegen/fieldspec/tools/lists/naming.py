@@ -7,10 +7,10 @@ import unicodedata
 from collections.abc import Iterable
 
 from fieldspec.language.schema import schema
+from fieldspec.tools.lists.brackets import without_brackets
 
 _NAME = re.compile(schema()["$defs"]["name"]["pattern"])
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
-_ASIDE = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
 _BETWEEN = re.compile(r"\s*[/|]\s*")
 """What stands between the same words in two languages."""
 
@@ -43,7 +43,7 @@ def snake(text: str) -> str:
     """`Target Position (0.01 mm)` as `target_position`; empty if the words are in letters that have no Latin ones."""
     if len(text) <= _LONGEST and _NAME.fullmatch(text):
         return text
-    bare = _ASIDE.sub(" ", text)
+    bare = without_brackets(text)
     parts = (bare if re.search(r"[^\W\d_]", bare) else text, text, *_BETWEEN.split(bare))
     return next((name for part in parts if (name := _snake(part))), "")
 

@@ -12,6 +12,7 @@ from fieldspec.tools.lists.addresses import (
     HEXADECIMAL,
     HIGHEST,
     REFERENCE,
+    TABLES,
     AddressText,
     Place,
     address_text,
@@ -25,6 +26,9 @@ from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
 _NEAR = 100
 _FAR = 1000
 _MOST_EXAMPLES = 5
+_FEWEST = 3
+"""The rows that show a difference of two columns of addresses, which is more than that of counting from 1."""
+
 _NOTATIONS = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal", REFERENCE: "references that count from 1"}
 
 
@@ -61,7 +65,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
             skipped.append(row)
     if not rows:
         _refuse_all(columns, refused)
-    placed_rows = list(_with_areas(list(_with_bits(rows)), base, heading))
+    placed_rows = list(_with_areas(list(_with_coils(list(_with_bits(rows)))), base, heading))
     shortened = {row.number for row in _shortened(placed_rows)}
     reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
     refused += [
@@ -92,6 +96,19 @@ def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, P
     for row, row_place in rows:
         whole = row_place.pointless and not bits
         yield row, Place(row_place.first, row_place.last, None, row_place.other) if whole else row_place
+
+
+def _with_coils(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, Place]]:
+    """The places, with `0x0002` as the coil 2 beside `4x0010`, where each of them is written so in decimal digits."""
+    firsts = [row_place.first for _, row_place in rows]
+    widths = {len(first.digits) for first in firsts if first.mark == REFERENCE}
+    marked = [first for first in firsts if first.mark == HEXADECIMAL]
+    are_coils = widths and all(first.digits.isdecimal() and len(first.digits) in widths for first in marked)
+    for row, row_place in rows:
+        first = row_place.first
+        if are_coils and first.mark == HEXADECIMAL:
+            row_place = replace(row_place, first=replace(first, mark=REFERENCE, space=TABLES["0"]))
+        yield row, row_place
 
 
 def _with_areas(rows: list[tuple[SheetRow, Place]], base: str, heading: str) -> Iterator[tuple[SheetRow, Place]]:
@@ -279,9 +296,12 @@ def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Ma
 def _for_wire(
     placed_rows: Placed, ends: Sequence[AddressText], columns: Columns, spaces: Mapping[int, str]
 ) -> Iterator[str]:
-    lowest = min((reference[1] for end in ends if (reference := end.reference())), default=0)
+    references = [reference for end in ends if (reference := end.reference())]
+    lowest = min((reference[1] for reference in references), default=0)
     if lowest >= _FAR:
         yield f"no number is less than {lowest} above the first of a table"
+        if len({reference[0] for reference in references}) > 1:
+            yield "and so in each of several tables"
     other = [
         row.number for row, row_place in placed_rows.rows if spaces.get(row.number, "") not in ("", _table(row_place))
     ]
@@ -336,7 +356,7 @@ def contradictions(placed_rows: Placed, base: str, columns: Columns) -> tuple[di
             continue
         (usual, times), *_ = Counter(difference for difference, _ in pairs.values()).most_common(1)
         heading = columns.heading_at(column)
-        if times * 2 <= len(pairs):
+        if times * 2 <= len(pairs) or (abs(usual) > 1 and times < _FEWEST):
             continue  # the column has other numbers, such as those of rows
         if usual:
             evidence = (

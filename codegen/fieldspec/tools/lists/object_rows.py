@@ -11,7 +11,7 @@ from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, address_text, 
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.column_roles import Columns
 from fieldspec.tools.lists.row_reading import PARAMETER, ListRow, bits
-from fieldspec.tools.lists.sheet import Sheet, SheetRow
+from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
 from fieldspec.tools.lists.type_words import Loose, Typed
 from fieldspec.tools.lists.words import meaning
 
@@ -59,7 +59,10 @@ def with_objects(
     columns: Columns, base: str, refused: list[Refusal], assumptions: list[Assumption]
 ) -> tuple[Columns, bool]:
     """The columns of a list, and whether its rows are objects: each has its index then, such as 0x6040, and a decimal
-    subindex. In another list, such as one that names spaces, rows with a subindex are refused."""
+    subindex. In another list, such as one that names spaces, rows with a subindex are refused.
+
+    Raises ListError for indices with two readings.
+    """
     if _SUBINDEX not in columns.places:
         return columns, False
     texts = [text for row in columns.rows if (text := address_text(columns.cell(row, "address")))]
@@ -90,7 +93,16 @@ def with_objects(
         return replace(columns, rows=tuple(row for row in columns.rows if row not in other)), False
     if not stated and not any(text.mark or text.lettered for text in texts):
         reading = "hexadecimal" if own_base == HEXADECIMAL else "decimal"
-        assumptions.append(Assumption("indices", reading, "objects have the indices 0x1000..0xFFFF", "--base"))
+        lowest = min((text.digits for text in texts), key=int)
+        if own_base == HEXADECIMAL and int(lowest) >= _FIRST:
+            raise ListError(
+                f"has indices with two readings: `{lowest}` is 0x{lowest}, or 0x{int(lowest):04X}. The evidence is "
+                "equal; choose with --base hex or --base decimal"
+            )
+        evidence = "those of objects are 0x1000..0xFFFF"
+        if own_base == HEXADECIMAL:
+            evidence = f"`{lowest}` is less than 0x1000 as a decimal number"
+        assumptions.append(Assumption("indices", reading, evidence, "--base"))
     return replace(columns, rows=tuple(rows)), True
 
 

@@ -9,17 +9,20 @@ from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.units import standard_units
+from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import number
 from fieldspec.tools.lists.words import meanings
 
 _DIVIDED = re.compile(r"(?:[x\w]\s*)?(?:/|÷|:|divided? by)\s*([0-9.,]+)", re.IGNORECASE)
 _TIMES = re.compile(r"(?:[*x\u00d7·]|times)\s*(.+)|(.+?)\s*[*x\u00d7]", re.IGNORECASE)
+_HEXADECIMAL = re.compile(r"0x", re.IGNORECASE)
+"""How a mask begins: nobody writes a factor so."""
+
 _RATIO = re.compile(r"([0-9]{1,9})\s*[/:]\s*([0-9]{1,9})")
 _LEADING = re.compile(
     r"([-+]?[0-9]*[.,]?[0-9]+(?:[eE][-+]?[0-9]+)?|10\s*\^\s*\(?[-+]?[0-9]+\)?|[0-9]+\s*/\s*[0-9]+)\s*[*x\u00d7·]?\s*([^\s0-9.,*/^].*)"
 )
 _BEHIND = re.compile(r"([^\d\s*/x\u00d7÷]+[^\s*/x\u00d7÷]*)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)")
-_ASIDE = re.compile(r"(.+?)\s*[(\[]\s*([^()\[\]]+?)\s*[)\]]")
 _LINEAR = re.compile(
     r"\(?\s*[a-z_][a-z_ ]*\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?\s*\)?\s*(?:([-+])\s*([0-9][0-9.,]*))?",
     re.IGNORECASE,
@@ -32,11 +35,17 @@ _LONGEST_SYMBOL = 12
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A scale with a unit, either of which may be missing: None, or empty. `offset` is added after scaling."""
+    """A scale with a unit, either of which may be missing: None, or empty. `offset` is added after scaling.
+
+    `times` is a factor behind a multiplication sign, as in `V x 10`: a unit is so many counts, or the other way round.
+    `evidence` is the text that says it, or a scale that no cell of scales has.
+    """
 
     scale: Fraction | None = None
     unit: str = ""
     offset: Decimal = Decimal(0)
+    times: Fraction | None = None
+    evidence: str = ""
 
 
 def _units() -> dict[str, str]:
@@ -75,6 +84,8 @@ def is_symbol(text: str) -> bool:
 def factor(text: str, decimal: str) -> Fraction | None:
     """The factor that a cell states, with its direction: `/10`, `x0.1`, `1/10`; None if it states none above 0."""
     text = unicodedata.normalize("NFKC", text).strip().strip("`").strip()
+    if _HEXADECIMAL.match(text):
+        return None
     if ratio := _RATIO.fullmatch(text):
         return Fraction(int(ratio[1]), int(ratio[2])) if int(ratio[1]) and int(ratio[2]) else None
     if divided := _DIVIDED.fullmatch(text):
@@ -85,9 +96,16 @@ def factor(text: str, decimal: str) -> Fraction | None:
     return Fraction(value) if value is not None and value > 0 else None
 
 
+def times(text: str, decimal: str) -> Fraction | None:
+    """The factor above 1 of a cell with nothing else than it and a multiplication sign: `x10`; None for another one."""
+    match = _TIMES.fullmatch(unicodedata.normalize("NFKC", text).strip())
+    value = number(match[1] or match[2], decimal) if match else None
+    return Fraction(value) if value is not None and value > 1 else None
+
+
 def states_direction(text: str) -> bool:
     """Whether a cell says by itself how a factor is used: `/10`, `x0.1`, `1/10`, `0.1 V`."""
-    return re.search(r"[/÷*x\u00d7^%‰°]|[^\W\d_]", text.strip()) is not None
+    return re.search(r"[/÷*x\u00d7^%‰°]|[^\W\d_]", unicodedata.normalize("NFKC", text).strip()) is not None
 
 
 def unit_cell(text: str, decimal: str) -> Quantity | None:
@@ -97,24 +115,35 @@ def unit_cell(text: str, decimal: str) -> Quantity | None:
         return Quantity()
     if unit := known_unit(text):
         return Quantity(unit=unit)
-    if leading := _LEADING.fullmatch(text):
-        scale, inner = factor(leading[1], decimal), unit_cell(leading[2], decimal)
-        if scale is not None and inner is not None and inner.scale is None and inner.unit:
-            return Quantity(scale, inner.unit)
+    if (scaled := scaled_unit(text, decimal)) is not None:
+        return scaled
     if suffix := _BEHIND.fullmatch(text):
         unit, value = known_unit(suffix[1]), number(suffix[3], decimal)
         if unit and value is not None and value > 1 and suffix[2] in "/÷":
             return Quantity(1 / Fraction(value), unit)
         if unit and value is not None and 0 < value < 1:
             return Quantity(Fraction(value), unit)
-    if aside := _ASIDE.fullmatch(text):
-        outer, inner = unit_cell(aside[1], decimal), unit_cell(aside[2], decimal)
+        if unit and value is not None and value > 1:
+            return Quantity(unit=unit, times=Fraction(value))
+    if all(pieces := parted(text)):
+        outer, inner = (unit_cell(piece, decimal) for piece in pieces)
         if outer is not None and outer.unit and (inner is None or inner.unit in ("", outer.unit)):
             return Quantity(outer.scale or (inner.scale if inner else None), outer.unit)
         return None
     symbol = text.strip("[]() ")
     is_word = symbol.isalpha() and symbol == symbol.lower()
     return Quantity(unit=symbol) if is_symbol(symbol) and not is_word else None
+
+
+def scaled_unit(text: str, decimal: str) -> Quantity | None:
+    """The unit of a cell with the scale before it, as in `0.1 %`; None for another cell."""
+    leading = _LEADING.fullmatch(text)
+    if leading is None:
+        return None
+    scale, inner = factor(leading[1], decimal), unit_cell(leading[2], decimal)
+    if scale is None or inner is None or inner.scale is not None or inner.times is not None or not inner.unit:
+        return None
+    return Quantity(scale, inner.unit)
 
 
 def formula(text: str, decimal: str) -> Quantity | None:

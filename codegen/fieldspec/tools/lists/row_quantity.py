@@ -8,8 +8,18 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import replace
+from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import number, whole
-from fieldspec.tools.lists.quantities import Quantity, factor, formula, known_unit, states_direction, unit_cell
+from fieldspec.tools.lists.quantities import (
+    Quantity,
+    factor,
+    formula,
+    known_unit,
+    scaled_unit,
+    states_direction,
+    times,
+    unit_cell,
+)
 from fieldspec.tools.lists.words import folded, words
 
 FACTORS = ("scale", "gain", "divisor")
@@ -21,15 +31,27 @@ SCALED_BOUNDS = ("raw_low", "raw_high", "scaled_low", "scaled_high")
 IDLE_SCALES = ("none", "linear")
 """Cells of columns of scales that have no scale: the kinds of scaling that need no word."""
 
-_ASIDE = re.compile(r"[\[(]([^()\[\]]+)[\])]\s*$")
 _WEIGHT = re.compile(r"(?:value\s+)?weight\s*:?\s*([^\W\d]+)\s*[*x\u00d7]\s*([1-9][0-9]{0,8})", re.IGNORECASE)
 """How many counts are one of a unit: `Value weight: Volt*10`."""
 
+_STEP = re.compile(
+    r"(?:\b(?:in|units? of|steps? of|unit:?|resolution:?|einheit:?)|单位:?|,(?=[^,]*$))"
+    r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})",
+    re.IGNORECASE,
+)
+_COUNTED = re.compile(r"[x\u00d7*]\s*(10{1,5})\s*(\S{1,6})", re.IGNORECASE)
+_DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
+_PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
+_EXAMPLE = re.compile(
+    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
+)
+_ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
 """The places after the point of formats that have names beside `FIX2`."""
 
+_NO_FORMULAS = ("none", "value", "raw", "rawvalue", "x", "val", "y", "keine", "无")
 _HIGHEST_EXPONENT = 9
 
 
@@ -38,21 +60,25 @@ def quantity_of(
     names: Sequence[str],
     notes: Sequence[tuple[str, str]],
     decimal: str,
+    has_factors: bool,
     doubts: list[str],
 ) -> Quantity:
     """The unit of a row, and the scale and the offset that need no decision for the whole list."""
     text = texts.get("unit", "")
-    unit = unit_cell(text, decimal) if text else _unit_of_name(names, decimal)
+    unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_name(names, decimal)
     if unit is None:
         doubts.append(f"Unit in the list: {text}.")
         unit = Quantity()
     stated: list[tuple[Fraction, str]] = [(unit.scale, text)] if unit.scale not in (None, 1) else []
+    in_counts = replace(unit, evidence=text or next(iter(names), ""))
     offset = number(texts.get("value_offset", ""), decimal) or Decimal(0)
     if texts.get("value_offset") and number(texts["value_offset"], decimal) is None:
         doubts.append(f"Offset in the list: {texts['value_offset']}.")
     if texts.get("formula"):
         linear = formula(texts["formula"], decimal)
-        if linear is None:
+        if linear is None and folded(texts["formula"]) in _NO_FORMULAS:
+            pass
+        elif linear is None:
             doubts.append(f"Formula in the list: {texts['formula']}.")
         else:
             stated.append((linear.scale or Fraction(1), texts["formula"]))
@@ -67,31 +93,99 @@ def quantity_of(
             for role in SCALED_BOUNDS
             if role in texts
         ]
-    stated += _powers(texts, doubts)
+    powers = list(_powers(texts, doubts))
+    if "places" in texts and any(role in texts for role in FACTORS):
+        display = [
+            cell for _, cell in powers if cell == texts["places"]
+        ]  # beside a scale, it says how a value is shown
+        powers = [power for power in powers if power[1] not in display]
+        doubts += [f"Places in the list: {cell}." for cell in display]
+    stated += powers
     for _, note in notes:
         weight = _WEIGHT.fullmatch(note.strip())
         if weight and known_unit(weight[1]):
             stated.append((Fraction(1, int(weight[2])), note))
             unit = replace(unit, unit=unit.unit or known_unit(weight[1]))
     for role in FACTORS:
-        if texts.get(role) and states_direction(texts[role]):
-            scaled = unit_cell(_TIMES.sub("", texts[role]), decimal)
-            own_factor = factor(texts[role], decimal)
+        cell = factor_cell(texts, role)
+        if (count_factor := times(cell, decimal)) is not None:
+            in_counts = Quantity(times=count_factor, evidence=texts[role])
+        elif cell and states_direction(cell):
+            bare = _TIMES.sub("", cell)
+            scaled = example(cell, decimal) or scaled_unit(bare, decimal) or unit_cell(bare, decimal)
+            own_factor = factor(cell, decimal)
             if own_factor is None and scaled is not None and scaled.scale is not None:
                 own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
             if own_factor is not None:
                 stated.append((own_factor, texts[role]))
+    type_aside = texts.get("type", "").partition(",")[2].strip()
+    if not stated and in_counts.times is None and not has_factors:
+        for described in (
+            *names,
+            *(note for _, note in notes),
+            *(texts.get(role, "") for role in ("values", "range")),
+            type_aside,
+        ):
+            quantity = _described(described, decimal)
+            if quantity is not None and (not quantity.unit or unit.unit in ("", quantity.unit)):
+                return replace(quantity, unit=unit.unit or quantity.unit, offset=offset, evidence=described)
     scales = {scale for scale, _ in stated}
     if len(scales) > 1:
         doubts.append("The list has several scales: " + ", ".join(cell for _, cell in stated) + ".")
-        return replace(unit, scale=None, offset=offset)
-    return Quantity(next(iter(scales), None), unit.unit, offset)
+        return replace(unit, scale=None, offset=offset, times=None)
+    if scales or in_counts.times is None:
+        return Quantity(next(iter(scales), None), unit.unit, offset)
+    return Quantity(None, unit.unit, offset, in_counts.times, in_counts.evidence)
+
+
+def factor_cell(texts: Mapping[str, str], role: str) -> str:
+    """The cell of a column of factors, without the sign and the size of the type behind it: `/100 (signed)`."""
+    bare, aside = parted(texts.get(role, ""))
+    return bare if bare and aside and known_unit(aside) == "" else texts.get(role, "")
 
 
 def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
     """The factor of a row whose cell does not say whether it multiplies or divides; None if it says so, or has none."""
-    text = texts.get(role, "")
+    text = factor_cell(texts, role)
     return None if states_direction(text) else factor(text, decimal)
+
+
+def example(text: str, decimal: str) -> Quantity | None:
+    """The quantity of counts with what they stand for, as in `1 = 0.1 A`; None for anything else, such as a choice."""
+    pairs = [_EXAMPLE.fullmatch(piece.strip()) for piece in re.split(r"\s+/\s+|[;\n]", text) if piece.strip()]
+    scales, units = set(), set()
+    for pair in pairs:
+        count, quantity = (number(pair[1], decimal), number(pair[2].lstrip("+"), decimal)) if pair else (None, None)
+        if pair is None or not count or not quantity:
+            return None
+        scales.add(Fraction(quantity) / Fraction(count))
+        units.add(known_unit(pair[3]))
+    scale = next(iter(scales), Fraction(0))
+    is_power = scale.numerator == 1 and set(str(scale.denominator)[1:]) == {"0"}
+    return Quantity(scale, max(units)) if len(scales) == len(units) == 1 and is_power and max(units) else None
+
+
+def _described(text: str, decimal: str) -> Quantity | None:
+    """The quantity that a description says: `Dew point in 0.01 °C`, `Charge (÷10 for %)`, `(Hz x 100)`, `(XX.X V)`,
+    `325 = 32.5 °C`."""
+    quantity = example(text, decimal) or scaled_unit(text, decimal)
+    if quantity is not None and known_unit(quantity.unit):
+        return quantity
+    if step := _STEP.search(text):
+        quantity = scaled_unit(step[1], decimal)
+        return quantity if quantity is not None and known_unit(quantity.unit) else None
+    for aside in _ASIDES.findall(text):
+        if (digits := _PLACES.fullmatch(aside)) and (unit := known_unit(digits[2])):
+            return Quantity(Fraction(1, 10 ** len(digits[1])), unit)
+        if (parts := _COUNTED.fullmatch(aside)) and (unit := known_unit(parts[2])):
+            return Quantity(unit=unit, times=Fraction(int(parts[1])), evidence=text)
+        if parts := _DIVIDED.fullmatch(aside):
+            unit = known_unit(parts[2] or "")
+            return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None
+        quantity = unit_cell(aside, decimal)
+        if quantity is not None and known_unit(quantity.unit) and (quantity.times or quantity.scale):
+            return quantity
+    return None
 
 
 def unread_scales(texts: Mapping[str, str]) -> list[str]:
@@ -131,11 +225,16 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
 def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
     """The unit in brackets after a name, where the list has no cell for it: `Speed [rpm]`."""
     for name in names:
-        aside = _ASIDE.search(name)
-        quantity = unit_cell(aside[1], decimal) if aside else None
-        if aside is None or quantity is None or not known_unit(quantity.unit):
+        aside = parted(name)[1]
+        quantity = unit_cell(aside, decimal) if aside else None
+        if quantity is None or not known_unit(quantity.unit):
             continue
-        if quantity.scale or aside[0].startswith("[") or not _may_be_a_phase(known_unit(quantity.unit), name):
+        if (
+            quantity.scale
+            or quantity.times
+            or name.endswith("]")
+            or not _may_be_a_phase(known_unit(quantity.unit), name)
+        ):
             return quantity
     return Quantity()
 

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.address_space import BIT
+from fieldspec.language.model.fact import LINES, PAGES, Citation
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.value import exact_scale
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, number_in_unit, whole
+from fieldspec.tools.lists.brackets import parted
+from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
-from fieldspec.tools.lists.row_quantity import FACTORS, open_factor, quantity_of
-from fieldspec.tools.lists.type_words import Loose, Typed, joined_order, typed
+from fieldspec.tools.lists.quantities import known_unit, scaled_unit
+from fieldspec.tools.lists.row_quantity import FACTORS, example, open_factor, quantity_of
+from fieldspec.tools.lists.type_words import Loose, Typed, described_order, joined_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
-from fieldspec.tools.lists.words import folded, meaning
+from fieldspec.tools.lists.words import folded
 
 REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
 """What a row is: exports and files of some formats have fields of tables, parameters, and messages with signals too."""
@@ -26,8 +29,7 @@ REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", 
 OF_THE_MANUAL = ("section", "line", "unverified")
 """The columns of an export about the place where the manual prints a fact."""
 
-_ASIDE = re.compile(r"[(\[](.+)[)\]]\s*$")
-_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile("[1-9][0-9]{0,5}")
+_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
@@ -62,14 +64,15 @@ class SignalPlace:
 class ListRow:
     """A row of a list. `address` is that of the list, `row` is its number in the file.
 
-    Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what could
-    not be understood or contradicts something. `words` is the size that the list states, `gap` the distance to the next
-    address. `special` are states that a list has apart from other values, `scale_text` is its scale as written.
-    `factor` is a number whose direction the list leaves open, `bits` the place of bits in the register. `kind` is what
-    the row is, `subindices` the first and the last one of elements of the parameter at the address, `place` that of a
-    signal in its message. `form` has the keys of how a value is sent beyond its type. `parts` are the numbers of rows
-    with its other word or with its values, `cited` the section and the line of an exported row in its manual, and
-    `is_verified` says that somebody has compared them.
+    Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what
+    could not be understood or contradicts something. `words` is the size that the list states, `gap` the distance
+    to the next address. `special` are states that a list has apart from other values, `scale_text` is its scale as
+    written. `factor` is a number whose direction the list leaves open, behind a multiplication sign if `is_times`.
+    `scaled_by` is the text that has it, or the scale where no cell of scales has it. `bits` is the place of bits in
+    the register. `kind` is what the row is, `subindices` the first and the last one of elements of the parameter at
+    the address, `place` that of a signal in its message. `form` has the keys of how a value is sent beyond its
+    type. `parts` are the numbers of rows with its other word or with its values, `cited` the section and the line
+    of an exported row in its manual, and `is_verified` says that somebody has compared them.
     """
 
     row: int
@@ -93,6 +96,8 @@ class ListRow:
     bits: tuple[int, int] | None = None
     scale: Fraction | None = None
     factor: Fraction | None = None
+    is_times: bool = False
+    scaled_by: str = ""
     offset: Decimal = Decimal(0)
     unit: str = ""
     order: str = ""
@@ -105,7 +110,7 @@ class ListRow:
     special: tuple[tuple[str, str], ...] = ()
     doubts: tuple[str, ...] = ()
     parts: tuple[int, ...] = ()
-    cited: tuple[str, int] | None = None
+    cited: Citation | None = None
     is_verified: bool = False
 
     @property
@@ -115,28 +120,32 @@ class ListRow:
 
     def source(self, section: str = "1 ") -> list[str]:
         """The keys that cite the row: its place in the manual, or in the list, whose `section` a holder may have."""
-        place = f"{section}L{self.row}" if self.cited is None else f"{self.cited[0]} L{self.cited[1]}"
+        place = f"{section}L{self.row}" if self.cited is None else self.cited.text()
         return [f"source: {place}", *([] if self.is_verified else ["unverified: true"])]
 
 
 @dataclass(frozen=True, slots=True)
 class Cells:
-    """The cells of a row by role, the names in all its columns of names, and its notes by heading."""
+    """The cells of a row by role, the names in all its columns of names, and its notes by heading.
+
+    `has_factors` says that the list has a column of scales: other texts state none then.
+    """
 
     row: int
     texts: Mapping[str, str]
     names: tuple[str, ...]
     notes: tuple[tuple[str, str], ...]
+    has_factors: bool = False
 
 
 def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     """A row without its address. `decimal` is the sign before a fraction, `default_order` that of other rows."""
     texts = row.texts
     doubts: list[str] = []
-    own_type = _type(texts, doubts)
+    own_type = _type(texts, row.notes, doubts)
     low, high, meanings = _bounds(texts, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
-    quantity = quantity_of(texts, row.names, row.notes, decimal, doubts)
+    quantity = quantity_of(texts, row.names, row.notes, decimal, row.has_factors, doubts)
     count = whole(texts.get("count", "")) or 1
     return ListRow(
         row=row.row,
@@ -155,10 +164,12 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         space=_space(texts, doubts),
         bits=bits(texts.get("bit", "")),
         scale=quantity.scale,
-        factor=next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
+        factor=quantity.times or next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
+        is_times=quantity.times is not None,
+        scaled_by=quantity.evidence,
         offset=quantity.offset,
         unit=quantity.unit,
-        order=_order(texts, own_type, default_order, doubts),
+        order=_order(texts, own_type, default_order, doubts, [*row.names, *(note for _, note in row.notes)]),
         meanings=meanings,
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
@@ -184,21 +195,34 @@ def exported_row(row: ListRow) -> ListRow:
     subindices = bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
     doubts = list(row.doubts)
     section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
-    cited = (section, int(line)) if _SECTION.fullmatch(section) and _LINE.fullmatch(line) else None
-    if cited is None:
-        doubts += [
-            f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts
-        ]
+    cited = None
+    if _SECTION.fullmatch(section) and (place := _LINE.fullmatch(line)):
+        cited = Citation(section, ((int(place[2]), int(place[2])),), place[1] or LINES)
+    else:
+        doubts += _unciting(row)
     row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
     row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
-    return replace(row, scale=scale, scale_text=own_text)
+    unit = row.texts.get("unit", "")
+    return replace(row, scale=scale, scale_text=own_text, unit=known_unit(unit) or unit)
 
 
-def _type(texts: Mapping[str, str], doubts: list[str]) -> Typed | None:
+def uncited(row: ListRow) -> ListRow:
+    """An exported row without its place in the manual, which becomes a note."""
+    return replace(row, cited=None, is_verified=False, doubts=(*row.doubts, *_unciting(row)))
+
+
+def _unciting(row: ListRow) -> list[str]:
+    return [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
+
+
+def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: list[str]) -> Typed | None:
     text = texts.get("type", "")
     own_type = typed(text)
-    if text and (own_type is None or own_type.aside):
+    if text and (own_type is None or (own_type.aside and scaled_unit(own_type.aside, POINT) is None)):
         doubts.append(f"Type in the list: {text}.")
+    if not text:
+        type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *(note for _, note in notes)]
+        own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
         return own_type
@@ -247,7 +271,7 @@ def _access(texts: Mapping[str, str], doubts: list[str]) -> str:
 def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     """The name of the space: one of the four, or the list's own word for another."""
     text = texts.get("space", "")
-    stated = meaning("spaces", text) or text
+    stated = cells.space(text) or text
     code_text = texts.get("function", "")
     codes = functions(code_text)
     if code_text and codes is None:
@@ -281,7 +305,8 @@ def _bounds(
 ) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
     """The least and the greatest number, or the meanings that a list has in their place."""
     low, high = (number_in_unit(texts.get(role, ""), decimal) for role in ("min", "max"))
-    text = texts.get("range", "")
+    values = texts.get("values", "")
+    text = texts.get("range", "") or (values if bounds(values, decimal) is not None else "")
     range_ends = bounds(text, decimal)
     if range_ends is not None:
         if (low, high) != (None, None) and (low, high) != range_ends:
@@ -297,12 +322,14 @@ def _bounds(
 def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[str]) -> Meanings:
     text = texts.get("values", "")
     if text:
+        if example(text, POINT) is not None or bounds(text, POINT) is not None:
+            return of_range or Meanings()
         meanings = value_meanings(text, single=True)
         if meanings is not None:
             return meanings
         doubts.append(f"Values in the list: {text}.")
-    asides = (_ASIDE.search(texts.get(role, "")) for role in ("printed_name", "name"))
-    for described_text in (texts.get("label", ""), texts.get("note", ""), *(aside[1] for aside in asides if aside)):
+    asides = (parted(texts.get(role, ""))[1] for role in ("printed_name", "name"))
+    for described_text in (texts.get("label", ""), texts.get("note", ""), *asides):
         described = value_meanings(described_text)
         if of_range is None and described is not None and len(described.members) + len(described.bits) > 1:
             return described
@@ -319,14 +346,16 @@ def _with_bits(texts: Mapping[str, str], meanings: Meanings, doubts: list[str]) 
     return replace(meanings, bits=bits) if bits else meanings
 
 
-def _order(texts: Mapping[str, str], own_type: Typed | None, default_order: str, doubts: list[str]) -> str:
+def _order(
+    texts: Mapping[str, str], own_type: Typed | None, default_order: str, doubts: list[str], described: Sequence[str]
+) -> str:
     of_words, of_bytes = (_stated_order(role, texts.get(role, ""), doubts) for role in ("word_order", "byte_order"))
     stated = joined_order(of_bytes, of_words)
     of_type = own_type.order if own_type is not None else ""
     if stated and of_type and stated != of_type:
         text = texts.get("word_order") or texts.get("byte_order")
         doubts.append(f"The list says {texts['type']}, and the order {text}.")
-    return stated or of_type or default_order
+    return stated or of_type or next(filter(None, map(described_order, described)), "") or default_order
 
 
 def _stated_order(role: str, text: str, doubts: list[str]) -> str:

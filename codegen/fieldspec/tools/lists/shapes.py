@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.type_words import Loose
@@ -45,14 +45,23 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
         return Shape(
             _WHOLE_WORDS[name], row.words or 1, row.count, (f"The list says {type_text}, which fills half a word.",)
         )
-    if length > 1 and row.words in (None, length * size):
-        return Shape(name, size, length)
     if row.words in (None, size):
         return Shape(name, size, row.count)
     doubt = f"The list says {type_text or name}, and {row.words} words."
     if row.gap == size:
         return Shape(name, size, row.count, (doubt,))
     return Shape(_of_length(name, row.words or 1), row.words or 1, row.count, (doubt,))
+
+
+def with_elements(row: ListRow, in_bits: bool) -> ListRow:
+    """A row, of whose words or whose type's length it is that counts values: bits, and `U16[6]`."""
+    size = row.type.size if row.type is not None and row.type.name else 0
+    length = row.type.length if row.type is not None else 0
+    if in_bits and (row.words or 1) > 1:
+        return replace(row, words=None, count=max(row.count, row.words or 1))
+    if size and length > 1 and row.count == 1 and row.words in (None, length * size):
+        return replace(row, words=size, count=length)
+    return row
 
 
 def _of_length(name: str, words: int) -> str:

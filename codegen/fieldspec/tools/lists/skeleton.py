@@ -4,27 +4,26 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from decimal import Decimal
-from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.encoding import is_count, is_exact, is_octets, is_real, is_text, is_truth
+from fieldspec.language.model.encoding import is_count, is_octets, is_real, is_truth
+from fieldspec.language.model.fact import PAGES
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
-from fieldspec.language.model.ranges import Ranges, whole_intervals
 from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.cells import whole
 from fieldspec.tools.lists.entries import SPACES, Entry
 from fieldspec.tools.lists.exponents import bounds, exponents, is_open
 from fieldspec.tools.lists.item import REGISTERS
-from fieldspec.tools.lists.meaning_text import count_of, meant
+from fieldspec.tools.lists.meaning_text import meant
 from fieldspec.tools.lists.message_entries import place_of
 from fieldspec.tools.lists.message_parts import links, messages
 from fieldspec.tools.lists.naming import fresh, named
+from fieldspec.tools.lists.number_keys import numbers
 from fieldspec.tools.lists.own_parts import parameters, spaces, tables
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import FIELD, MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
-from fieldspec.tools.lists.yaml_text import commented, exact, quoted
+from fieldspec.tools.lists.yaml_text import commented, quoted
 
 _HEAD = """\
 # Written from a list, and not verified. Compare each row with the manual, cite its section and line as the source, and
@@ -81,15 +80,17 @@ def skeleton(
 ) -> Spec:
     """The spec of a device with the registers of a list. Rows that are refused become comments."""
     writer = _Writer(registers, surroundings)
-    cited = [entry.row.cited[1] for entry in registers if entry.row.cited]
+    cited = [entry.row.cited for entry in registers if entry.row.cited]
+    by_page = bool(cited) and cited[0].mark == PAGES
+    last = max([0 if by_page else origin.lines, *(citation.first() for citation in cited)])
     lines = [*(_CITING_HEAD if cited else _HEAD).splitlines(), *map(commented, surroundings.remarks), "device:"]
     lines += [f"  id: {device}", f"  name: {device}", "  vendor: unknown"]
     title = f"The {'manual of the ' if cited else ''}list {origin.file}"
     lines += ["  manual:", f"    title: {quoted(title)}", f"    file: {quoted(origin.file)}"]
-    lines += [f'    sha256: "{origin.sha256}"', f"    lines: {max([origin.lines, *cited])}", ""]
+    lines += [f'    sha256: "{origin.sha256}"', f"    {'pages' if by_page else 'lines'}: {last}", ""]
     rows: dict[int, int] = {}
     for line, number in writer.sections(surroundings.uses):
-        lines.append(line)
+        lines.append(line if number or not by_page else line.replace("source: 1 L1", f"source: 1 {PAGES}1"))
         if number:
             rows[len(lines)] = number
     if refused:
@@ -204,14 +205,14 @@ class _Writer:
         parts += [f"access: {row.access}"] if row.access else []
         parts += _orders(row.order, kind, int(texts["bytes"]) if "digits" in row.form else kind.size)
         unit = known_unit(row.unit) or row.unit
-        if unit and (is_count(kind.encoding) or is_real(kind.encoding)):
+        if unit and not meaning.flags_line and (is_count(kind.encoding) or is_real(kind.encoding)):
             parts.append(f"unit: {quoted(unit)}")
         elif unit:
             doubts.append(f"Unit in the list: {texts.get('unit', unit)}.")
         if scale_by := self._scale_by.get(place, ""):
             parts.append(f"scale_by: {quoted(scale_by)}")
             doubts = [doubt for doubt in doubts if not doubt.startswith("Scale in the list")]
-        parts += _numbers(row, kind, bool(scale_by), doubts)
+        parts += numbers(row, kind, bool(scale_by), doubts)
         parts += meaning.keys
         allowed = [rule for rule in self._allowed.get(row.row, ()) if row.subindices is None or rule != _ORDER]
         if entry.is_own:
@@ -330,54 +331,6 @@ def _orders(order: str, kind: Primitive, size: int) -> Iterator[str]:
         yield f"word_order: {'big' if order == 'BADC' else 'little'}"
     if order in ("BADC", "DCBA") and not (is_truth(kind.encoding) or is_octets(kind.encoding)):
         yield "byte_order: little"
-
-
-def _numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list[str]) -> list[str]:
-    """Scale, offset, range, default and constant, if they are whole counts of the type; else they become doubts."""
-    texts, parts, is_integer = row.texts, [], is_count(primitive.encoding)
-    scale = row.scale or Fraction(1)
-    if scale != 1 and not has_exponent:
-        if is_integer:
-            parts.append(f"scale: {row.scale_text or exact(scale)}")
-        else:
-            doubts.append(f"Scale in the list: {exact(scale)}.")
-    if row.offset and is_integer:
-        parts.append(f"offset: {row.offset:f}")
-    elif row.offset:
-        doubts.append(f"Offset in the list: {row.offset:f}.")
-    has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
-    low, high = (count_of(bound, row) for bound in (row.low, row.high))
-    are_counts = has_counts and (low, high).count(None) == (row.low, row.high).count(None)
-    if low is not None and high is not None and has_counts and lowest <= low <= high <= highest:
-        parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
-        lowest, highest = low, high
-    elif row.is_own and is_real(primitive.encoding) and row.low is not None and row.high is not None:
-        parts.append(f"range: {row.low:f}..{row.high:f}")
-    else:
-        unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max")}
-        unread |= {"Range": texts.get("range")} if row.low is not None else {}
-        doubts += [f"{heading} in the list: {text}." for heading, text in unread.items() if text]
-    states = ", ".join(number for number, _ in row.special if not number.startswith("NaN"))
-    special = Ranges(whole_intervals(states) or ()) if states else Ranges(())
-    for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
-        count = count_of(number, row) if key == "default" else _whole(number)
-        if key in texts and count is not None and are_counts and (lowest <= count <= highest or count in special):
-            unit_key = "unit_default" if row.in_unit and key == "default" else key
-            parts.append(f"{unit_key}: {_bound(number)}")
-        elif key in texts and (row.is_own or row.kind == PARAMETER) and is_text(primitive.encoding):
-            parts.append(f"default: {quoted(texts[key])}")
-        elif key in texts:
-            doubts.append(f"{word} in the list: {texts[key]}.")
-    return parts
-
-
-def _bound(number: Decimal | None) -> str:
-    """A bound without zeros after a point."""
-    return exact(Fraction(number or 0))
-
-
-def _whole(number: Decimal | None) -> int | None:
-    return int(number) if number is not None and number == number.to_integral_value() else None
 
 
 def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Iterator[str]:

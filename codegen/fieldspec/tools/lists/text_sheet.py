@@ -1,24 +1,22 @@
-"""Reads lists from text: CSV with any usual separator, tables with bars, and JSON."""
+"""Reads lists from text: CSV with any usual separator, tables with bars, numbered lines, JSON and YAML."""
 
 from __future__ import annotations
 
 import codecs
 import csv
 import io
-import json
 import re
 from collections import Counter
 from collections.abc import Iterator
 from itertools import zip_longest
-from typing import Any
 
 from fieldspec.foundation.spreadsheet import clean
-from fieldspec.tools.lists.addresses import address_text
-from fieldspec.tools.lists.columns_by_place import placed_sheet
+from fieldspec.tools.lists.columns_by_place import numbered_sheet, placed_sheet
+from fieldspec.tools.lists.formats.yaml_items import data_of, tree
 from fieldspec.tools.lists.json_text import json_data
-from fieldspec.tools.lists.known_formats import refuse_known_format
+from fieldspec.tools.lists.known_formats import is_yaml, refuse_known_format
+from fieldspec.tools.lists.object_groups import objects_sheet
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
-from fieldspec.tools.lists.words import meaning
 
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
@@ -45,6 +43,8 @@ _LONGEST_ROW = 1 << 20
 _MOST_BORDERS = 3
 """The lines of plus signs of a table that has them around its heading and its end alone."""
 
+_BOLD, _CODE = re.compile(r"\*\*(?=\S)(.+?)\*\*"), re.compile(r"`+([^`]+)`+")
+_LINK, _SLANTED = re.compile(r"\[([^\[\]]+)\]\([^()\s]*\)"), re.compile(r"\*(?=\S)([^*]+)\*")
 _RULE = re.compile(r"[|+:=\s-]+")
 
 
@@ -55,8 +55,12 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
         raise ListError("is empty")
     refuse_known_format(text)
     if text.lstrip()[0] in "[{":
-        return _of_json(text)
+        return objects_sheet(json_data(text), "JSON")
+    if is_yaml(text):
+        return objects_sheet(data_of(tree(text)), "YAML of no program that is known", only_with_addresses=True)
     guessed = WESTERN if not encoding and _is_western(content) else ""
+    if (numbered := numbered_sheet(text)) is not None:
+        return numbered
     separator = _separator([line for line, _ in zip(io.StringIO(text, newline=None), range(_LOOKED_AT), strict=False)])
     if not separator:
         placed = placed_sheet(text)
@@ -71,7 +75,10 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     rows: list[SheetRow] = []
     size = [0]
     reader = csv.reader(
-        _bounded_lines(text, size), delimiter=separator, quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL
+        _bounded_lines(text, size),
+        delimiter=separator,
+        quoting=csv.QUOTE_NONE if bars else csv.QUOTE_MINIMAL,
+        escapechar="\\" if bars and "\\|" in text else None,
     )
     number = 0
     try:
@@ -87,7 +94,7 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
                 continue
             if is_bordered and cells and not cells[0].strip():
                 cells = cells[1:]
-            row = tuple(clean(cell) for cell in cells)
+            row = tuple(clean(_without_markup(cell) if bars else cell) for cell in cells)
             if is_grid and not is_first:
                 above = rows.pop()
                 pairs = zip_longest(above.cells, row, fillvalue="")
@@ -98,6 +105,13 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     except csv.Error as error:
         raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
     return Sheet(tuple(rows), number, encoding=guessed)
+
+
+def _without_markup(cell: str) -> str:
+    """A cell of a table with bars without the signs of Markdown for bold, code and links."""
+    cell = _LINK.sub(r"\1", _CODE.sub(r"\1", _BOLD.sub(r"\1", cell)))
+    slanted = _SLANTED.fullmatch(cell.strip())
+    return slanted[1] if slanted else cell
 
 
 def _bounded_lines(text: str, size: list[int]) -> Iterator[str]:
@@ -171,60 +185,3 @@ def _separator(lines: list[str]) -> str:
         if (score := max(parted, default=(0, 0))) > best_score:
             best, best_score, rows = separator, score, widths.total()
     return best if 0 < rows <= best_score[0] * 2 else ""
-
-
-def _of_json(text: str) -> Sheet:
-    """The sheet of a JSON list of objects, of the longest one in an object, or of objects by address or name."""
-    data = json_data(text)
-    if isinstance(data, dict):
-        data = _objects(data)
-    if not isinstance(data, list) or not data or not all(isinstance(item, dict) for item in data):
-        raise ListError("is JSON but not a list of objects")
-    if len(data) > MOST_ROWS:
-        raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
-    heads = list(dict.fromkeys(key for item in data for key in item))
-    if len(heads) > MOST_COLUMNS:
-        raise ListError(f"has more than {MOST_COLUMNS} columns")
-    rows = [SheetRow(1, tuple(map(clean, heads)))]
-    rows += [SheetRow(n, tuple(_json_cell(item.get(head)) for head in heads)) for n, item in enumerate(data, 2)]
-    return Sheet(tuple(row for row in rows if any(row.cells)), len(data) + 1)
-
-
-def _objects(data: dict[str, Any]) -> list[Any]:
-    """The objects in an object: a list of them, or those by their keys; of several such groups all that are alike."""
-    groups = {
-        name: objects
-        for name, value in data.items()
-        if (objects := _group(value) or (_objects(value) if isinstance(value, dict) else []))
-    }
-    whole = _group(data)
-    if len(whole) > len(groups) or not groups or (whole and not all(map(_group, data.values()))):
-        return whole
-    longest = max(groups.values(), key=len)
-    keys = {key for item in longest for key in item}
-    alike = {
-        name: objects
-        for name, objects in groups.items()
-        if 2 * len(keys & {key for item in objects for key in item}) >= len(keys)
-    }
-    if len(alike) == 1:
-        return longest
-    head = "space" if all(meaning("spaces", name) for name in alike) else "group"
-    return [{head: name, **item} for name, objects in alike.items() for item in objects]
-
-
-def _group(value: Any) -> list[Any]:
-    """The objects of a list, or of an object with their addresses or names as keys; empty if it has others."""
-    inner = list(value.values()) if isinstance(value, dict) else value
-    if not isinstance(inner, list) or not inner or not all(isinstance(item, dict) for item in inner):
-        return []
-    if isinstance(value, list):
-        return value
-    key = "address" if all(address_text(text) for text in value) else "name"
-    return [{key: text, **item} for text, item in value.items()]
-
-
-def _json_cell(value: object) -> str:
-    if value is None:
-        return ""
-    return clean(value if isinstance(value, str) else json.dumps(value, ensure_ascii=False))

@@ -19,7 +19,7 @@ _COMPOSED = re.compile(
 )
 _EARLY_BITS = re.compile(r"(8|16|32|64)bits?(.*)")
 _LENGTH = re.compile(
-    r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
+    r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*\u00d7]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
 )
 _SIZED = re.compile(r"([0-9]{1,2})\s*-?(byte|bit|word|register)s?", re.IGNORECASE)
 _ORDERED = re.compile(
@@ -29,6 +29,11 @@ _ORDER_WORD = re.compile(
     r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
 )
 
+_ORDER_PHRASE = re.compile(
+    r"\b(?:low|high|least significant|most significant) word first|\b[lm]sw first|\bwords? swap(?:ped)?"
+    r"|\bCDAB\b|\bBADC\b|\bDCBA\b",
+    re.IGNORECASE,
+)
 _OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)
 _ORDERS = {(False, False): "ABCD", (False, True): "CDAB", (True, False): "BADC", (True, True): "DCBA"}
 """The orders of bytes by whether words have the low byte first, and whether the low word is first."""
@@ -83,8 +88,12 @@ class Typed:
     @property
     def size(self) -> int:
         """Its size in words where the type says it; 0 where it does not."""
-        bits = PRIMITIVES[self.name].size * 8 if self.name else self.bits
-        return (bits + _WORD_BITS - 1) // _WORD_BITS
+        return (self.bytes + 1) // 2
+
+    @property
+    def bytes(self) -> int:
+        """Its size in bytes where the type says it; 0 where it does not."""
+        return PRIMITIVES[self.name].size if self.name else (self.bits + 7) // 8
 
     def of_words(self, words: int | None) -> str:
         """The name of the type; if the list has only its kind, that of the type with so many words."""
@@ -109,6 +118,14 @@ def typed(text: str) -> Typed | None:
     if swapped := _ORDERED.fullmatch(text.casefold()):
         inner = _known(swapped[1])
         return replace(inner, order="CDAB") if inner else None
+    bare, _, further_text = text.partition(",")
+    if further_text and not {*"[("} & {*bare} and (inner := typed(bare)) and not inner.aside:
+        stated, rest = _order_and_rest(further_text)
+        return replace(inner, order=stated or inner.order, aside=rest)
+    for blank in re.finditer(r"\s+", text) if not {*"[("} & {*text} else ():
+        stated = meaning("orders", text[blank.end() :])
+        if stated and (inner := typed(text[: blank.start()])) is not None:
+            return replace(inner, order=stated)
     length = _LENGTH.search(text)
     if length and (inner := typed(text[: length.start()])) and not inner.length:
         return replace(inner, length=int(next(filter(None, length.groups()))))
@@ -127,6 +144,12 @@ def _order_and_rest(aside: str) -> tuple[str, str]:
     of_words = [order for piece, order in stated if order and _OF_WORDS.search(piece)]
     of_bytes = [order for piece, order in stated if order and not _OF_WORDS.search(piece)]
     return joined_order("".join(of_bytes[:1]), "".join(of_words[:1])), rest
+
+
+def described_order(text: str) -> str:
+    """The order of two words that a text says: `low word first`; empty for none, and for an order of bytes."""
+    phrase = _ORDER_PHRASE.search(text)
+    return meaning("orders", phrase[0]) if phrase else ""
 
 
 def joined_order(of_bytes: str, of_words: str) -> str:

@@ -68,12 +68,13 @@ def numbers_of(node: Node | None) -> list[int] | None:
 def cells_of(mapping: Mapping) -> Map[str, str]:
     """The keys of a mapping with their texts; lists and mappings as JSON."""
     return {
-        key: json.dumps(_data(node), ensure_ascii=False) if not isinstance(node, Scalar) else text_of(node)
+        key: json.dumps(data_of(node), ensure_ascii=False) if not isinstance(node, Scalar) else text_of(node)
         for key, node in mapping.values.items()
     }
 
 
-def _data(node: Node) -> object:
+def data_of(node: Node) -> object:
+    """The data of a tree, whose scalars are texts."""
     if isinstance(node, Mapping):
-        return {key: _data(inner) for key, inner in node.values.items()}
-    return [_data(item) for item in node.items] if isinstance(node, Sequence) else node.text
+        return {key: data_of(inner) for key, inner in node.values.items()}
+    return [data_of(item) for item in node.items] if isinstance(node, Sequence) else text_of(node)

@@ -1,0 +1,140 @@
+"""What a list decides as a whole for its rows: the unit of lengths, the direction of factors, the unit of bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+from fieldspec.foundation.classes import replace
+from fieldspec.tools.lists import directions
+from fieldspec.tools.lists.assumption import Assumption, Options
+from fieldspec.tools.lists.column_roles import Columns
+from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
+from fieldspec.tools.lists.numbering import Placed, wire_number
+from fieldspec.tools.lists.quantities import known_unit
+from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.sheet import ListError
+
+_FEWEST = 3
+"""The rows that show what addresses count."""
+
+_FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
+"""The units in whose parts devices measure."""
+
+
+def decided(
+    columns_of_sheet: Columns,
+    rows: Sequence[ListRow],
+    places: Placed,
+    ways: Sequence[str],
+    options: Options,
+    assumptions: list[Assumption],
+    undecided: list[Assumption],
+) -> list[ListRow]:
+    """The rows with what the whole list decides: the unit of lengths, the direction of factors, the unit of bounds."""
+    numbers = [wire_number(row_place, ways[0]) for _, row_place in places.rows]
+    gaps = [b - a if a is not None and b is not None else 0 for a, b in pairwise(numbers)] + [0]
+    sizes = [
+        (row.length, row.type.size if row.type else 0, gap) for row, gap in zip(rows, gaps, strict=True) if row.length
+    ]
+    heading = columns_of_sheet.heading("words") if "words" in columns_of_sheet.places else ""
+    unit, length_assumption = directions.length_unit(heading, sizes, options.length)
+    _refuse_bytes(rows, gaps, unit, options.address_unit)
+    decided = _with_elements([_with_length(row, unit) for row in rows], columns_of_sheet, assumptions)
+    role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
+    bare_rows = [row for row in decided if row.factor is not None and not row.is_times]
+    factors = [row.factor for row in bare_rows if row.factor is not None]
+    measured = [decision for row in bare_rows if (decision := _measured(row, row.factor)) is not None]
+    factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
+    direction, gain_assumption = directions.gain_direction(
+        factor_heading, role, factors, measured, _coarse(bare_rows), options.gain
+    )
+    if not direction and gain_assumption is not None:
+        undecided.append(gain_assumption)
+        gain_assumption = None
+    signed = [row for row in decided if row.is_times]
+    measured = [decision for row in signed if (decision := _measured(row, row.factor)) is not None]
+    of_signs = ""
+    if signed:
+        of_signs, assumption = directions.times_direction(signed[0].scaled_by, measured, _coarse(signed), options.gain)
+        assumptions += [assumption] if assumption is not None else []
+    decided = [_scaled(row, of_signs if row.is_times else direction) for row in decided]
+    described = [row.scaled_by for row in decided if row.scaled_by and not row.is_times and row.scale is not None]
+    if described:
+        examples = ", ".join(f"`{text}`" for text in described[:2])
+        assumptions.append(Assumption("scales", "those that texts of rows say", examples))
+    proved = gain_assumption is not None and gain_assumption.evidence.startswith("the bounds")
+    measured = [decision for row in decided if (decision := _measured(row, row.scale)) is not None]
+    bounds, bounds_assumption = directions.bounds_unit(measured, proved, options.bounds)
+    assumptions += [
+        decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
+    ]
+    return [replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1)) for row in decided]
+
+
+def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, stated: str) -> None:
+    """Raises ListError for addresses that lie apart as bytes do, where the user does not say what they count."""
+    sizes = [
+        row.length * LENGTHS["bytes"] // LENGTHS[unit] if row.length else row.type.bytes if row.type else 0
+        for row in rows
+    ]
+    pairs = [(gap, size) for gap, size in zip(gaps, sizes, strict=True) if gap > 0 and size]
+    if stated or len(pairs) < _FEWEST or len({size for _, size in pairs}) < 2 or any(gap != n for gap, n in pairs):
+        return
+    row, gap = next((row, gap) for row, gap in zip(rows, gaps, strict=True) if gap > 1)
+    raise ListError(
+        f"has addresses with two readings: row {row.row} has {gap} bytes, and the next address is {gap} behind, as in "
+        f"all {len(pairs)} such rows. They count bytes, of which a register has two, or registers lie apart; choose "
+        "with --address-unit bytes or --address-unit words"
+    )
+
+
+def _with_elements(rows: list[ListRow], columns_of_sheet: Columns, assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows, with counts as their lengths where each is the number of words of its type: no value is repeated."""
+    rows_with_counts = [row for row in rows if "count" in row.texts and row.type is not None and row.type.size]
+    are_lengths = "words" not in columns_of_sheet.places and any(row.count > 1 for row in rows_with_counts)
+    if not are_lengths or any(row.type is not None and row.count != row.type.size for row in rows_with_counts):
+        return rows
+    heading = columns_of_sheet.heading("count")
+    assumptions.append(Assumption(heading, "lengths in words", "each is that of the type", "--column words"))
+    return [replace(row, words=row.count, count=1) if "count" in row.texts else row for row in rows]
+
+
+def _with_length(row: ListRow, unit: str) -> ListRow:
+    """A row with its words, by the unit of its length; a length that is not a whole number of words is a doubt."""
+    text = row.texts.get("words", "")
+    factor = LENGTHS[unit]
+    if not text or (row.length is not None and row.length > 0 and (row.length < factor or row.length % factor == 0)):
+        return replace(row, words=max(row.length // factor, 1)) if row.length else row
+    return replace(row, doubts=(*row.doubts, f"Length in the list: {text}."))
+
+
+def _scaled(row: ListRow, direction: str) -> ListRow:
+    """A row with its scale; a factor beside another scale has to be the same, or is a doubt."""
+    if row.factor is None:
+        unread = [f"Scale in the list: {text}." for text in unread_scales(row.texts)] if row.scale is None else []
+        return replace(row, doubts=(*row.doubts, *unread))
+    own_way = DIVIDE if "divisor" in row.texts and "scale" not in row.texts and "gain" not in row.texts else direction
+    scale = 1 / row.factor if own_way == DIVIDE else row.factor
+    if not own_way or (row.scale is not None and row.scale != scale and 1 not in (row.scale, scale)):
+        text = row.scaled_by or next(row.texts[role] for role in FACTORS if role in row.texts)
+        return replace(row, doubts=(*row.doubts, f"Scale in the list: {text}."))
+    return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
+
+
+def _coarse(rows: Sequence[ListRow]) -> int:
+    """How many rows would count in steps of ten or more of a unit in whose parts devices measure, if their factors
+    multiplied; 0 where some would if they divided."""
+    factors = [row.factor for row in rows if row.factor is not None and (known_unit(row.unit) or row.unit) in _FINE]
+    return 0 if any(factor * 10 <= 1 for factor in factors) else sum(factor >= 10 for factor in factors)
+
+
+def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:
+    if factor is None or row.low is None or row.high is None:
+        return None
+    type_name = row.type.of_words(row.words) if row.type else {1: "u16", 2: "u32"}.get(row.words or 1, "u64")
+    if row.type is None and row.low < 0:
+        type_name = type_name.replace("u", "i")
+    return Measured(row.row, factor, row.low, row.high, type_name)

@@ -1,0 +1,95 @@
+"""The registers among the objects of JSON and YAML: lists of objects, and objects by their addresses or names."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from fieldspec.foundation.spreadsheet import clean
+from fieldspec.tools.lists.addresses import address_text
+from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
+from fieldspec.tools.lists.words import folded, meaning, words
+
+_NO_ADDRESSES = ("index", "offset", "dec", "decimal", "start", "registers")
+"""Keys that only are addresses where no others are."""
+
+
+def objects_sheet(data: object, format_name: str, only_with_addresses: bool = False) -> Sheet:
+    """The sheet of all objects with addresses in some data, else perhaps of those that are most alike.
+
+    Raises ListError.
+    """
+    groups = list(_groups("", data, {})) if isinstance(data, list | dict) else []
+    with_addresses = [(name, objects) for name, objects in groups if any(map(_has_address, objects))]
+    objects = _joined(with_addresses if with_addresses or only_with_addresses else _alike(groups))
+    if not objects:
+        raise ListError(f"is {format_name} but not a list of objects; give each register one, or a row of a table")
+    if len(objects) > MOST_ROWS:
+        raise ListError(f"has more than {MOST_ROWS} rows; a list of registers has fewer")
+    heads = list(dict.fromkeys(key for item in objects for key in item))
+    if len(heads) > MOST_COLUMNS:
+        raise ListError(f"has more than {MOST_COLUMNS} columns")
+    rows = [SheetRow(1, tuple(map(clean, heads)))]
+    rows += [SheetRow(n, tuple(_cell(item.get(head)) for head in heads)) for n, item in enumerate(objects, 2)]
+    return Sheet(tuple(row for row in rows if any(row.cells)), len(objects) + 1)
+
+
+def _alike(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[tuple[str, list[dict[str, Any]]]]:
+    """The groups that have half of the keys of the longest one."""
+    longest = max((objects for _, objects in groups), key=len, default=[])
+    keys = {key for item in longest for key in item}
+    return [pair for pair in groups if 2 * len(keys & {key for item in pair[1] for key in item}) >= len(keys)]
+
+
+def _joined(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[dict[str, Any]]:
+    """The objects of some groups, those of several with the names of their groups."""
+    if len({name for name, _ in groups}) == 1:
+        return [item for _, objects in groups for item in objects]
+    head = "space" if all(meaning("spaces", name) for name, _ in groups) else "group"
+    return [{head: name, **item} for name, objects in groups for item in objects]
+
+
+def _has_address(item: dict[str, Any]) -> bool:
+    addresses = {word for word in words("headings")["address"] if word not in _NO_ADDRESSES}
+    return any(folded(str(key)) in addresses and not isinstance(value, list | dict) for key, value in item.items())
+
+
+def _groups(name: str, value: Any, around: dict[str, Any]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
+    """The groups of objects in some data, each with the key that it stands under.
+
+    `around` are the functions and spaces that stand beside the groups, or farther out.
+    """
+    if objects := _group(value):
+        yield name, [{**around, **item} for item in objects]
+    if isinstance(value, dict):
+        stated = {*words("headings")["function"], *words("headings")["space"]} - {"object", "kind"}
+        scalars = {key: inner for key, inner in value.items() if not isinstance(inner, list | dict)}
+        around = {**around, **{key: inner for key, inner in scalars.items() if folded(str(key)) in stated}}
+    pairs = (
+        value.items()
+        if isinstance(value, dict)
+        else ((name, item) for item in value)
+        if isinstance(value, list)
+        else ()
+    )
+    for key, inner in pairs:
+        if isinstance(inner, list | dict):
+            yield from _groups(str(key), inner, around)
+
+
+def _group(value: Any) -> list[dict[str, Any]]:
+    """The objects of a list, or of an object with their addresses or names as keys; empty if it has others."""
+    inner = list(value.values()) if isinstance(value, dict) else value
+    if not isinstance(inner, list) or not inner or not all(isinstance(item, dict) for item in inner):
+        return []
+    if not isinstance(value, dict):
+        return inner
+    key = "address" if all(address_text(str(text)) for text in value) else "name"
+    return [{key: str(text), **item} for text, item in value.items()]
+
+
+def _cell(value: object) -> str:
+    if value is None:
+        return ""
+    return clean(value if isinstance(value, str) else json.dumps(value, ensure_ascii=False))
