@@ -252,7 +252,7 @@ Why: a misspelt key would be ignored together with its value.
 
 Example: `acces: rw`
 
-Cure: Correct the key; `docs/language.md` lists all keys.
+Cure: Correct the key; `docs/language.md` and the pages that it names list all keys.
 """,
     "unknown_word": """A word is one of those that its key permits.
 
