@@ -183,7 +183,7 @@ def test_rows_out_of_order_keep_their_order() -> None:
     [
         ("Address,Words\n0x10,2\n0x11,1\n", "not used: row 3: holds 0x0011, as row 2 does"),
         ("Address\n0x10\n0x10\n", "not used: row 3: holds 0x0010, as row 2 does"),
-        ("Address,Space\n0x10,pnu\n0x11,holding\n", "not used: row 2: has the space pnu, which is not one of registers"),
+        ("Address,Space\n0x10,pnu\n0x11,holding\n", "not used: row 2: has the space pnu, which is not one of"),
         ("Address\n0x10\n0x10000\n", "not used: row 3: has the address 65536, which is beyond 65535"),
         ("Address,Name\n0x10,a\ntbd,b\n", "not used: row 3, Address `tbd`: is not an address"),
         ('Address,Name\n0x10,a\n"8,192",b\n', "not used: row 3, Address `8,192`: is written with thousands separators"),

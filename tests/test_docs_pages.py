@@ -15,7 +15,10 @@ INDEX = (DOCS / "index.md").read_text("utf-8")
 README = (ROOT / "README.md").read_text("utf-8")
 GROUPS = {caption: pages.split() for caption, pages in re.findall(r":caption: (\w+)\n\n(.*?)```", INDEX, re.DOTALL)}
 DOORS = ("add-a-device", "versions", "plc", "program", "unit")
-GENERATED = ("api-c", "api-python", "api-typescript", "capabilities", "changes", "checks", "command-line", "language")
+GENERATED = (
+    *("api-c", "api-python", "api-typescript", "capabilities", "changes", "checks", "command-line", "language"),
+    *(f"language-{page}" for page in ("structure", "evidence", "operation", "proof", "limits")),
+)
 """Reference pages that are written from the code, the schema and the checks."""
 
 MOST_WORDS_OF_A_DOOR = 1200

@@ -17,6 +17,7 @@ from fieldspec.language.model.fact import Place
 from fieldspec.language.model.texts import Example
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, children
 from fieldspec.language.reading.yaml_reader import key_spans, parsed
+from fieldspec.language.schema.manual import pages
 from layouts import newest
 
 pytestmark = pytest.mark.asyncio
@@ -101,7 +102,7 @@ FREE = ("allow", "expected", "inferred", "printed", "standard", "values")
 
 
 async def test_a_key_is_shown_as_the_manual_of_the_language_has_it(specs: Path) -> None:
-    page = re.sub(r"\[([^\]]*)\]\(#[^)]*\)", r"\1", (ROOT / "docs/language.md").read_text("utf-8"))
+    page = re.sub(r"\[([^\]]*)\]\((?:language[\w-]*\.md)?#[^)]*\)", r"\1", "".join(pages().values()))
     rows = set()
     for line in page.splitlines():
         cells = line.replace("\\|", "\0").split("|")

@@ -69,6 +69,7 @@ def devices(draw: Any) -> Spec:
     drawn_messages.mark_exceptions(draft)
     drawn_messages.draw_response_codes(draft)
     drawn_messages.leave_unrequested(draft)
+    drawn_words.place_bits(draft)
     return {section: spec[section] for section in SECTIONS if spec.get(section)}
 
 

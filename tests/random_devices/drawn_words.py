@@ -61,8 +61,8 @@ def flags(draft: Draft) -> list[Spec]:
     return [_flags(draft) for _ in range(draft.number(0, 3))]
 
 
-def _flags(draft: Draft) -> Spec:
-    kind = draft.pick(ODD_COUNTS if draft.chance(30) else ("u16", "u8", "u32", "u64"))
+def _flags(draft: Draft, kind: str = "") -> Spec:
+    kind = kind or draft.pick(ODD_COUNTS if draft.chance(30) else ("u16", "u8", "u32", "u64"))
     word = draft.fact(type=kind, bits=[])
     at = draft.number(0, 2)
     while at < 8 * SIZES[kind] and len(word["bits"]) < 6:
@@ -131,6 +131,17 @@ def pieces_text(places: list[int]) -> str:
         else:
             runs.append([place, place])
     return ", ".join(str(first) if first == last else f"{first}..{last}" for first, last in runs)
+
+
+_BARE = {"name", "at", "type", "access", "source", "words", "decimal", "label", "doc", "notes"}
+
+
+def place_bits(draft: Draft) -> None:
+    """Some registers of whole numbers without any meaning state bits in place."""
+    for group in draft.spec.get("registers", ()):
+        for row in group["rows"]:
+            if row.get("type") in ("u8", "u16", "u32", "u64", *ODD_COUNTS) and set(row) <= _BARE and draft.chance(60):
+                row["bits"] = _flags(draft, row["type"])["bits"]
 
 
 def derived_enums(draft: Draft) -> list[Spec]:

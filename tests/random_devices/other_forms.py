@@ -1,7 +1,7 @@
 """The same device in other words: what a form of a spec means, as a spec that states it without that form.
 
-A version is a spec without bounds; copies and derived members are listed; an overlay has the differences of two
-versions; a protocol has what `uses` takes from it; and bits may be counted from the other end.
+A version is a spec without bounds; copies and derived members are listed; bits of registers are words; an overlay has
+the differences of two versions; a protocol has what `uses` takes from it; and bits may be counted from the other end.
 """
 
 from __future__ import annotations
@@ -39,6 +39,12 @@ def flat(spec: Spec, version: str = "") -> Spec:
             enum["members"] = [*enum.get("members", ()), *_derived(own, derived)]
     groups = []
     for group in own.get("registers", ()):
+        for row in group["rows"]:
+            if "bits" in row:
+                kind = row.get("type") or group["defaults"]["type"]
+                word = {"name": row["name"], "type": kind, "source": row["source"], "bits": row.pop("bits")}
+                own["flags"] = [*own.get("flags", ()), word]
+                row["flags"] = row["name"]
         copies = group.pop("copies", ())
         groups += [group, *(_copy(group, each) for each in copies)]
     return {**own, "registers": groups} if groups else own

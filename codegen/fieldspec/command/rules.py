@@ -55,8 +55,8 @@ the one that it is based on. The class of a change says whom it affects:
 `wire` and `source` are breaking. If a rule has several classes, a change has the most serious one that applies.
 
 With `--fail-on breaking`, `behaviour` or `any`, the exit code is 1 if there is such a change and B does not accept
-it with [`accepts`](language.md#acceptance). It is also 1 if an entry of `accepts` matches no change, and 2 if A or B
-cannot be read. The formats `sarif` and `github` omit the class `docs`.
+it with [`accepts`](language-structure.md#acceptance). It is also 1 if an entry of `accepts` matches no change, and 2
+if A or B cannot be read. The formats `sarif` and `github` omit the class `docs`.
 """
 
 

@@ -1,4 +1,4 @@
-"""Expands what a spec states once and places several times: block copies, signals, derived enums."""
+"""Expands what a spec states once and places several times: block copies, signals, derived enums, bits of registers."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.value import HANDLING_KEYS
 from fieldspec.language.reading.findings import near, quoted
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, identity
+from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, identity, mappings
 from fieldspec.language.schema import schema
 
 _FACT = frozenset(schema()["$defs"]["fact"]["properties"])
 _VALUE = frozenset(schema()["$defs"]["value"]["properties"])
+_WORDS = frozenset(schema()["$defs"]["flags"]["properties"]["type"]["enum"])
 # The keys that a field takes from its signal, and a register from its original.
 _OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
 _NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
@@ -31,7 +32,8 @@ _OF_COPY = frozenset({"prefix", "base", "rows", "access", "trigger", "memory", "
 
 
 def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
-    """The tree with copies, signals and derived enums expanded."""
+    """The tree with copies, signals, derived enums and bits of registers expanded."""
+    tree, findings = _with_bit_fields(tree)
     work = _Expansion(tree)
     for section, change in (
         ("enums", work.enum),
@@ -45,7 +47,51 @@ def expanded(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
     if isinstance(groups, Sequence):
         items = [item for group in groups.items for item in (group, *work.copies(group))]
         tree = tree.with_value("registers", replace(groups, items=tuple(items)))
-    return tree, work.findings
+    return tree, findings + work.findings
+
+
+def _with_bit_fields(tree: Mapping) -> tuple[Mapping, list[Diagnostic]]:
+    """The tree with a bit field for each register that states its bits in place; it has the name of the register."""
+    findings: list[Diagnostic] = []
+    bit_fields: list[Mapping] = []
+
+    def with_bit_fields(group: Mapping) -> Mapping:
+        rows = group.values.get("rows")
+        if not isinstance(rows, Sequence) or not any("bits" in row.values for row in mappings(rows)):
+            return group
+        return group.with_value("rows", _change_each(rows, lambda row: _named(group, row, bit_fields, findings)))
+
+    groups, shared = tree.values.get("registers"), tree.values.get("flags")
+    if isinstance(groups, Sequence):
+        tree = tree.with_value("registers", _change_each(groups, with_bit_fields))
+    if bit_fields:
+        items = (*(shared.items if isinstance(shared, Sequence) else ()), *bit_fields)
+        tree = tree.with_value("flags", Sequence(tree.file, tree.start, tree.end, items))
+    return tree, findings
+
+
+def _named(group: Mapping, row: Mapping, bit_fields: list[Mapping], findings: list[Diagnostic]) -> Mapping:
+    """A register that names its bits; where it states them in place, they are added to `bit_fields`."""
+    if "bits" not in row.values:
+        return row
+    defaults = group.values.get("defaults")
+    stated = row.values.get("type") or (defaults.values.get("type") if isinstance(defaults, Mapping) else None)
+    bits, name = row.values["bits"], _scalar(row, "name")
+    if "flags" in row.values:
+        text, help = "`flags` names the bits already", "remove `flags`, or remove `bits`"
+        findings.append(Diagnostic("wrong_form", text, bits.span, help=help))
+    elif isinstance(stated, Scalar) and stated.text not in _WORDS:
+        text = f"a register of the type {stated.text} has no bits"
+        findings.append(Diagnostic("wrong_form", text, bits.span, help="state an unsigned type, or remove `bits`"))
+    elif isinstance(stated, Scalar):
+        bit_field = Mapping(row.file, row.start, row.end, {}).with_value("name", name).with_value("type", stated)
+        for key in ("source", "since", "until", "only", "bits"):
+            bit_field = bit_field.with_value(key, row.values[key]) if key in row.values else bit_field
+        if "section" in group.values:
+            bit_field = bit_field.with_value("section", group.values["section"])
+        bit_fields.append(bit_field)
+        row = row.with_value("flags", _scalar_like(name, name.text))
+    return row.without("bits")
 
 
 class _Expansion:

@@ -251,7 +251,10 @@ class _Reader:
         self._placed(whole, head, folder, _NOT_OF_A_DEVICE)
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
-        expanded_trees = {version: expanded(tree)[0] for version, tree in layers.items()}
+        expanded_trees = {}
+        for version, tree in layers.items():
+            expanded_trees[version], version_findings = expanded(tree)
+            self.findings += bounded([finding for finding in version_findings if finding not in self.findings])
         used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
         return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used, reused)
 

@@ -252,7 +252,7 @@ Why: a misspelt key would be ignored together with its value.
 
 Example: `acces: rw`
 
-Fix: Correct the key; `docs/language.md` lists all keys.
+Fix: Correct the key; `docs/language.md` and the pages that it names list all keys.
 """,
     "unknown_word": """A word is one of the words that its key permits.
 

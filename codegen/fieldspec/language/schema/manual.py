@@ -12,8 +12,22 @@ from fieldspec.language.schema import Schema, built_in_units, described, referre
 ROOT = "file"
 """The name under which the template asks for the sections of a file."""
 
+PAGES = {
+    "language": "core.md",
+    "language-structure": "structure.md",
+    "language-evidence": "evidence.md",
+    "language-operation": "operation.md",
+    "language-proof": "proof.md",
+    "language-limits": "limits.md",
+}
+"""The pages of the manual, each with its template."""
+
 _MARK = re.compile(r"^<!-- keys: ([a-z_. ]+) -->$", re.MULTILINE)
+_CORE = re.compile(r"^<!-- core: ([a-z_.]+) ([a-z_0-9 ]+) -->$", re.MULTILINE)
 _INCLUDED = re.compile(r"^<!-- include: ([a-z_]+\.md) -->$", re.MULTILINE)
+_HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
+_ANCHOR = re.compile(r"\]\(#([^)]*)\)")
+_SENTENCE = re.compile(r".*?\.(?= [A-Z`]|$)")
 _LINK = re.compile(r"\[([^\]]*)\]\(#[^)]*\)")
 _UNITS = "<!-- units -->"
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
@@ -28,11 +42,35 @@ _KINDS = {
 }
 
 
-def manual() -> str:
-    """The manual as Markdown. The template names the part of the schema for each table of keys."""
-    text = _INCLUDED.sub(lambda mark: _resource_text(mark[1]).rstrip("\n"), _resource_text("language.md"))
+@cache
+def pages() -> dict[str, str]:
+    """The pages of the manual as Markdown, by name. Links lead to the page that has the heading."""
+    texts = {name: _filled(template) for name, template in PAGES.items()}
+    homes = {anchor(heading): name for name, text in texts.items() for heading in _HEADING.findall(text)}
+    return {name: _with_addresses(text, name, homes) for name, text in texts.items()}
+
+
+def _with_addresses(text: str, page: str, homes: dict[str, str]) -> str:
+    """A page whose links to headings of other pages name these."""
+    files = {heading: "" if home == page else f"{home}.md" for heading, home in homes.items()}
+    return _ANCHOR.sub(lambda link: f"]({files[link[1]]}#{link[1]})", text)
+
+
+def _filled(template: str) -> str:
+    """A page without addresses of other pages. The template names the part of the schema for each table of keys."""
+    text = _INCLUDED.sub(lambda mark: _resource_text(mark[1]).rstrip("\n"), _resource_text(template))
     text = text.replace(_UNITS, "\n".join(_units()))
+    text = _CORE.sub(lambda mark: "\n".join(_core_keys(mark[1], mark[2].split())), text)
     return _MARK.sub(lambda mark: "\n\n".join("\n".join(_section(name)) for name in mark[1].split()), text)
+
+
+def _core_keys(name: str, keys: list[str]) -> Iterator[str]:
+    """The first sentences of what some keys of a part are, with a link to its section."""
+    yield f"| [{name}](#{anchor(name)}) | what it is |"
+    yield "|---|---|"
+    for key in keys:
+        sentence = _SENTENCE.match(described(parts()[name]["properties"][key]))
+        yield f"| `{key}` | {_cell(sentence[0]) if sentence else ''} |"
 
 
 def _units() -> Iterator[str]:

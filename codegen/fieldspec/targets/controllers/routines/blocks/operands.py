@@ -132,15 +132,15 @@ def argument(block: BlockDraft, name: str, operand: Operand, value: Value | None
 def bit_of_argument(block: BlockDraft, task: Task, step: Step) -> Expression:
     """Whether the bit of an argument is set that a step writes. The argument is an input of all its bits."""
     width = len(task.bits_of(step.argument))
-    kind, most = UNSIGNED[_bytes(width)], (1 << width) - 1
+    kind, highest = UNSIGNED[_bytes(width)], (1 << width) - 1
     words = Name.of(step.argument).pascal()
     raw = Variable(bare(f"{PREFIXES[kind.name]}{words}Raw"), kind)
     if all(declared.variable != raw for declared in block.declared):
-        source = block.declare(f"{PREFIXES[kind.name]}{words}", kind, "input", f"0..{most}.")
+        source = block.declare(f"{PREFIXES[kind.name]}{words}", kind, "input", f"0..{highest}.")
         raw = block.declare(f"{PREFIXES[kind.name]}{words}Raw", kind, "output", "what is sent")
         block.at_start.append(Assignment(raw, source))
         refused: list[Statement] = [Assignment(block.result, block.status.of("out_of_range")), block.refuse()]
-        wrong = outside(raw, [(0, most)], kind)
+        wrong = outside(raw, [(0, highest)], kind)
         block.at_start += _unless_refused(block, [when(wrong, refused)] if wrong is not None else [])
     bits = BITS[kind.size]
     mask = Whole(1 << (step.argument_bit or 0), bits, True)
