@@ -29,7 +29,7 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
     has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
     low, high = (count_of(bound, row) for bound in (row.low, row.high))
     are_counts = has_counts and (low, high).count(None) == (row.low, row.high).count(None)
-    is_switch = is_truth(primitive.encoding)
+    is_switch = is_truth(primitive.encoding) and not row.is_own
     if is_switch and row.low == 0 and row.high == 1:
         pass  # it has no other values
     elif low is not None and high is not None and has_counts and not is_switch and lowest <= low <= high <= highest:

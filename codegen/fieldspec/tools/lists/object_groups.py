@@ -55,17 +55,17 @@ def _has_address(item: dict[str, Any]) -> bool:
     return any(folded(str(key)) in addresses and not isinstance(value, list | dict) for key, value in item.items())
 
 
-def _groups(name: str, value: Any, around: dict[str, Any]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
+def _groups(name: str, value: Any, outer_facts: dict[str, Any]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
     """The groups of objects in some data, each with the key that it stands under.
 
-    `around` are the functions and spaces that stand beside the groups, or farther out.
+    `outer_facts` are the functions and spaces that stand beside the groups, or farther out.
     """
     if objects := _group(value):
-        yield name, [{**around, **item} for item in objects]
+        yield name, [{**outer_facts, **item} for item in objects]
     if isinstance(value, dict):
         stated = {*words("headings")["function"], *words("headings")["space"]} - {"object", "kind"}
         scalars = {key: inner for key, inner in value.items() if not isinstance(inner, list | dict)}
-        around = {**around, **{key: inner for key, inner in scalars.items() if folded(str(key)) in stated}}
+        outer_facts = {**outer_facts, **{key: inner for key, inner in scalars.items() if folded(str(key)) in stated}}
     pairs = (
         value.items()
         if isinstance(value, dict)
@@ -75,7 +75,7 @@ def _groups(name: str, value: Any, around: dict[str, Any]) -> Iterator[tuple[str
     )
     for key, inner in pairs:
         if isinstance(inner, list | dict):
-            yield from _groups(str(key), inner, around)
+            yield from _groups(str(key), inner, outer_facts)
 
 
 def _group(value: Any) -> list[dict[str, Any]]:

@@ -17,7 +17,7 @@ _COMPOSED = re.compile(
     r"(?P<sign>unsigned|uns|usigned|u|signed|sgn|s|)(?P<base>integer|int|word|float|real|double|bcd|bitfield|bitmap|bits?|enum|hex|)"
     r"(?P<bits>8|16|24|32|48|64)(?P<late>u|s|i|)(?:bits?|flags?|t|)(?P<order>|abcd|cdab|dcba|badc|be|le|sw|swapped|msw|lsw|big|little|bigendian|littleendian)"
 )
-_EARLY_BITS = re.compile(r"(8|16|32|64)bits?(.*)")
+_EARLY_BITS = re.compile(r"(8|16|32|64)(?:bits(?!igned)|bit)(.*)")
 _LENGTH = re.compile(
     r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*\u00d7]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
 )
