@@ -55,7 +55,7 @@ build: $(INSTALLED) bytecode
 # Without npm the tests of editors are skipped; where CI is set, they fail.
 test: $(INSTALLED) bytecode $(if $(NPM),$(TOOLS))
 	$(BIN)/ruff check .
-	$(BIN)/mypy
+	$(BIN)/mypy --num-workers 2
 	$(BIN)/pytest
 
 test-fast: $(INSTALLED) bytecode

@@ -13,7 +13,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compilers import require_tool
+from compilers import SANITIZED, require_tool
 from driver import records, settled, source
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -51,8 +51,8 @@ def driver(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     for path, text in files([layout]).items():
         (folder / path).write_text(text, encoding="utf-8")
     (folder / "driver.c").write_text(source(layout), encoding="utf-8")
-    command = [require_tool("gcc"), "-std=c99", "-w", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-    subprocess.run([*command, "-o", str(folder / "driver"), str(folder / "driver.c")], check=True)
+    require_tool(SANITIZED[0])
+    subprocess.run([*SANITIZED, "-w", "-o", str(folder / "driver"), str(folder / "driver.c")], check=True)
     return layout, folder / "driver"
 
 

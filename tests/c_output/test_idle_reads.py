@@ -11,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from compilers import require_tool
+from compilers import SANITIZED, require_tool
 from driver import settled
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -88,7 +88,7 @@ def test_every_register_of_an_idle_device_is_decoded(root: Path, device: str, tm
     )
     (tmp_path / "main.c").write_text(main, encoding="utf-8")
     program = tmp_path / "main"
-    command = [require_tool("gcc"), "-std=c99", "-w", "-fsanitize=address,undefined", "-o", str(program)]
-    subprocess.run([*command, str(tmp_path / "main.c")], check=True)
+    require_tool(SANITIZED[0])
+    subprocess.run([*SANITIZED, "-w", "-o", str(program), str(tmp_path / "main.c")], check=True)
     result = subprocess.run([str(program)], capture_output=True, text=True, check=False)
     assert (result.returncode, result.stdout) == (0, "")

@@ -283,29 +283,31 @@ class History:
     def _calls(self, name: str, kind: str) -> Calls:
         calls = Calls(name, kind)
         keys = [(name, text) for text in STARTS if self.scans and (name, text) in self.scans[0].inputs]
+        abort, busy, active, error = ((name, text) for text in ("Abort", "Busy", "Active", "ErrorID"))
+        ends = [(end, (name, end)) for end in ENDS]
         before: tuple[bool, ...] | None = None
         restarted, ready = True, False
         for number, scan in enumerate(self.scans):
             restarted = restarted or "restart" in scan.disturbed
             if scan.called is not None and name not in scan.called:
                 continue
-            levels = tuple(bool(scan.inputs[key]) for key in keys)
+            levels = tuple([bool(scan.inputs[key]) for key in keys])
             outputs = scan.outputs
             if restarted:
                 before = None
             calls.scans.append(number)
-            calls.execute.append(any(levels))
+            calls.execute.append(True in levels)
             # A jog needs both inputs FALSE first, after a restart and after it has failed.
             failed = bool(calls.ends) and calls.ends[-1] in ("Error", "CommandAborted")
-            free = before is not None and (not any(before) or (ready and not failed))
+            free = before is not None and (True not in before or (ready and not failed))
             ready = len(keys) < 2 or free
-            calls.edges.append(before is not None and ready and _rising(before, levels))
+            calls.edges.append(before not in (None, levels) and ready and _rising(before, levels))
             calls.fresh.append(restarted)
-            calls.abort.append(bool(scan.inputs.get((name, "Abort"))))
-            calls.busy.append(bool(outputs.get((name, "Busy"))))
-            calls.ends.append("".join(end for end in ENDS if outputs.get((name, end))))
-            calls.active.append(bool(outputs.get((name, "Active"))))
-            calls.error.append(int(outputs.get((name, "ErrorID"), 0)))
+            calls.abort.append(bool(scan.inputs.get(abort)))
+            calls.busy.append(bool(outputs.get(busy)))
+            calls.ends.append("".join([end for end, key in ends if outputs.get(key)]))
+            calls.active.append(bool(outputs.get(active)))
+            calls.error.append(int(outputs.get(error, 0)))
             calls.directions.append(levels)
             before, restarted = levels, False
         return calls

@@ -39,7 +39,7 @@ def outputs_exclude_each_other(history: History) -> Iterator[Violation]:
     """Rule 3: of Busy, Done, Error and CommandAborted one at most is TRUE, and Active with Busy; a stop may be both."""
     for calls in history.blocks.values():
         for index, scan in enumerate(calls.scans):
-            number = calls.busy[index] + sum(end in calls.ends[index] for end in ENDS)
+            number = calls.busy[index] + (sum([end in calls.ends[index] for end in ENDS]) if calls.ends[index] else 0)
             if number > 1 and not (calls.kind in LOCKS and number == 2 and calls.ends[index] == "Done"):
                 busy = "Busy and " if calls.busy[index] else ""
                 yield Violation(3, scan, calls.name, f"{busy}{calls.ends[index]} are TRUE together")
@@ -90,7 +90,7 @@ def an_end_has_a_beginning(history: History) -> Iterator[Violation]:
     """Rule 8: an end rises only in a scan before which the block was Busy, or in that of an edge."""
     for calls in _edged(history):
         for index, scan in enumerate(calls.scans):
-            new = [end for end in ENDS if calls.rises(index, end)]
+            new = [end for end in ENDS if calls.rises(index, end)] if calls.ends[index] else []
             before = index > 0 and not calls.fresh[index] and calls.busy[index - 1]
             if new and not before and not calls.edges[index]:
                 yield Violation(8, scan, calls.name, f"{new[0]} rises although it was not Busy")

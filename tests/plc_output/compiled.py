@@ -12,7 +12,7 @@ import os
 import re
 import struct
 import subprocess
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -45,13 +45,15 @@ FORMATS = {
 }
 WARNINGS = ("-Wall", "-Wextra", "-Werror")
 SANITIZED = ("-fsanitize=address,undefined,float-cast-overflow",)
+# What ends a program anyway, or is looked at in the nights, takes three quarters of the time that Clang needs.
+QUICK = ("-fsanitize-address-outline-instrumentation", "-fno-sanitize=alignment,null,object-size")
 STANDARD = "-std=gnu11"
 # Most programs run for a moment and are compiled for much longer. Clang builds with sanitizers in a third of the time
 # of GCC, which has more warnings; some of those need an optimizer, and are looked for in the nights.
 COMPILERS = (
     (("gcc", STANDARD, "-O1", "-g", *WARNINGS, *SANITIZED),)
     if FACTOR > 1
-    else (("gcc", STANDARD, "-fsyntax-only", *WARNINGS), ("clang", STANDARD, "-O0", "-w", *SANITIZED))
+    else (("gcc", STANDARD, "-fsyntax-only", *WARNINGS), ("clang", STANDARD, "-O0", "-w", *SANITIZED, *QUICK))
 )
 """The commands that compile a program, the last of which writes it."""
 # What matiec writes for every program alike: parameters for EN that a block does not look at, tests of divisors,
@@ -60,6 +62,8 @@ QUIET = ("-Wno-unused-parameter", "-Wno-unused-function", "-Wno-type-limits", "-
 PROTOTYPE = re.compile(r"^(\w+) (\w+)\(\s*BOOL EN,\s*BOOL \*__ENO(.*?)\);", re.MULTILINE | re.DOTALL)
 RESULT = "VAR_RESULT"
 LEAST = str(-(2**63))
+NUMBER = "udint"
+"""The type of the numbers that say what the process is to run, and of times."""
 
 
 @dataclass(frozen=True)
@@ -74,6 +78,23 @@ class Block:
     outputs: tuple[tuple[str, Any], ...]
 
 
+@dataclass(frozen=True)
+class Form:
+    """How a type is written for `struct`, element by element, and how a value becomes elements and is made of them."""
+
+    letters: str
+    flatten: Callable[[Any, list[Any]], object]
+    raised: Callable[[Iterator[Any]], Any]
+
+
+@dataclass(frozen=True)
+class Packing:
+    """How values of some types are packed."""
+
+    struct: struct.Struct
+    forms: Sequence[Form]
+
+
 class Compiled(Machine):
     """The functions of a text in the standard's dialect; calls go to the compiled code."""
 
@@ -86,7 +107,8 @@ class Compiled(Machine):
     ) -> None:
         super().__init__(parsed(anonymous(text)) if unit is None else unit)
         self.block = block
-        self._forms: dict[Any, str] = {}
+        self._forms: dict[Any, Form] = {}
+        self._packings: dict[tuple[Any, ...], Packing] = {}
         self.numbers = {name: number for number, name in enumerate(self.unit.functions)}
         self._process = subprocess.Popen(
             [str(self._program(text, folder))],
@@ -103,12 +125,14 @@ class Compiled(Machine):
         sections = [
             (role, variable, self.kind(kind)) for role, variable, kind, _ in function.variables if role != "VAR"
         ]
-        into = [(kind, arguments[variable]) for role, variable, kind in sections if role in ("VAR_INPUT", "VAR_IN_OUT")]
+        into = [(kind, variable) for role, variable, kind in sections if role in ("VAR_INPUT", "VAR_IN_OUT")]
         out = [
             (RESULT, "", self.kind(function.returns)),
             *(section for role in ("VAR_OUTPUT", "VAR_IN_OUT") for section in sections if section[0] == role),
         ]
-        answer = self._asked(self.numbers[function.name], into, [kind for _, _, kind in out])
+        values = [self.numbers[function.name], *(arguments[variable] for _, variable in into)]
+        packing = self._packing(NUMBER, *(kind for kind, _ in into))
+        answer = self._asked(packing, values, self._packing(*(kind for _, _, kind in out)))
         for (role, variable, _), value in zip(out, answer, strict=True):
             if role == "VAR_IN_OUT" and isinstance(value, list):
                 arguments[variable][:] = value
@@ -118,77 +142,68 @@ class Compiled(Machine):
 
     def restart(self) -> None:
         """Gives the variables of the block their initial values, as when a controller is switched on."""
-        self._asked(len(self.numbers), [], [])
+        self._asked(self._packing(NUMBER), [len(self.numbers)], self._packing())
 
     def scan(self, milliseconds: int, values: Sequence[Any]) -> list[Any]:
         """Runs the block once, some time after the scan before, and gives what is read after it."""
         assert self.block is not None
-        into = [("udint", milliseconds), *zip((kind for _, kind in self.block.inputs), values, strict=True)]
-        return self._asked(len(self.numbers) + 1, into, [kind for _, kind in self.block.outputs])
+        packing = self._packing(NUMBER, NUMBER, *[kind for _, kind in self.block.inputs])
+        answer = self._packing(*[kind for _, kind in self.block.outputs])
+        return self._asked(packing, [len(self.numbers) + 1, milliseconds, *values], answer)
 
-    def _asked(self, number: int, into: list[tuple[Any, Any]], out: list[Any]) -> list[Any]:
+    def _asked(self, packing: Packing, values: Sequence[Any], answer: Packing) -> list[Any]:
         """What the process answers."""
-        flat: list[Any] = [number]
-        form = "<I"
-        for kind, value in into:
-            if kind in FORMATS:
-                form += FORMATS[kind]
-                flat.append(value)
-            else:
-                form += self.form(kind)
-                self._flatten(kind, value, flat)
-        answer = struct.Struct("<" + "".join(map(self.form, out)))
+        flat: list[Any] = []
+        for form, value in zip(packing.forms, values, strict=True):
+            form.flatten(value, flat)
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         try:
-            self._process.stdin.write(struct.pack(form, *flat))
+            self._process.stdin.write(packing.struct.pack(*flat))
             self._process.stdin.flush()
         except BrokenPipeError:
             pass
-        got = self._process.stdout.read(answer.size) if answer.size else b""
-        if len(got) < answer.size:
+        size = answer.struct.size
+        got = self._process.stdout.read(size) if size else b""
+        if len(got) < size:
             assert self._process.stderr is not None
             raise AssertionError(self._process.stderr.read().decode()[-4000:])
-        values = iter(answer.unpack(got))
-        return [next(values) if kind in FORMATS else self._raised(kind, values) for kind in out]
+        elements = iter(answer.struct.unpack(got))
+        return [form.raised(elements) for form in answer.forms]
 
-    def form(self, kind: Any) -> str:
-        """How a type is written for `struct`, element by element."""
-        if kind in FORMATS:
-            return FORMATS[kind]
+    def _packing(self, *kinds: Any) -> Packing:
+        """How values of some types are packed."""
+        if kinds not in self._packings:
+            forms = [self._form(kind) for kind in kinds]
+            self._packings[kinds] = Packing(struct.Struct("<" + "".join(form.letters for form in forms)), forms)
+        return self._packings[kinds]
+
+    def _form(self, kind: Any) -> Form:
+        """How values of a type are packed."""
         if kind not in self._forms:
-            self._forms[kind] = self._form(self.kind(kind))
+            self._forms[kind] = self._new_form(self.kind(kind))
         return self._forms[kind]
 
-    def _form(self, kind: Any) -> str:
+    def _new_form(self, kind: Any) -> Form:
         if isinstance(kind, tuple):
-            return self.form(kind[3]) * (kind[2] - kind[1] + 1)
+            _, low, high, of = kind
+            count, item = high - low + 1, self._form(of)
+            letters = item.letters * count
+            if of in FORMATS:
+                return Form(letters, lambda array, flat: flat.extend(array), lambda rest: list(islice(rest, count)))
+            return Form(
+                letters,
+                lambda array, flat: [item.flatten(value, flat) for value in array],
+                lambda rest: [item.raised(rest) for _ in range(count)],
+            )
         if kind in self.unit.structs:
-            return "".join(self.form(of) for _, of, _ in self.unit.structs[kind])
-        return FORMATS[kind]
-
-    def _flatten(self, kind: Any, value: Any, out: list[Any]) -> None:
-        kind = self.kind(kind)
-        if isinstance(kind, tuple) and kind[3] in FORMATS:
-            out.extend(value)
-        elif isinstance(kind, tuple):
-            for item in value:
-                self._flatten(kind[3], item, out)
-        elif kind in self.unit.structs:
-            for name, of, _ in self.unit.structs[kind]:
-                self._flatten(of, value[name], out)
-        else:
-            out.append(value)
-
-    def _raised(self, kind: Any, values: Iterator[Any]) -> Any:
-        kind = self.kind(kind)
-        if isinstance(kind, tuple) and kind[3] in FORMATS:
-            return list(islice(values, kind[2] - kind[1] + 1))
-        if isinstance(kind, tuple):
-            return [self._raised(kind[3], values) for _ in range(kind[1], kind[2] + 1)]
-        if kind in self.unit.structs:
-            return {name: self._raised(of, values) for name, of, _ in self.unit.structs[kind]}
-        return next(values)
+            members = [(name, self._form(of)) for name, of, _ in self.unit.structs[kind]]
+            return Form(
+                "".join(member.letters for _, member in members),
+                lambda value, flat: [member.flatten(value[name], flat) for name, member in members],
+                lambda rest: {name: member.raised(rest) for name, member in members},
+            )
+        return Form(FORMATS[kind], lambda value, flat: flat.append(value), next)
 
     def _program(self, text: str, folder: Path) -> Path:
         """The program of a text, compiled."""
