@@ -11,9 +11,15 @@ def with_remote_request(entry: Entry) -> Entry:
     stated = entry.node.values.get("remote")
     if not isinstance(stated, Scalar) or entry.maybe("requested") is False:
         return entry
-    if "request" in entry.own:
-        text = "a remote request has no data, but the message has a `request`"
-        entry.refuse("wrong_form", "request", text, "remove `request`, or `remote`")
+    for key in ("request", "accesses", "access_steps", "segments"):
+        if key in entry.own:
+            text = f"a remote request has no data, but the message has `{key}`"
+            entry.refuse("wrong_form", key, text, f"remove `{key}`, or `remote`")
+    for key in ("frame_length", "data_words"):
+        lengths = entry.entry(key)
+        if lengths is not None and "request" in lengths.own:
+            text = f"a remote request has no data, but the `{key}` of the message has a request"
+            entry.refuse("wrong_form", key, text, "remove the request there, or `remote`")
     values: dict[str, Node] = {
         key: Scalar(stated.file, stated.start, stated.end, str(value), False, value)
         for key, value in (("name", "dlc"), ("type", "u8"), ("const", stated.value))
