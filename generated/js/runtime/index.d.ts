@@ -30,15 +30,20 @@ export declare class UnknownFirmwareError extends RangeError {
   readonly known: readonly string[];
 }
 
-/** The identifier and the data of a CAN frame, as drivers take and give them; `isExtended` means 29 bits. */
+/**
+ * The identifier and the data of a CAN frame, as drivers take and give them; `isExtended` means 29 bits. A remote
+ * request has no data, and asks for `dlc` bytes.
+ */
 export interface CanFrame {
   readonly identifier: number;
-  readonly data: Uint8Array;
+  readonly data?: Uint8Array;
   readonly isExtended?: boolean;
+  readonly isRemote?: boolean;
+  readonly dlc?: number;
 }
 
 /** The identifier and the data of a frame as encoders of a CAN bus return it. */
-export declare function canFrame(bytes: Uint8Array): CanFrame;
+export declare function canFrame(bytes: Uint8Array): CanFrame & { readonly data: Uint8Array };
 
 /** The frame of an identifier and its data, as decoders of a CAN bus take it. */
 export declare function canBytes(frame: CanFrame): Uint8Array;

@@ -250,9 +250,9 @@ class _Frame:
             return self._judged_length(part, read)
         if part.offset < 0:
             return read
-        self.values[part.name] = read.number
+        self.values[part.name] = self.shape.printed_number(part, read.number)
         if part.role == "code":
-            return self._code(part, read)
+            return self._code(part, replace(read, number=self.values[part.name]), read.number)
         if part.role == "unit_address":
             return self._unit_address(read)
         stated = self.asked.values.get(part.part.same_as) if self.asked else None
@@ -275,10 +275,9 @@ class _Frame:
         text = expected.decode("ascii") if part.digits else expected.hex(" ").upper()
         return read.judged(raw == expected, text, "wrong_check")
 
-    def _code(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
+    def _code(self, part: PartLayout, read: DecodedValue, code: int) -> DecodedValue:
         """The message that a code names. An exception response marks the code."""
-        code, refusal = read.number, self.link.exception_response
-        assert isinstance(code, int)
+        refusal = self.link.exception_response
         head = self.shape.numbers(self.data)
         if refusal is not None and self.direction == "response" and refusal.is_marked(code, head):
             self.error = True

@@ -221,8 +221,9 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if role == "code" and _has_code_of_its_own(layout, response):
             continue  # it marks the exception responses to all requests
         announced = layout.messages.get(request.message)
-        if role == "code" and announced is not None and announced.message.response_code is not None:
-            expected = announced.message.response_code
+        if role == "code" and announced is not None and announced.message.has_response_code:
+            expected = announced.message.code_of("response")
+            assert expected is not None
             if theirs and isinstance(actual, int) and actual != expected:
                 texts = theirs.number_text(actual), theirs.number_text(expected)
                 yield f"{theirs.name} is {texts[0]}, but {texts[1]} answers {request.message}"

@@ -11,14 +11,14 @@ from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.escape import CAN_EXTENDED, Escape
+from fieldspec.language.model.escape import CAN_EXTENDED, CAN_REMOTE, Escape
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.texts import Erratum
 
-IDENTIFIER = "identifier"
-"""Where the parts of the identifier of a CAN frame are."""
+IDENTIFIER, DLC = "identifier", "DLC"
+"""Where the parts of the identifier of a CAN frame are, and the number of bytes that a remote request asks for."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,7 +28,8 @@ class ExplanationRow:
     `kind` is `mark`, `part` (of the frame), `field` (of the body), `register`, or `unexplained`.
     `offset` and `length` count bytes of the frame as it is sent, and `raw` are the bytes that they encode. If each byte
     is sent as two characters, `characters` are these, and `length` counts them.
-    In a CAN frame, `can_place` is `identifier`, or the number of the first byte in the data; otherwise it is empty.
+    In a CAN frame, `can_place` is `identifier`, the `DLC` of a remote request, or the number of the first byte in the
+    data; otherwise it is empty.
     `path` is the place in the frame, as in `items[0].size`; `fact` is the path of the fact in the spec.
     `number` is the raw value, `value` the exact quantity with its unit.
     `verdict` is empty, `right`, or `wrong: ..`, and `reason` then names the fault as the errors of the codecs do.
@@ -72,13 +73,14 @@ class ExplanationRow:
         if self.can_place != IDENTIFIER or not self.characters:
             return self.characters
         number = int(self.characters.replace(" ", "")[:8], 16)
-        return f"{number ^ CAN_EXTENDED:08X}" if number & CAN_EXTENDED else f"{number:03X}"
+        identifier = number & ~(CAN_EXTENDED | CAN_REMOTE)
+        return f"{identifier:08X}" if number & CAN_EXTENDED else f"{identifier:03X}"
 
     @property
     def byte_text(self) -> str:
-        """`byte 4`; in a CAN frame `byte 2 of the data` or `the identifier`."""
-        if self.can_place == IDENTIFIER:
-            return f"the {IDENTIFIER}"
+        """`byte 4`; in a CAN frame `byte 2 of the data`, `the identifier` or `the DLC`."""
+        if self.can_place in (IDENTIFIER, DLC):
+            return f"the {self.can_place}"
         return f"byte {self.can_place} of the data" if self.can_place else f"byte {self.offset}"
 
 
@@ -103,7 +105,10 @@ class Spot:
         """Where the byte at `position` of the parts is in a CAN frame; empty in others, and where it is unreadable."""
         if self.escape is None or self.escape.method != "can" or not self.places:
             return ""
-        return IDENTIFIER if position < self.escape.fields_size else str(position - self.escape.fields_size)
+        if position < self.escape.fields_size:
+            return IDENTIFIER
+        is_remote = self.escape.is_remote(self.frame[self.start :])
+        return DLC if is_remote else str(position - self.escape.fields_size)
 
     def byte_text(self, position: int) -> str:
         """`byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts."""

@@ -9,9 +9,10 @@ from fieldspec.codec.layout.exception_mark import ExceptionMark, exception_mark
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout
+from fieldspec.codec.layout.remote_requests import with_remote_codes
 from fieldspec.codec.layout.subcodes import Subcode, subcode
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.escape import Escape
+from fieldspec.language.model.escape import CAN_REMOTE, Escape
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.sizes import part_size, sent_on
 
@@ -58,6 +59,11 @@ class FrameLayout:
     def parts(self) -> tuple[PartLayout, ...]:
         """All parts but the body, in the order in which they are sent."""
         return (*self.header, *self.trailer)
+
+    def printed_number(self, part: PartLayout, number: int) -> int:
+        """The number of a part as people know it: the code of a remote request without its bit."""
+        has_remote = part.role == "code" and self.escape is not None and self.escape.remote is not None
+        return number & ~CAN_REMOTE if has_remote else number
 
     def numbers(self, data: bytes) -> dict[str, int]:
         """The numbers of the parts before the body, by name; -1 for what is not the digits of a number."""
@@ -144,7 +150,7 @@ class LinkLayout:
     @property
     def has_response_codes(self) -> bool:
         """Whether the code of some response differs from its request's code."""
-        return any(message.message.response_code is not None for message in self.carried("response").values())
+        return any(message.message.has_response_code for message in self.carried("response").values())
 
     def message_with_code(
         self, code: int, direction: str = "request", data: bytes | None = None, request_name: str = ""
@@ -204,12 +210,16 @@ class LinkLayout:
         if code is None:
             return "no code"
         part = self.frame(direction).role("code")
-        text = f"0x{code:02X}" if part is None or not part.form else part.number_text(code)
+        remote = code & CAN_REMOTE if self.link.is_can else 0
+        text = f"0x{code ^ remote:02X}" if part is None or not part.form else part.number_text(code)
+        text += " as a remote request" if remote else ""
         shared = self.subcodes(direction).get(code)
         if shared is None:
             return text
         shape = self.frame(direction)
         place = shape.header_size + shared.offset
+        if remote:
+            return f"{text} for {' or '.join(shared.texts_of(message))} bytes"
         byte = f"byte {place}" if shape.escape is None else shape.escape.byte_text(place)
         return f"{text} with {' or '.join(shared.texts_of(message))} at {byte}"
 
@@ -263,6 +273,8 @@ class LinkLayout:
 def link_layout(link: Link, messages: Mapping[str, MessageLayout], records: Mapping[str, RecordLayout]) -> LinkLayout:
     """The layout of a link. `messages` are the messages of all links of the device, `records` all its records."""
     link_messages = {name: message for name, message in messages.items() if sent_on(link, message.message)}
+    if any(message.message.remote is not None for message in link_messages.values()):
+        link = with_remote_codes(link)
     exception = link.exception_response
     mark = exception_mark(exception, records.get(exception.record) if exception is not None else None)
     return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), link_messages, mark)

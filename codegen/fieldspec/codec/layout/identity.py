@@ -184,6 +184,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
             message.code,
             message.number if message.code is None else None,
             *((message.response_code,) if message.response_code not in (None, message.code) else ()),
+            *(("remote", message.remote) if message.remote is not None else ()),
             message.broadcast is True,
             _access(message.accesses),
             *_segments(message.segments),

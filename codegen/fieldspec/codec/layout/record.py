@@ -142,7 +142,7 @@ class RecordLayout:
     @property
     def stated_fields(self) -> tuple[FieldLayout, ...]:
         """The fields that the spec states one by one: the fields of the record without its separators."""
-        return tuple(field for field in self.fields if not field.field.is_separator)
+        return tuple(field for field in self.fields if not field.field.is_implied)
 
     @property
     def first_bytes(self) -> int:

@@ -143,6 +143,7 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:
     message = message_layout.message
     yield "what", message.title
     yield "code", "" if message.code is None else f"0x{message.code:02X}"
+    yield "request", "" if message.remote is None else f"a remote request with the DLC {message.remote}"
     yield "response code", "" if message.response_code is None else f"0x{message.response_code:02X}"
     yield "number", "" if message.number is None else str(message.number)
     yield "beside", " or ".join(message.supplements)

@@ -61,7 +61,7 @@ def field_table(record: RecordLayout, base: int | None = None) -> Block:
     rows = [
         row
         for field in record.sent_fields
-        if not field.field.is_separator
+        if not field.field.is_implied
         for row in _rows(field, base, record.has_place(field))
     ]
     headings = ("at" if base is None else "address", "type", "name", "label", "unit", "range", "default", "names")

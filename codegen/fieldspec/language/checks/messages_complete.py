@@ -41,12 +41,13 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
 def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
     by_code: dict[int, list[Message]] = {}
     for message in messages_on(device, link):
-        if message.code is None:
+        code = message.code_of("request")
+        if code is None:
             text = f"{message.name} has no code"
             help = "state its `code`, or name the links without codes on which it is sent"
             yield finding(_CODE, message.place, "code", text, help)
             continue
-        by_code.setdefault(message.code, []).append(message)
+        by_code.setdefault(code, []).append(message)
     sizes = RecordSizes(device)
     for messages in by_code.values():
         yield from _shared(device, sizes, [message for message in messages if message.is_requested])

@@ -282,12 +282,15 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         companions = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         sender = "" if message.is_requested else "Only the device sends it, of its own accord."
+        if message.remote is not None:
+            sender = f"A remote request with the DLC {message.remote}."
         description = " ".join(
             text for text in (message.title and f"{message.title}.", links, companions, sender) if text
         )
         subcodes = subcodes_of(layout, layout_of_message)
         subcode = subcodes[0][0] if len(subcodes) == 1 and subcodes[0][0] == subcodes[0][1] else None
-        codes = (("code", message.code), ("response_code", message.response_code))
+        codes = [("code", message.code_of("request"))]
+        codes += [("response_code", message.code_of("response"))] if message.has_response_code else []
         numbers = (*codes, ("subcode", subcode), ("number", message.number))
         comment_of_message = describe_fact(message, description)
         block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []

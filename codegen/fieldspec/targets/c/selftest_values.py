@@ -155,7 +155,9 @@ def _test_code_texts(naming: Naming, enum: Enum) -> Iterator[Statement]:
 def _test_messages(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
     for message in layout.messages.values():
         own = message.message
-        for kind, number in (("code", own.code), ("response_code", own.response_code), ("number", own.number)):
+        request_code = own.code_of("request")
+        response_code = own.code_of("response") if own.has_response_code else None
+        for kind, number in (("code", request_code), ("response_code", response_code), ("number", own.number)):
             if number is not None:
                 yield _expect_constant(naming.macro("message", message.name, kind), unsigned(number))
 

@@ -94,7 +94,8 @@ class FrameTable:
     def _part(
         self, part: PartLayout, position: Position, record: RecordLayout | None, message_code: int | None
     ) -> TableRow:
-        value = part.value
+        parts = self.context.device.links[self.link.name].parts(self.direction)
+        value = next(stated.value for stated in parts if stated.name == part.name)
         inferred = part.part.inferred
         cells = value_cells(value, inferred, self.marks) if value else (_check_type(part), Cell(), Cell())
         return TableRow(
@@ -156,7 +157,7 @@ class FrameTable:
     def _body(self, record: RecordLayout | None) -> Iterator[TableRow]:
         if record is not None:
             for field, start in zip(record.sent_fields, field_starts(record), strict=True):
-                if not field.field.is_separator:
+                if not field.field.is_implied:
                     yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
             return
         place = code(f"from {self.start + self.shape.header_size * self.width}")

@@ -117,6 +117,7 @@ def _part(part: PartLayout) -> dict[str, Data]:
         "role": part.role,
         "offset": part.offset,
         "size": part.size,
+        **({"numberSize": part.number_size} if part.number_size != part.size else {}),
         **stated(
             {
                 "order": part.order,
@@ -176,6 +177,7 @@ def _escape(escape: Escape) -> dict[str, Data]:
             "pattern": escape.pattern.hex(),
             "inserted": escape.inserted,
             **({"bits": escape.bits, "fields": _fields(escape)} if escape.method == "can" else {}),
+            "remote": escape.remote,
         }
     )
 

@@ -113,8 +113,8 @@ def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
         **stated(
             {
                 "title": own.title,
-                "code": own.code,
-                "responseCode": own.response_code,
+                "code": own.code_of("request"),
+                "responseCode": own.code_of("response") if own.has_response_code else None,
                 "number": own.number,
                 "unrequested": not own.is_requested,
             }

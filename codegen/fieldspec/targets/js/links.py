@@ -37,9 +37,10 @@ def declare_message(message: MessageLayout, names: Names) -> Declaration:
     request = names.records[message.request.name] if own.is_requested else "null"
     response = names.records[message.response.name] if own.is_answered else "null"
     number = f", {own.number}" if own.number is not None else ""
-    if own.response_code is not None:
-        number = f"{number or ', undefined'}, 0x{own.response_code:02X}"
-    code = "null" if own.code is None else f"0x{own.code:02X}"
+    request_code, response_code = own.code_of("request"), own.code_of("response")
+    if own.has_response_code:
+        number = f"{number or ', undefined'}, 0x{response_code:02X}"
+    code = "null" if request_code is None else f"0x{request_code:02X}"
     arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
     request_type, response_type = (data if data != "null" else "never" for data in (request, response))
     return Declaration(
@@ -215,7 +216,8 @@ def _escape(frame: FrameLayout) -> str:
         return "cobs"
     if escape.method == "can":
         fields = [[size, int(order == "little"), first, width] for size, order, first, width in escape.fields]
-        return f"{PURE} canIdentifier({escape.bits}, {fields})"
+        remote = "" if escape.remote is None else f", {escape.remote}"
+        return f"{PURE} canIdentifier({escape.bits}, {fields}{remote})"
     if escape.method == "add":
         return f"{PURE} adding({escape.inserted})"
     if escape.method == "insert":

@@ -126,10 +126,11 @@ def escape_call(frame: FrameLayout) -> str:
     places = {place: part for place, part in enumerate(frame.parts) if part.role in ("length", "checksum")}
     sent_places = sorted(place for place, part in places.items() if not part.before_escape)
     own = sorted(place for place, part in places.items() if part.before_escape)
+    remote = [] if escape.remote is None else [f"remote={escape.remote}"]
     construction = {
         "cobs": "_Cobs()",
         "replace": f"_Replace({escape.pairs})",
-        "can": f"_CanIdentifier({', '.join(map(str, (escape.bits, *escape.fields)))})",
+        "can": f"_CanIdentifier({', '.join(map(str, (escape.bits, *escape.fields, *remote)))})",
         "add": f"_Add({escape.inserted:#04x})",
         "insert": f'_Insert(bytes.fromhex("{escape.pattern.hex()}"), {escape.inserted:#04x})',
     }[escape.method]

@@ -12,6 +12,7 @@ from fieldspec.codec.layout.frame import original_parts
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.subcodes import Subcode, subcode
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.tools.captures.bodies import BodyReader, FieldRows, blame
 from fieldspec.tools.captures.checksums import are_right
@@ -82,6 +83,7 @@ class FrameReader:
         )
         self.bodies: dict[tuple[int, bool], BodyReader] = {}
         self.least = self.shape.header_size + self.shape.trailer_size
+        self._remote = CAN_REMOTE if self.shape.escape is not None and self.shape.escape.remote is not None else 0
 
     def read(
         self,
@@ -193,7 +195,7 @@ class FrameReader:
         if refusal is not None and self.direction == "response":
             frames.is_refused[:] = self._refused(frames, code, refusal)
             code = np.where(frames.is_refused, code & ~refusal.flag, code)
-        frames.code[:] = code if self.direction == "request" else self._answered_code(code)
+        frames.code[:] = code & ~self._remote if self.direction == "request" else self._answered_code(code)
         if refusal is not None and refusal.code is not None:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}

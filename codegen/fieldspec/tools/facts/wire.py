@@ -155,6 +155,9 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[Fa
     if message.response_code is not None:
         path = f"{message.place.path}/response_code"
         yield row("response_code", path, message.sources, code=message.response_code, name=message.name)
+    if message.remote is not None:
+        path = f"{message.place.path}/remote"
+        yield row("remote_request", path, message.sources, code=code, name=message.name, bytes=message.remote)
     yield from _lengths(message, code)
     for number, name in enumerate(message.supplements):
         yield row("supplement", f"{message.place.path}/supplements/{number}", message.sources, code=code, name=name)

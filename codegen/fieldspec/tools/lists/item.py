@@ -171,7 +171,7 @@ def _field(part: FieldLayout, **place: Any) -> Item:
 def _message(layout: MessageLayout, direction: str) -> Iterator[Item]:
     """The fields of a message, at its code, or at the number by which people know it."""
     message = layout.message
-    code = message.code_of(direction)
+    code = message.printed_code(direction)
     for name, part in _parts(layout.data(direction)):
         yield _field(
             part,

@@ -151,9 +151,9 @@ export function refusedMessage(link, code, asked) {
 }
 
 /** A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits. */
-export function partNumberText({ size, value }, number) {
+export function partNumberText({ size, value, numberSize = size }, number) {
   if (value.digits === "decimal") return String(number).padStart(size, "0");
-  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
+  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * numberSize, "0")}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */

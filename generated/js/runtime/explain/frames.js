@@ -91,9 +91,9 @@ export function typeBounds({ kind, size, signed, digits, low: least, high: most 
 }
 
 /** How bytes are escaped. */
-function escaping({ method, pairs, pattern, inserted, bits, fields }) {
+function escaping({ method, pairs, pattern, inserted, bits, fields, remote }) {
   switch (method) {
-    case "can": return canIdentifier(bits, fields);
+    case "can": return canIdentifier(bits, fields, remote);
     case "cobs": return cobs;
     case "add": return adding(inserted);
     case "replace": return replacing(pairs);

@@ -135,7 +135,8 @@ def _span_text(part: Part) -> str:
 
 
 def code_changed(comparison: Comparison) -> Iterator[Change]:
-    """The code of a message or of its response has changed, or its number if it carries no code.
+    """The code of a message or of its response has changed, or its number if it carries no code, or a remote request
+    of a CAN bus is sent in place of data.
 
     Why: existing programs send the wrong message, and misread those that they receive.
 
@@ -155,6 +156,10 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = map(hexadecimal, response_codes)
             text = f"{named(pair.new)}: {difference_text('the code of the response', old, new)}"
             yield change("code_changed", Effect.WIRE, pair, "response_code", text, old, new)
+        if (pair.old.remote is None) != (pair.new.remote is None):
+            old, new = ("data" if own.remote is None else "remote request" for own in (pair.old, pair.new))
+            text = f"{named(pair.new)}: {difference_text('the request', old, new)}"
+            yield change("code_changed", Effect.WIRE, pair, "remote", text, old, new)
         if pair.old.number != pair.new.number:
             effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
             text = f"{named(pair.new)}: {difference_text('the number', pair.old.number, pair.new.number)}"

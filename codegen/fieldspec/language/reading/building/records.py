@@ -14,6 +14,7 @@ from fieldspec.language.model.record import (
     SegmentsAbort,
 )
 from fieldspec.language.reading.building.context import Entry, Reused, rows
+from fieldspec.language.reading.building.remote_requests import with_remote_request
 from fieldspec.language.reading.building.separators import with_separators
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
 
@@ -67,7 +68,7 @@ def _field(entry: Entry) -> Field:
         repeat=entry.whole_ranges("repeat"),
         measures=measure,
         reserved=entry.flag("reserved"),
-        is_separator="separator" in entry.own,
+        is_implied=not {"separator", "remote"}.isdisjoint(entry.own),
         at=entry.integer("at"),
         words=words,
         span=_span(entry.text("span")),
@@ -103,6 +104,7 @@ def message(entry: Entry, reused: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
     access, pieces = entry.entry("accesses"), entry.entry("segments")
+    entry = with_remote_request(entry)
     _refuse_unstated(entry)
     return Message(
         **entry.fact(),
@@ -126,6 +128,7 @@ def message(entry: Entry, reused: Reused) -> Message:
         response_code=_response_code(entry),
         is_requested=_is_requested(entry),
         access_steps=tuple(_step(step) for step in entry.entries("access_steps")),
+        remote=entry.integer("remote"),
     )
 
 
@@ -144,7 +147,10 @@ def _refuse_unstated(entry: Entry) -> None:
     entry.refuse("missing_key", "name", text, help)
 
 
-_OF_REQUESTS = ("request", "accesses", "access_steps", "segments", "broadcast", "supplements", "response_code")
+_OF_REQUESTS = (
+    *("request", "remote", "accesses", "access_steps"),
+    *("segments", "broadcast", "supplements", "response_code"),
+)
 """The keys of messages that say something of a request."""
 
 

@@ -213,6 +213,10 @@ class ExplainedFrame {
   /** The message that a code names. An exception response marks the code. */
   codeValue(part, read) {
     let code = Number(read.number);
+    if (this.shape.escape?.remote !== undefined) {
+      read = { ...read, number: code % 2 ** 30 };
+      this.values.set(part.name, read.number);
+    }
     const { link, direction } = this;
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {

@@ -1,3 +1,4 @@
+import { isRemoteRequest } from "../escapes.js";
 import { byteText, identifierSize } from "./frames.js";
 import { hexOf, latinOf, portableValue, sameBytes } from "./texts.js";
 
@@ -16,7 +17,8 @@ export class Spot {
   canPlace(at) {
     if (this.escape?.method !== "can" || !this.places) return "";
     const size = identifierSize(this.escape);
-    return at < size ? "identifier" : String(at - size);
+    if (at < size) return "identifier";
+    return isRemoteRequest(this.frame.subarray(this.start), this.escape.remote ?? -1) ? "DLC" : String(at - size);
   }
 
   /** `byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
@@ -50,7 +52,7 @@ export function sentText({ canPlace, characters }) {
   if (canPlace !== "identifier" || !characters) return characters;
   const number = parseInt(characters.replaceAll(" ", "").slice(0, 8), 16);
   const isLong = number >= 2 ** 31;
-  return (isLong ? number - 2 ** 31 : number).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
+  return (number % 2 ** 30).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
 }
 
 /** Where the bytes of a row begin, as people count: in a CAN frame from the first byte of the data. */
@@ -60,7 +62,7 @@ export function placeOf({ canPlace, offset }) {
 
 /** `speed at byte 4`; in a CAN frame `speed at byte 2 of the data` or `node in the identifier`; without its path elsewhere. */
 export function placeText({ canPlace, offset, path }) {
-  const byte = canPlace === "identifier" ? "the identifier" : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
+  const byte = ["identifier", "DLC"].includes(canPlace) ? `the ${canPlace}` : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
   return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byte}` : byte;
 }
 
