@@ -10,10 +10,10 @@ from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
     """A refusal of each list with fields behind it; `reader` is what does not read it."""
+    bodies = [body for message in layout.messages.values() for body in message.bodies]
     lists = {
         field.field.place.path: (field.field, problem)
-        for message in layout.messages.values()
-        for body in message.bodies
+        for body in (*layout.records.values(), *bodies)
         if body.inner_lists is not None
         for field in body.sent_fields
         if (problem := _problem(body, field))
@@ -24,7 +24,7 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
             Diagnostic(
                 "plc_lists_last" if for_controllers else "output_lists_last",
                 f"{field.name} {problem}, and {reader} reads only lists that come last, of elements of one size",
-                field.place["repeat" if field.repeat is not None else "record"],
+                field.place["repeat" if field.repeat is not None else "record" if field.record else "choice"],
                 help=LEAVE_OUT,
             ),
         )
@@ -38,6 +38,8 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
         return ""
     if field is not body.sent_fields[-1]:
         return "has fields behind it"
+    if field.forms:
+        return "has another type from data to data behind what differs in size"
     record = field.record
     if (
         record is None
