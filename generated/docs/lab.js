@@ -675,7 +675,7 @@ function elementIn(parts, bytes) {
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
     const size = sizeIn(list, fields);
-    if (size === undefined) return { fault: wrongNumber(parts, extents, list) };
+    if (size === undefined) return { fault: numberFault(parts, extents, list) };
     const elements = list.decision ? [size] : [];
     const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements };
     if (extent.fault) return extent;
@@ -691,7 +691,7 @@ function sizeIn(list, image) {
   return isRight(list, size) ? size : undefined;
 }
 
-function wrongNumber(inner, extents, { at, decision }) {
+function numberFault(inner, extents, { at, decision }) {
   const reason = decision ? "unknown_value" : "wrong_measure";
   return { reason, at: placeAround(inner, extents, decision ? decision.at : at) };
 }
@@ -727,7 +727,7 @@ function extentsIn({ fixed, lists }, data) {
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
     const counted = isLast && !list.decision ? null : sizeIn(list, image);
-    if (counted === undefined) return { extents, fault: wrongNumber({ fixed, lists }, extents, list) };
+    if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
       : { size: counted ?? left, elements: list.decision ? [counted] : [] };
@@ -3674,7 +3674,7 @@ function encodeRecord(device, record, values) {
 }
 
 function decidedField(record, field, values) {
-  const number = values.get(field.by);
+  const number = field.forms && elementsOf(record.named.get(field.by), values)[0];
   const decided = number === undefined || isWhole(number) ? formOfField(record, field, values) : undefined;
   if (!decided) throw new CodecError("unknown_value", `${field.by} is ${number}, which chooses nothing that may follow`);
   return decided;
@@ -4291,6 +4291,7 @@ class MessageForm {
     this.choice = null;
     this.entries = new Map();
     this.counts = new Map();
+    this.deciding = new Set();
     this.fields.addEventListener("input", (event) => this.entered(event.target));
     for (const id of ["build-link", "build-direction", "build-message"]) {
       byId(id).addEventListener("change", () => {
@@ -4363,7 +4364,6 @@ class MessageForm {
     this.choice = { link, direction, message, error };
     this.entries = new Map();
     this.counts = new Map();
-    this.deciding = new Set();
     this.takeValues(this.headFields(), values, "");
     this.takeValues(this.record().fields, values, "");
     const form = formOfValues(this.record(), values);

@@ -305,8 +305,8 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """A last field whose type an enum decides, or one with others behind it."""
     if draft.chance(40):
         repeated = _repeated(draft, fields)
-        counted = [draft.fact(type="u8", measures=_measure(draft, repeated)), repeated] if draft.chance(30) else []
-        return _choice_between(draft, [*fields, *counted])
+        lists = [draft.fact(type="u8", measures=_measure(draft, repeated)), repeated] if draft.chance(30) else []
+        return _choice_between(draft, [*fields, *lists])
     decided = _deciding(draft)
     if decided is None:
         return fields

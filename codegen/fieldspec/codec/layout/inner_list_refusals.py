@@ -37,9 +37,9 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
     if not field.varies:
         return ""
     if field is not body.sent_fields[-1]:
-        return "has fields behind it"
+        return f"has {'several types and ' * bool(field.forms)}fields behind it"
     if field.forms:
-        return "has another type from data to data behind what differs in size"
+        return "has several types, in a record or behind what has no fixed size"
     record = field.record
     if (
         record is None

@@ -15,11 +15,11 @@ def record_layout(
     record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum], is_part: bool
 ) -> RecordLayout:
     """The layout of a record, which may be part of others. `records` are the layouts of the records in it."""
-    *others, last = record.fields or (None,)
+    last = record.fields[-1] if record.fields else None
     if last is None or last.choice is None:
         return _fixed(record, records, orders, enums)
-    is_open = [field for field in others if field is not None and _varies(field, records)]
-    if not last.is_list and (is_part or is_open):
+    is_behind = any(_varies(field, records) for field in record.fields[:-1])
+    if not last.is_list and (is_part or is_behind):
         return _fixed(record, records, orders, enums)
     return _choosing(record, last, last.choice, records, orders, enums)
 

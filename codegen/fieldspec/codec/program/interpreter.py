@@ -110,7 +110,7 @@ def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, 
                 contents = run_each(operation, replace(place, start=first), sizes, rows, rows_beside)
                 values[operation.name] = contents if operation.is_list else contents[0]
             case Decided():
-                raise AssertionError("what another field decides is in a record that differs in size")
+                values |= run((_decided(operation, rows_beside),), place, rows, rows_beside)
             case _:
                 assert_never(operation)
     return values

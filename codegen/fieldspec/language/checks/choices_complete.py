@@ -1,6 +1,7 @@
 """The field that decides a choice comes before it in its record and is a single unsigned number with an enum; each
 member of that enum is in at most one case. A choice with several elements ends the data of a message or of an
-exception, and all before it has a fixed size. No field measures another choice, and no table has a choice.
+exception, and all before it has a fixed size. No field measures another choice, no parameter is in one, and no table
+has a choice.
 
 Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
 without a case, because nothing says what follows them. Where elements of a choice end, only the end of the data tells.
@@ -30,17 +31,18 @@ _CODE = "choices_complete"
 
 def choices_complete(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
-    parts = {field.record for field in fields(device)}
+    part_names = {field.record for field in fields(device)}
     for layer in layers(device):
-        is_part = device.records.get(layer.name) is layer and layer.name in parts
+        is_part = device.records.get(layer.name) is layer and layer.name in part_names
         for field in layer.fields:
             if field.choice is not None:
                 yield from _check_place(sizes, layer, field, is_part)
                 yield from _decided(device, layer, field, field.choice)
                 yield from _apart(field.choice)
     for table in device.tables.values():
-        held = device.records.get(table.record)
-        own = next((f for f in nested_fields(device, held.fields) if f.choice is not None), None) if held else None
+        record = device.records.get(table.record)
+        parts = nested_fields(device, record.fields) if record is not None else iter(())
+        own = next((field for field in parts if field.choice is not None), None)
         if own is not None:
             text = f"{own.name} has a choice, so it cannot be part of {table.name}"
             help = "move the choice to the data of a message"
@@ -48,8 +50,8 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
 
 
 def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool) -> Iterator[Diagnostic]:
-    others = [other for other in layer.fields if other is not field]
-    varying = next((other for other in others if not sizes.is_fixed(other)), None)
+    other_fields = [other for other in layer.fields if other is not field]
+    varying = next((other for other in other_fields if not sizes.is_fixed(other)), None)
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
         yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
@@ -60,10 +62,14 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
         yield finding(_CODE, field.place, "repeat", text, help, *labels)
     if field is layer.fields[-1] and not is_part and varying is None:
         return
-    for other in others:
+    for other in other_fields:
         if other.measures is not None and other.measures.field == field.name:
             text = f"{other.name} measures {field.name}, whose size {field.choice.by if field.choice else ''} decides"
             yield finding(_CODE, other.place, "measures", text, "remove `measures`, or state a message for each case")
+    for case in field.choice.cases if field.choice is not None else ():
+        if case.value.parameter is not None:
+            text = f"{case.name} carries a part of a parameter, and {field.name} does not end a message alone"
+            yield finding(_CODE, case.place, "parameter", text, "list it last, behind fields of fixed size")
 
 
 def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:

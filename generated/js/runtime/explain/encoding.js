@@ -117,7 +117,7 @@ export function encodeRecord(device, record, values) {
 
 /** A field of the type that the values of its record decide. Throws CodecError where they decide nothing. */
 function decidedField(record, field, values) {
-  const number = values.get(field.by);
+  const number = field.forms && elementsOf(record.named.get(field.by), values)[0];
   const decided = number === undefined || isWhole(number) ? formOfField(record, field, values) : undefined;
   if (!decided) throw new CodecError("unknown_value", `${field.by} is ${number}, which chooses nothing that may follow`);
   return decided;

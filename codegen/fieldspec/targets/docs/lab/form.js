@@ -9,6 +9,7 @@ class MessageForm {
     this.choice = null;
     this.entries = new Map();
     this.counts = new Map();
+    this.deciding = new Set();
     this.fields.addEventListener("input", (event) => this.entered(event.target));
     for (const id of ["build-link", "build-direction", "build-message"]) {
       byId(id).addEventListener("change", () => {
@@ -85,7 +86,6 @@ class MessageForm {
     this.choice = { link, direction, message, error };
     this.entries = new Map();
     this.counts = new Map();
-    this.deciding = new Set();
     this.takeValues(this.headFields(), values, "");
     this.takeValues(this.record().fields, values, "");
     const form = formOfValues(this.record(), values);

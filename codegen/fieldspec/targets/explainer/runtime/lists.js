@@ -29,7 +29,7 @@ function elementIn(parts, bytes) {
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
     const size = sizeIn(list, fields);
-    if (size === undefined) return { fault: wrongNumber(parts, extents, list) };
+    if (size === undefined) return { fault: numberFault(parts, extents, list) };
     const elements = list.decision ? [size] : [];
     const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements };
     if (extent.fault) return extent;
@@ -47,7 +47,7 @@ function sizeIn(list, image) {
 }
 
 /** Why nobody knows the bytes of a list. */
-function wrongNumber(inner, extents, { at, decision }) {
+function numberFault(inner, extents, { at, decision }) {
   const reason = decision ? "unknown_value" : "wrong_measure";
   return { reason, at: placeAround(inner, extents, decision ? decision.at : at) };
 }
@@ -93,7 +93,7 @@ export function extentsIn({ fixed, lists }, data) {
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
     const counted = isLast && !list.decision ? null : sizeIn(list, image);
-    if (counted === undefined) return { extents, fault: wrongNumber({ fixed, lists }, extents, list) };
+    if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
       : { size: counted ?? left, elements: list.decision ? [counted] : [] };

@@ -75,7 +75,7 @@ class InnerList:
         self.parts, self.decision = parts, decision
 
     @property
-    def counted_at(self) -> int:
+    def number_at(self) -> int:
         """The byte in the image of the field that counts the list, or decides its element."""
         return self.at if self.decision is None else self.decision.at
 
@@ -137,7 +137,7 @@ class Parts:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            at = inner.counted_at + sum([taken for first, taken in extents if first <= inner.counted_at])
+            at = inner.number_at + sum([taken for first, taken in extents if first <= inner.number_at])
             size = inner.checked_size(fields, at) if inner.decision is None else inner.decision.size(fields, at)
             taken = size if inner.parts is None else sum(inner.elements(inner.parts, data[start:], size, start))
             extents.append((inner.first, taken))
@@ -179,11 +179,11 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 raise self._incomplete(len(data))
             is_last = inner is self.lists[-1]
             if inner.decision is not None:
-                size = inner.decision.size(fields, self._place(extents, inner.counted_at) or 0)
+                size = inner.decision.size(fields, self._place(extents, inner.number_at) or 0)
                 if is_last and size < left:
                     raise CodecError("wrong_length", f"{self.name} has more than its {at + size} bytes", at + size)
             else:
-                size = None if is_last else inner.checked_size(fields, self._place(extents, inner.counted_at) or 0)
+                size = None if is_last else inner.checked_size(fields, self._place(extents, inner.number_at) or 0)
             if inner.parts is not None:
                 sizes = inner.elements(inner.parts, data[at : at + left], size, at)
                 numbers.append(len(sizes))
