@@ -78,10 +78,7 @@ def _write_decided(
     """The statements that write a field in the type that another one decides."""
 
     def branch(form: FieldLayout) -> list[str]:
-        slot = slot_of(form, names)
-        if slot.value.const is not None:
-            return slot.constant(slot.value.const, "o", form.offset)
-        return slot.write(member.variable, "o", form.offset)
+        return slot_of(form, names).write(member.variable, "o", form.offset)
 
     number = selector_number(selector, keys, names)
     return [
