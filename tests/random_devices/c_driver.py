@@ -151,8 +151,8 @@ class Driver:
         return f"static void show_{kind}(const {kind} *in)\n{{\n    {' '.join(lines)}\n}}\n"
 
     def _show_cases(self, record: RecordLayout, field: FieldLayout) -> str:
-        assert record.selector is not None
-        selector = record.selector
+        selector = field.selector or record.selector
+        assert selector is not None
         constant = selector.value.const if selector.value is not None else None
         chosen = str(constant) if constant is not None else f"in->{member(selector.name)}"
         branches = []

@@ -146,6 +146,8 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     if spec.count == 1:
         yield ("a list",)
     yield text, spec.reserved, spec.repeat, spec.same_as, filled, *value_words(field.value)
+    if field.selector is not None:
+        yield "decided by", field.selector.name
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):
         yield "case", sorted(case.numbers), order_of(case.value, case.order), case.swapped, *value_words(case.value)
 

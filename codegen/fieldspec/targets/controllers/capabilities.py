@@ -32,7 +32,7 @@ CONSTRUCTS = {
     "bit_numbers": "fields of several bits with a sign or a scale",
     "records": "records, and records in records",
     "lists": "lists with a fixed number of elements",
-    "inner_lists": "lists of free length that fields follow, and records that differ in size",
+    "inner_lists": "lists of free length and choices that fields follow, and records that differ in size",
     "choices": "fields whose type another field decides",
     "groups": "groups of registers",
     "bits": "registers of single bits",

@@ -28,7 +28,7 @@ from fieldspec.targets.docs.document import (
     text_piece,
 )
 from fieldspec.targets.docs.link_settings import address_facts, network_facts, serial_facts
-from fieldspec.targets.docs.positions import Position, field_starts
+from fieldspec.targets.docs.positions import Position, placed_fields
 from fieldspec.targets.docs.sources import Inferences
 from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 
@@ -156,9 +156,8 @@ class FrameTable:
 
     def _body(self, record: RecordLayout | None) -> Iterator[TableRow]:
         if record is not None:
-            for field, start in zip(record.sent_fields, field_starts(record), strict=True):
-                if not field.field.is_implied:
-                    yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
+            for field, start in placed_fields(record):
+                yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
             return
         place = code(f"from {self.start + self.shape.header_size * self.width}")
         for part in self.link.link.parts(self.direction):
@@ -206,18 +205,23 @@ def _from_end(distance: int, length: int) -> str:
 
 def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: str, letter: str) -> Iterator[TableRow]:
     """The row of a field; of a field that is a record, the rows of the record, once for all elements."""
-    position = start.shifted(field.offset)
+    position = start
     elements = ""
     if field.is_list:
-        step = (1, f"bytes of earlier {field.name}") if differs_in_size(field) else (field.size, letter)
-        position = position.stepped(*step)
+        position = element_position(field, start, letter)
         path = f"{path}[{letter}]"
         elements = elements_text(field, letter)
     yield holder.field_row(field, position, path, elements)
     if field.record is not None:
         later = chr(ord(letter) + 1) if field.is_list else letter
-        for inner in field.record.stated_fields:
-            yield from field_rows(holder, inner, position, f"{path}.{inner.name}", later)
+        for inner, place in placed_fields(field.record):
+            inner_start = Position(position.fixed + place.fixed, (*position.steps, *place.steps))
+            yield from field_rows(holder, inner, inner_start, f"{path}.{inner.name}", later)
+
+
+def element_position(field: FieldLayout, start: Position, letter: str) -> Position:
+    """Where each element of a list begins."""
+    return start.stepped(*((1, f"bytes of earlier {field.name}") if differs_in_size(field) else (field.size, letter)))
 
 
 def field_cells(context: Context, field: FieldLayout, path: str, elements: str, marks: Inferences) -> tuple[Cell, ...]:

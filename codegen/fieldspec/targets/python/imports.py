@@ -52,7 +52,7 @@ _SHARED = {
     "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
     "_checksums": "Avoiding Crc Fletcher Followed Sum Swapped Xor",
-    "_choices": "Choice",
+    "_choices": "Cases Choice",
     "_can": "CanFrame CanIdentifier",
     "_codes": "by_number by_printed_name",
     "_conversions": (
@@ -67,7 +67,7 @@ _SHARED = {
     "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
     "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_inner_lists": "InnerList InnerLists Parts",
+    "_inner_lists": "Decision InnerList InnerLists Parts",
     "_mark_framer": "MarkFramer",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",

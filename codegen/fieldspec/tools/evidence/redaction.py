@@ -136,7 +136,8 @@ class Redaction:
         access: RegisterAccess | None,
     ) -> None:
         """Takes over the fields of a record from `start` on."""
-        for field in (record.of_data(data[start:]) or record).fields:
+        for own_field in (record.of_data(data[start:]) or record).fields:
+            field = own_field.form_in(data[start:]) or own_field
             offset = start + field.offset
             own_room = record.room_of(field)
             room = len(data) - offset if own_room is None else own_room.size_in(data[start:]) or 0

@@ -91,7 +91,9 @@ function indexedEnum(listing) {
 function indexedRecord(record) {
   const fields = record.fields.map((field, number) => {
     const span = record.spans?.[number];
-    return span?.most === undefined ? field : { ...field, span };
+    const forms = field.forms && new Map(field.forms.flatMap(([numbers, form]) => numbers.map((own) => [BigInt(own), form])));
+    const indexed = forms ? { ...field, forms } : field;
+    return span?.most === undefined ? indexed : { ...indexed, span };
   });
   const indexed = { ...record, fields, named: new Map(fields.map((field) => [field.name, field])), forms: new Map() };
   for (const [numbers, form] of record.chosen ?? []) {
@@ -165,6 +167,13 @@ export function isException({ code: own, flag, part, normal }, code, number) {
 /** The member of an enum with a value. */
 export function memberOf(listing, number) {
   return typeof number === "number" && !Number.isInteger(number) ? undefined : listing.numbers.get(BigInt(number));
+}
+
+/** A field as the raw values of its record decide it; undefined where they decide nothing. */
+export function formOfField(record, field, values) {
+  if (!field.forms) return field;
+  const number = values.get(field.by) ?? record.named.get(field.by).value.const;
+  return number === undefined ? undefined : field.forms.get(BigInt(number));
 }
 
 /** The form of a record for some data: the record itself, or what its selector decides; undefined if it decides none. */
