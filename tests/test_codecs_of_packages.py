@@ -60,14 +60,14 @@ def device_of(text: str = SCALE) -> Device:
 
 
 @pytest.fixture
-def given() -> Iterator[Callable[..., None]]:
+def replace_codecs() -> Iterator[Callable[..., None]]:
     """Gives other codecs in place of those of the example package, until the test ends."""
 
-    def give(**changed: str) -> None:
+    def replaced(**changed: str) -> None:
         codecs = example_codecs()
         provide(lambda: {name: replace(own, codec=replace(own.codec, **changed)) for name, own in codecs.items()})
 
-    yield give
+    yield replaced
     provide(example_codecs)
 
 
@@ -186,9 +186,9 @@ def layout() -> DeviceLayout:
     ("output", "key", "title"), [("c", "c", "C"), ("js", "javascript", "JavaScript")], ids=["c", "js"]
 )
 def test_an_output_leaves_out_the_values_and_the_device_without_its_text(
-    output: str, key: str, title: str, given: Callable[..., None]
+    output: str, key: str, title: str, replace_codecs: Callable[..., None]
 ) -> None:
-    given(**{key: ""})
+    replace_codecs(**{key: ""})
     findings = OUTPUTS[output].refusals([layout()])
     assert {(finding.severity.value, finding.message) for finding in findings} == {
         ("error", f"the checksum sum has the codec acme_rolling, which has no text for {title}"),
@@ -196,8 +196,8 @@ def test_an_output_leaves_out_the_values_and_the_device_without_its_text(
     }
 
 
-def test_files_say_what_they_leave_out(given: Callable[..., None]) -> None:
-    given(c="", javascript="")
+def test_files_say_what_they_leave_out(replace_codecs: Callable[..., None]) -> None:
+    replace_codecs(c="", javascript="")
     text = SCALE.replace("checksum: {method: codec, codec: acme_rolling, width: 16}", "algorithm: sum16")
     versions = [device_layout(device_of(text))]
     header, module = (
@@ -210,9 +210,9 @@ def test_files_say_what_they_leave_out(given: Callable[..., None]) -> None:
     assert "These are the bytes of the codec acme_float, which has no JavaScript." in page
 
 
-def test_there_is_no_frame_lab_of_checksums_without_a_text(given: Callable[..., None]) -> None:
+def test_there_is_no_frame_lab_of_checksums_without_a_text(replace_codecs: Callable[..., None]) -> None:
     assert "scale/lab.html" in OUTPUTS["docs"].files([layout()])
-    given(javascript="")
+    replace_codecs(javascript="")
     assert "scale/lab.html" not in OUTPUTS["docs"].files([layout()])
     assert {finding.help for finding in OUTPUTS["docs"].refusals([layout()])} == {
         "it is left out",
@@ -220,9 +220,9 @@ def test_there_is_no_frame_lab_of_checksums_without_a_text(given: Callable[..., 
     }
 
 
-def test_the_identity_tells_versions_of_a_codec_apart(given: Callable[..., None]) -> None:
+def test_the_identity_tells_versions_of_a_codec_apart(replace_codecs: Callable[..., None]) -> None:
     before = layout().identity
-    given(version="2")
+    replace_codecs(version="2")
     assert layout().identity != before
 
 

@@ -20,10 +20,10 @@ Example: a list of ten aliases, each of which is a list of ten aliases, and so o
 Cure: Write the data out.
 """,
     "codec_usable": """A codec that a spec names is one of an installed package, and passes its judges.
-Its Python is run on random numbers and bytes, the same at every run: `encode` gives as many bytes as it should, and
-`decode` gives the number again, or with `rounds` one that keeps its bytes. What raises, or does not end, does not pass.
+Its Python is run on random numbers and bytes, the same at every run: `encode` gives the bytes of its size, and
+`decode` gives the number again, or with `rounds` one that keeps its bytes. A codec that raises, or does not end, fails.
 
-Why: without the codec, nobody knows what the bytes are; with one that is wrong, they are read as something else.
+Why: without the codec, a reader does not know the bytes; with a wrong one, it reads them as something else.
 
 Example: `codec: acme_flaot` where the package has `acme_float`.
 
