@@ -10,15 +10,20 @@ import pytest
 
 from fieldspec.codec.explain.explanation import explained
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.command.editor.completion import suggestions
+from fieldspec.command.editor.projects import EditedProject
+from fieldspec.command.editor.typed_word import typed_word
 from fieldspec.command.packages import codec_loading
 from fieldspec.command.packages.codec_loading import judged_codec
 from fieldspec.command.packages.plugins import CODECS, Plugin
 from fieldspec.foundation.classes import replace
+from fieldspec.foundation.source import SourceFile
 from fieldspec.language.changes import changes
 from fieldspec.language.model.codecs import ChecksumCodec, InstalledCodec, NumberCodec, provide
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.project import read
 from fieldspec.targets import OUTPUTS
+from fieldspec.tools.lists.value_forms import type_parts, type_text
 from package_site import Site, declare, example_codecs
 
 SCALE = """
@@ -230,6 +235,29 @@ def test_a_comparison_names_the_codec() -> None:
     old, new = device_of(), device_of(SCALE.replace("codec: acme_float, length: 3", "digits: decimal, length: 8"))
     texts = [change.message for change in changes(old, new)]
     assert any("i32 by the codec acme_float" in text for text in texts)
+
+
+@pytest.mark.parametrize(
+    ("typed", "names"), [("acme_float", ["acme_float", "acme_gray"]), ("acme_rolling", ["acme_rolling"])]
+)
+def test_the_names_of_codecs_are_offered_where_they_fit(typed: str, names: list[str], tmp_path: Path) -> None:
+    path = tmp_path / "scale/device.yaml"
+    path.parent.mkdir()
+    path.write_text(SCALE, "utf-8")
+    project = EditedProject(tmp_path)
+    project.read({})
+    offset = SCALE.index(f"codec: {typed}") + len("codec: ")
+    text = SCALE[:offset] + SCALE[offset + len(typed) :]
+    word = typed_word(project, SourceFile("scale/device.yaml", text), offset)
+    assert word is not None
+    assert [suggestion.text for suggestion in suggestions(word)] == names
+
+
+def test_a_list_says_the_codec_and_takes_it_back() -> None:
+    value = next(field.value for field in layout().messages["read_weight"].response.fields)
+    assert value is not None
+    assert type_text(value) == "i32 codec acme_float"
+    assert type_parts("i32 codec acme_float") == ("i32", {"codec": "acme_float"})
 
 
 def test_bytes_that_are_no_number_of_a_codec_are_refused() -> None:

@@ -172,7 +172,6 @@ TYPED = {
     "a value behind an anchor": ("      - &row {at: 0, name: speed, type: |}\n      - *row\n", "u16"),
     "a value behind tabs": ("      - {at: 0,\t\tname: speed,\ttype: |}\n", "u16"),
     "a unit": ("      - {at: 0, name: speed, unit: m|}\n", "mm/s"),
-    "a codec": ("      - {at: 0, name: speed, type: i32, codec: a|}\n", "acme_float"),
     "a rule that may be broken": ("      - {at: 0, name: speed, allow: {addr|}}\n", "addresses_disjoint"),
     "a role": ("      - {at: 0, name: speed, roles: [act|]}\n", "actual_speed"),
 }
