@@ -65,5 +65,5 @@ def left_out_lines() -> Iterator[str]:
     for subject, rules, result in ROWS:
         yield f"| {subject} | {', '.join(f'[{code}](checks.md#{code})' for code in rules)} | {result} |"
     yield ""
-    yield "Codecs in Python, C and JavaScript, documentation, vectors and lists for operator panels refuse only codecs of"
-    yield "packages."
+    yield "Codecs in Python, C and JavaScript, documentation, vectors and lists for operator panels refuse only codecs"
+    yield "of packages."
