@@ -129,7 +129,7 @@ KEYS = {
     ("table", "words"): COMPARED,
     ("table", "elements"): COMPARED,
     ("parameter", "wire_number"): COMPARED,
-    **{(part, "codec"): PACKAGES for part in ("part.checksum", "field", "signal", "register")},
+    ("value", "codec"): PACKAGES,
     ("parameter", "applies_to"): DOCUMENTATION,
     ("parameter", "messages"): DOCUMENTATION,
     ("version_line", "like"): "Lines beside the built one share its outputs; the tests of versions cover them.",
@@ -153,6 +153,8 @@ WORDS = {
     ("flags", "bit_0"): "`least` is the default: words without the key have it.",
 }
 """Keys of which random devices need not have every word."""
+FORMS = {"part.checksum.method: codec": PACKAGES}
+"""Single words that random devices need not have."""
 
 
 def reason(key: Key) -> str:
