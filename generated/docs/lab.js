@@ -516,6 +516,7 @@ const turned = (text) => text.match(/../g).reverse().join("");
 const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
 
 function digitsNumber(value, bytes) {
+  if (value.codec) return numberOfCodec(value, value.codec.decode(bytes));
   if (hasNibbles(value)) return numberOfNibbles(value, Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(""));
   let text = String.fromCharCode(...bytes);
   if (value.hasBlanks) return numberBehindBlanks(value, text);
@@ -531,6 +532,8 @@ function digitsNumber(value, bytes) {
   const whole = BigInt(isHexadecimal(value) ? `0x${value.isLowFirst ? turned(text) : text}` : text);
   return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
 }
+
+const numberOfCodec = ({ low, high }, number) => (Number.isInteger(number) && low <= number && number <= high ? number + 0 : undefined);
 
 const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
 
@@ -555,6 +558,7 @@ function numberBehindBlanks({ places = 0, signed }, text) {
 }
 
 function digitsBytes(value, number) {
+  if (value.codec) return Uint8Array.from(value.codec.encode(Number(number)));
   const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
   if (hasNibbles(value)) return Uint8Array.from(nibblesOf(value, whole).match(/../g), (pair) => parseInt(pair, 16));
   const count = value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
@@ -1804,6 +1808,7 @@ function sliceOf(data, start, stop) {
 const FUNCTIONS = new WeakMap();
 
 function functionOf(algorithm) {
+  if (algorithm.codec) return algorithm.codec;
   if (!FUNCTIONS.has(algorithm)) {
     const initial = BigInt(algorithm.initial);
     let compute = algorithm.method === "crc"

@@ -60,7 +60,7 @@ def with_examples(spec: Spec, layout: DeviceLayout, queries: list[Query], most: 
         )
         if layout.device.version != "1":
             examples[-1]["only"] = [layout.device.version]
-    return {**spec, "examples": examples}
+    return {**spec, "examples": [*spec.get("examples", ()), *examples]}
 
 
 def _addresses(layout: DeviceLayout, query: Query) -> bool:

@@ -11,6 +11,15 @@ Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Fix: Do without the omitted facts, or state the digits as a text.
 """,
+    "output_has_codec": """The package that gives a codec has a text of it for the output.
+
+Why: the language does not say what the bytes are, so an output can only print what the package has.
+
+Example: a field with `codec: acme_float` whose package has Python and C, in JavaScript.
+
+Fix: Do without what is left out, or add the text to the package. Outputs for controllers, dissectors, queries and word
+maps print none.
+""",
     "wireshark_parameters_typed": """The value of a parameter is a number or a text, for dissectors.
 
 Why: the dissector reads the value of a parameter in the type of its field. A field of `bytes` has no such type.

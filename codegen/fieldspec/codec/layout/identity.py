@@ -19,8 +19,10 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import attributes
+from fieldspec.language.model import codecs
 from fieldspec.language.model.address_space import WHOLE, WORD
 from fieldspec.language.model.attributes import descendants
+from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Serial
 from fieldspec.language.model.record import STEP_FIELDS, Field, RegisterAccess, Segments
@@ -111,6 +113,9 @@ def _span(part: PartLayout) -> Iterator[Words]:
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
     if part.digits:
         yield "digits", part.digits
+    name = checksum_named(part.algorithm).codec if part.algorithm else ""
+    if name:
+        yield "codec", codecs.checksum_codec(name).version
     if part.before_escape and not part.escaped:
         yield ("before escape",)
     if part.part.same_as:

@@ -77,11 +77,12 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
             yield from _of_names(fact, value)
         if is_truth(value.encoding) and value.enum:
             yield from _of_truths(device.enums.get(value.enum), fact, value)
-        if value.type.is_number and not value.digits and "length" in fact.place:
+        if value.type.is_number and not value.digits and "length" in fact.place and "codec" not in fact.place:
             text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
             yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
-        if value.has_characters and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
-            text = f"{fact.name} is sent as characters, the most significant digit first, and has no byte order"
+        if value.is_as_sent and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
+            manner = "as characters, the most significant digit first," if value.has_characters else "by a codec"
+            text = f"{fact.name} is sent {manner} and has no byte order"
             yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
         elif value.type.is_number and value.size == 1 and "byte_order" in fact.place and value.type.name != BIT:
             text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"

@@ -9,8 +9,11 @@ from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.omissions import Expressed, Omission, expressed, listing
+from fieldspec.codec.layout.package_codecs import codec_refusals
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, stem, version_word
+from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.targets.c.absent import absent_values, declare_absent, declare_out_of_range, ranged_values
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
@@ -73,13 +76,23 @@ class FactBlock:
     declare: Callable[[], Block]
 
 
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """The refusals of codecs without C."""
+    return [finding for layout in versions for finding in _remaining(layout).findings]
+
+
+def _remaining(layout: DeviceLayout) -> Expressed:
+    return expressed(layout, codec_refusals(layout, "C", lambda codec: codec.c))
+
+
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """For each version of a device its headers, a self-test and a fuzz target; and the header that takes a version."""
     texts = _selecting_header(versions)
-    for layout in versions:
+    for remaining in map(_remaining, versions):
+        layout = remaining.layout
         name = stem(layout.device.id, layout.device.version)
         naming = Naming(layout.device.id)
-        texts |= headers(layout, naming)
+        texts |= headers(layout, naming, remaining.omissions)
         texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
         texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
         cache_spelling("c", layout, partial(usage_rows, layout, naming))
@@ -90,7 +103,7 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for each version of a device, by the version."""
     return {
         layout.device.version: version_usages(layout, spelling("c", layout, partial(_spell, layout)))
-        for layout in versions
+        for layout in (_remaining(layout).layout for layout in versions)
     }
 
 
@@ -103,7 +116,7 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def headers(layout: DeviceLayout, naming: Naming) -> dict[str, str]:
+def headers(layout: DeviceLayout, naming: Naming, omissions: Sequence[Omission] = ()) -> dict[str, str]:
     """The headers of a version by path. They decide the names: other files of the version need the same naming."""
     device, name = layout.device, stem(layout.device.id, layout.device.version)
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
@@ -113,6 +126,7 @@ def headers(layout: DeviceLayout, naming: Naming) -> dict[str, str]:
         "title": escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
         "manual": escape_comment(f"{device.manual.title} {device.manual.edition}".strip()),
         "identity": layout.identity,
+        "omissions": listing(omissions, escape_comment),
     }
     switches = _describe_switches(
         naming,

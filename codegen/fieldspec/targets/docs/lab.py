@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.explain.hazards import hazards_by_fact, only_reads
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.omissions import warning
+from fieldspec.codec.layout.package_codecs import checksum_refusals, codec_refusals
 from fieldspec.foundation.html_text import clean
+from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.targets import explainer as script
 from fieldspec.targets.docs.changes import page_name
 from fieldspec.targets.docs.site import PagePlace, policy
+from fieldspec.targets.explainer.codecs import javascript
 from fieldspec.targets.explainer.device import explainer_data
 from fieldspec.targets.explainer.literals import Data, lines
 from fieldspec.targets.templates import fill, style_sheet, text
@@ -27,6 +31,7 @@ SCRIPTS = ("search.js", SCRIPT)
 CONNECTIONS = "ws://localhost:* ws://127.0.0.1:*"
 """Where a lab may connect to: simulated devices on the same machine."""
 
+_TITLE = "JavaScript"
 _PARTS = ("elements", "table", "log_list", "words", "form", "carriers", "exchange", "device", "start")
 _IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
 _COMMENT = re.compile(r"^ *(?:/\*\*(?:[^*]|\*(?!/))*\*/|// .*)\n", re.MULTILINE)
@@ -35,8 +40,23 @@ _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const)\b)", re.MU
 
 
 def has_lab(layouts: Sequence[DeviceLayout]) -> bool:
-    """Whether the newest version of a device has frames."""
-    return bool(layouts[-1].links)
+    """Whether the newest version of a device has frames, whose checksums JavaScript computes."""
+    return _explains(layouts[-1])
+
+
+def refusals(layouts: Sequence[DeviceLayout]) -> Iterator[Diagnostic]:
+    """Warnings of codecs without JavaScript."""
+    for layout in layouts:
+        checksums = checksum_refusals(layout, _TITLE, javascript)
+        for refusal in codec_refusals(layout, _TITLE, javascript):
+            is_checksum = any(refusal.path == other.path for other in checksums)
+            yield warning(
+                refusal.finding, "it is left out" if is_checksum else f"it shows {refusal.fact.name} as bytes"
+            )
+
+
+def _explains(layout: DeviceLayout) -> bool:
+    return bool(layout.links) and not checksum_refusals(layout, _TITLE, javascript)
 
 
 def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
@@ -44,7 +64,7 @@ def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
     newest = layouts[-1]
     device = newest.device
     style = style_sheet("targets/page.css", "targets/docs/lab.css")
-    versions = [layout for layout in reversed(layouts) if layout.links]
+    versions = [layout for layout in reversed(layouts) if _explains(layout)]
     page = fill(
         "docs/lab.html.j2",
         title=clean(f"{device.name}: frame lab"),

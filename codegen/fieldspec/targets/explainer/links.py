@@ -9,7 +9,8 @@ from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.escape import Escape
 from fieldspec.language.model.link import ExceptionResponse
-from fieldspec.targets.explainer.literals import Data
+from fieldspec.targets.explainer.codecs import constant_name
+from fieldspec.targets.explainer.literals import Code, Data
 from fieldspec.targets.explainer.values import fact_data, intervals, stated, value_data
 
 DIRECTIONS = ("request", "response")
@@ -141,6 +142,8 @@ def _part(part: PartLayout) -> dict[str, Data]:
 def _algorithm(part: PartLayout) -> dict[str, Data]:
     """The parameters of a checksum; numbers that may be wide are texts of digits."""
     kind = checksum_named(part.algorithm)
+    if kind.codec:
+        return {"codec": Code(constant_name(kind.codec))}
     surrounding: dict[str, Data] = {
         key: code.hex()
         for key, code in (("suffix", kind.suffix), ("avoided", kind.avoided), ("replacements", kind.replacements))

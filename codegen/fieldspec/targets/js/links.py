@@ -12,6 +12,7 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.checksums import algorithm_name, checksum_named
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.ranges import Ranges
+from fieldspec.targets.explainer.codecs import constant_name
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.framing import framer, is_wide_part
@@ -231,6 +232,8 @@ def checksum_function(algorithm: str, order: str) -> str:
     if short is not None:
         return short
     kind = checksum_named(algorithm)
+    if kind.codec:
+        return constant_name(kind.codec)
     if kind.avoided:
         function = checksum_function(algorithm_name(replace(kind, avoided=b"", replacements=b"")), order)
         return f"{PURE} avoiding({function}, {kind.size}, {list(kind.avoided)}, {list(kind.replacements)})"

@@ -10,6 +10,7 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.checksums import SIMPLE, Checksum, checksum_named
 from fieldspec.language.model.encoding import Sign, number_of, struct_letter
 from fieldspec.language.model.ranges import Ranges
+from fieldspec.targets.python.codecs import codec_key
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.slots import Words
 from fieldspec.targets.python.text import literal
@@ -162,6 +163,8 @@ def _checksum(check: PartLayout) -> str:
 
 
 def _function(kind: Checksum, byte_order: str) -> str:
+    if kind.codec:
+        return f"_CHECKSUMS[{literal(codec_key(kind.codec))}]"
     if kind.method == "crc":
         numbers = f"{kind.width}, {kind.polynomial:#x}, {kind.initial:#x}"
         return f"_Crc({numbers}, {kind.reflect_in}, {kind.reflect_out}, {kind.final_xor:#x})"

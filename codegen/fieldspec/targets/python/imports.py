@@ -55,6 +55,7 @@ _SHARED = {
     "_choices": "Cases Choice",
     "_can": "CanFrame CanIdentifier",
     "_codes": "by_number by_printed_name",
+    "_codecs": "CHECKSUMS",
     "_conversions": (
         "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of magnitude_bytes"
         " magnitude_of members new packing text texts turned"

@@ -103,7 +103,7 @@ def _value(value: Value, orders: Orders) -> dict[str, str]:
     return {
         "type": value.type.name,
         "size": f"{value.size} bytes",
-        "digits": value.digits or "binary",
+        "digits": value.codec or value.digits or "binary",
         "byte order": order if value.has_order else "",
         "word order": (last if swapped else order) if value.has_words else "",
         "scale": value.scale_text or str(value.scale),

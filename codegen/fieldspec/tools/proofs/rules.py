@@ -29,6 +29,14 @@ Example: a packet that ends with 17h, where the sum of the bytes before it is 37
 
 Fix: State the right bytes as `frame`, and write an erratum with the printed bytes.
 """,
+    "codec_exemplified": """Three printed frames at least use each codec of a package.
+
+Why: the language does not say what its bytes are, so that no other rule proves that the codec is the one of the device.
+
+Example: a field with `codec: acme_float` in a message with one example.
+
+Fix: Add the frames that the manual prints, or a log of a device, as `examples` with their values.
+""",
     "errata_differ": """The printed value in an erratum differs from the value in the spec.
 
 Why: an erratum that corrects nothing is obsolete, or the spec contains the misprint.

@@ -13,6 +13,7 @@ from fieldspec.language.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.language.diagnostics import Diagnostic, has_errors
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.tools.proofs.codec_examples import codec_exemplified
 from fieldspec.tools.proofs.detections_alike import detections_alike
 from fieldspec.tools.proofs.equal_lines import equal_versions, lines_alike
 from fieldspec.tools.proofs.errata import Findings, Proof, errata_by_version, proofs
@@ -96,7 +97,7 @@ def everything(
     findings = [*broken, *checks.run(device, without)]
     if not examples or has_errors(broken) or any(finding.code in LAYOUT_CONDITIONS for finding in findings):
         return findings
-    return [*findings, *(remembered or FindingsCache()).findings(device, sound=True)]
+    return [*findings, *(remembered or FindingsCache()).findings(device, sound=True), *codec_exemplified(device)]
 
 
 def known() -> frozenset[str]:

@@ -50,6 +50,7 @@ export function sliceOf(data, start, stop) {
 const FUNCTIONS = new WeakMap();
 
 function functionOf(algorithm) {
+  if (algorithm.codec) return algorithm.codec;
   if (!FUNCTIONS.has(algorithm)) {
     const initial = BigInt(algorithm.initial);
     let compute = algorithm.method === "crc"
