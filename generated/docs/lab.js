@@ -1632,7 +1632,8 @@ function meaningOf(name, label, text, bits = "") {
 
 /** The value with the range of writing as its only range. */
 function forWriting(value) {
-  return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
+  const { ranges, writeRanges = ranges, order, writePlaces = order } = value;
+  return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
 /** The meaning of the bytes of a value that is read: a constant binds only what is written. */
@@ -5012,7 +5013,8 @@ class MessageForm {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
-      const { path, value } = occupant;
+      const { path } = occupant;
+      const value = forWriting(occupant.value);
       if (isWord) {
         // A word is written as it is, but not if the register cannot have it.
         const bytes = Uint8Array.of(count >> 8, count & 0xFF);

@@ -243,6 +243,8 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
             register_layout.swapped,
         )
         yield register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
+        if register.value.write_word_order:
+            yield "words of a write", register_layout.write_swapped
 
 
 def _tables(device: Device) -> Iterator[Words]:

@@ -74,11 +74,6 @@ def functions(text: str) -> Functions | None:
     return Functions(spaces.pop(), any(n in _READING for n in numbers), any(n in _WRITING for n in numbers))
 
 
-def order(text: str) -> str:
-    """The order of the bytes of two words, such as `CDAB`; empty if a text says none."""
-    return meaning("orders", text)
-
-
 def number(text: str, decimal: str = POINT) -> Decimal | None:
     """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is none.
 

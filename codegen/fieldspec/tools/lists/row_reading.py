@@ -11,11 +11,11 @@ from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.language.model.value import exact_scale
-from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.cells import access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
+from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.row_quantity import FACTORS, open_factor, quantity_of
-from fieldspec.tools.lists.type_words import Loose, Typed, joined_order, typed
+from fieldspec.tools.lists.type_words import Loose, Typed, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
@@ -331,7 +331,7 @@ def _order(texts: Mapping[str, str], own_type: Typed | None, default_order: str,
 
 def _stated_order(role: str, text: str, doubts: list[str]) -> str:
     """The order in a column of orders of bytes, or of words, where `little` has the low word first and usual bytes."""
-    stated = cells.order(text)
+    stated = stated_order(text)
     if text and not stated:
         answer_value = answer(text)
         if answer_value is None:

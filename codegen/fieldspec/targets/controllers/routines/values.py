@@ -77,7 +77,7 @@ class Wire:
     @staticmethod
     def of_register(register: RegisterLayout) -> Wire:
         """The wire value of a register in a write."""
-        return Wire(register.register.value, register.order, register.swapped)
+        return Wire(register.register.value, register.order, register.write_swapped)
 
     @staticmethod
     def of_answer(register: RegisterLayout) -> Wire:
