@@ -82,6 +82,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         )
         if not link.has_common_delimiters:
             yield "response_delimiters", *(mark.hex() for mark in link.delimiters("response"))
+        if link.preamble is not None:
+            yield "preamble", link.preamble.byte, link.preamble.least, link.preamble.most, link.preamble.sent
         unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
         if unanswered:
             yield "unanswered", sorted(unanswered)

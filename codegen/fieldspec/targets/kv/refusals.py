@@ -66,5 +66,8 @@ def _refused_links(layout: DeviceLayout) -> Iterator[tuple[LinkLayout, list[str]
         elif link.link.escape is not None:
             reason = f"{link.name} escapes bytes, so the words of its parts are not what is sent"
             yield link, messages, "escape", reason
+        elif link.link.preamble is not None:
+            reason = f"{link.name} has a preamble of varying length, so the words of its frames have no place"
+            yield link, messages, "preamble", reason
         else:
             yield link, messages, "encoding", f"{link.name} sends each byte as two characters, which a word map has not"
