@@ -1890,9 +1890,11 @@ function surplusRow(spot, at, raw) {
   return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
 }
 
-/** The row of the start delimiter, if the link has one. */
+/** The rows of the preamble and of the start delimiter, if the link has them. */
 function startRows(parts) {
-  return markRows(parts, "start", 0, parts.start, parts.marks[0]);
+  const { link: { preamble }, lead, start } = parts;
+  const rows = preamble ? markRows(parts, "preamble", 0, start.subarray(0, lead), new Uint8Array(lead).fill(preamble.byte)) : [];
+  return [...rows, ...markRows(parts, "start", lead, start.subarray(lead), parts.marks[0])];
 }
 
 /** The rows of surplus characters, and of the end delimiter, if the link has one. */
@@ -1956,26 +1958,34 @@ function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ..
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
 
+/** How many bytes of its preamble a frame has, or should have at least. */
+function leadOf(preamble, frame) {
+  if (preamble === undefined) return 0;
+  const other = frame.findIndex((byte) => byte !== preamble.byte);
+  return Math.max(preamble.least, Math.min(other < 0 ? frame.length : other, preamble.most));
+}
+
 /**
  * A frame of a link without its delimiters, which are `marks`, and its encoding. `start` and `end` are the bytes in the
- * places of the delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
+ * places of the delimiters, `start` with the `lead` bytes of a preamble before it, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
  * cannot be read if the reason is `not_hex`; `whole` is then false.
  */
 function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
-  const start = markOf(frame, marks[0], link.encoding);
+  const lead = leadOf(link.preamble, frame);
+  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.encoding);
   const behind = frame.subarray(start.length);
   const end = markOf(behind.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
   if (link.encoding === "binary") {
-    return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
+    return { link, marks, lead, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
   }
   const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
   const good = bad < 0 ? inner.length : bad;
   const pairs = good - (good % 2);
   const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
   const data = bytesOfHex(latinOf(inner.subarray(0, pairs)));
-  return { link, marks, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
+  return { link, marks, lead, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
 }
 
 /** The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else. */
@@ -3475,7 +3485,8 @@ function ownSize(link, { direction, frame, rows }) {
   const inner = rows.filter(({ kind }) => kind !== "mark");
   const isHex = link.encoding === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
-  const without = [...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
+  const preamble = link.preamble ? ["preamble"] : [];
+  const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
   const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
   return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
 }
@@ -4136,7 +4147,8 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   const inner = sent();
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
-  return joinedBytes([start, encoded, end]);
+  const { byte, sent: count } = link.preamble ?? { byte: 0, sent: 0 };
+  return joinedBytes([new Uint8Array(count).fill(byte), start, encoded, end]);
 }
 
 function refuseBroadcast({ addresses }, shape, values, message) {

@@ -29,7 +29,7 @@ def link(draft: Draft, coded: bool) -> Spec:
     line["response"] = line["request"] if same else parts(draft, line, coded and draft.chance(85), code or {})
     if encoding == "binary" and draft.chance(18):
         add_escape(draft, line)
-    if encoding == "binary" and draft.chance(25):
+    if encoding == "binary" and draft.chance(15):
         add_preamble(draft, line)
     roles = {part.get("role") for part in (*line["request"], *line["response"])}
     if "unit_address" in roles and draft.chance(60):
