@@ -51,7 +51,7 @@ Cure: Do without what is left out, or use another output.
 """,
     "output_frames_words": """The frames of a link are the bytes of their parts, between the delimiters, in word maps.
 
-Why: the map says which byte of a frame each value is. Where bytes are escaped, are two characters each, come behind a
+Why: the map says which byte of a frame each value is. Where bytes are escaped, are two characters each, come after a
 preamble of varying length or are in the identifier of a CAN frame, a program that fills the words and sends them sends
 wrong bytes.
 
@@ -62,7 +62,7 @@ Cure: Do without the frames, or use another output: Python, JavaScript and C esc
     "output_registers_words": """Every register has words of its own, in word maps.
 
 Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them. A register
-whose words are written in another order than they are read has two places for each of its bits.
+whose words are read in one order and written in the other has two places for each of its bits.
 
 Example: the control table of a servo, in a space with `unit: byte`.
 

@@ -59,7 +59,7 @@ class Occupant:
 
     def is_swapped(self, operation: str) -> bool:
         """Whether the words of a value are swapped in a `read` or a `write`."""
-        return self.swapped != (operation == "write" and bool(self.value.write_word_order))
+        return self.value.write_swapped(self.swapped) if operation == "write" else self.swapped
 
     @property
     def restart(self) -> bool | None:

@@ -294,13 +294,12 @@ class Unwrapped:
 def unwrapped(link: Link, direction: str, frame: bytes) -> Unwrapped:
     """A frame of a link without its delimiters and its encoding."""
     marks = link.marks(direction)
-    extra = link.preamble.surplus(frame) if link.preamble is not None else 0
-    start = frame[:extra] + _mark(frame[extra:], link.delimiters(direction)[0], link.encoding)
+    lead = link.preamble.least + link.preamble.surplus(frame) if link.preamble is not None else 0
+    start = frame[:lead] + _mark(frame[lead:], marks[0], link.encoding)
     end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.encoding)[::-1]
     inner = frame[len(start) : len(frame) - len(end)]
     if link.encoding == "binary":
-        least = link.preamble.least if link.preamble is not None else 0
-        return Unwrapped(link, marks, frame, start, inner, b"", "", end, extra + least)
+        return Unwrapped(link, marks, frame, start, inner, b"", "", end, lead)
     good = next((index for index, char in enumerate(inner) if char not in HEX), len(inner))
     pairs = good // 2 * 2
     reason = "not_hex" if good < len(inner) else "wrong_length" if pairs < good else ""

@@ -246,7 +246,7 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
         )
         yield register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
         if register.value.write_word_order:
-            yield "words of a write", register_layout.write_swapped
+            yield "words of a write", register.value.write_swapped(register_layout.swapped)
 
 
 def _tables(device: Device) -> Iterator[Words]:

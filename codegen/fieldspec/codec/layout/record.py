@@ -390,11 +390,6 @@ class RegisterLayout:
     swapped: bool
 
     @property
-    def write_swapped(self) -> bool:
-        """Whether the words of a write are swapped."""
-        return self.swapped != bool(self.register.value.write_word_order)
-
-    @property
     def numbers(self) -> tuple[int | str, ...]:
         """All of the layout but the register."""
         return self.name, self.address, self.words, self.count, self.stride, self.order, self.swapped

@@ -111,5 +111,5 @@ class Addresses:
                 own = data[first : first + value.size]
                 if len(own) == value.size:
                     order, swapped = orders_of(value, self._device.byte_order, self._device.word_order)
-                    turned = writes and bool(value.write_word_order)
-                    yield start + index, occupant, number_in(value, own, order, swapped != turned)
+                    swapped = value.write_swapped(swapped) if writes else swapped
+                    yield start + index, occupant, number_in(value, own, order, swapped)

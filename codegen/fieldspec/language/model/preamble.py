@@ -34,7 +34,6 @@ class Preamble:
         return max(0, min(len(frame) - len(frame.lstrip(bytes((self.byte,)))) - self.least, self.spare))
 
     def text(self) -> str:
-        """`5 bytes FF; receivers take 5 to 20`"""
-        byte = f"{self.byte:02X}"
-        taken = str(self.least) if self.least == self.most else f"{self.least} to {self.most}"
-        return f"{self.sent} times {byte}; receivers take {taken}"
+        """`5 times FF; receivers take 5 to 20`"""
+        bounds = str(self.least) if self.least == self.most else f"{self.least} to {self.most}"
+        return f"{self.sent} times {self.byte:02X}; receivers take {bounds}"

@@ -209,6 +209,10 @@ class Value:
         """Whether it consists of several words of 16 bits, whose order matters."""
         return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.has_characters
 
+    def write_swapped(self, swapped: bool) -> bool:
+        """Whether the words of a write are swapped, by whether those of a read are."""
+        return swapped != bool(self.write_word_order)
+
     @property
     def write_order_text(self) -> str:
         """`high word first when it is written`; empty where a write has the words in the order of a read."""

@@ -84,9 +84,9 @@ def _describe_form(link: LinkLayout) -> str:
 
 def _describe_delimiters(frame: FrameLayout) -> str:
     """`begin with 3A and end with 0D 0A`"""
-    least = frame.preamble.least if frame.preamble is not None else 0
+    mark = frame.start[frame.preamble.least :] if frame.preamble is not None else frame.start
     preamble = [f"begin with a preamble, {frame.preamble.text()}"] if frame.preamble is not None else []
-    start = [f"begin with {frame.start[least:].hex(' ').upper()}"] if frame.start[least:] else []
+    start = [f"begin with {mark.hex(' ').upper()}"] if mark else []
     end = [f"end with {frame.end.hex(' ').upper()}"] if frame.end else []
     return " and ".join([*preamble, *start, *end])
 

@@ -217,5 +217,5 @@ def _declare_parameter_value(
     return [
         *define_constants(naming, "parameter", names, value),
         BLANK,
-        *access_functions(naming, device, "parameter", names, wire, value.size, trigger, wire.swapped),
+        *access_functions(naming, device, "parameter", names, wire, value.size, trigger),
     ]

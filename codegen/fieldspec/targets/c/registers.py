@@ -96,7 +96,6 @@ def access_functions(
     wire: WireValue,
     size: int,
     trigger: bool,
-    write_swapped: bool,
 ) -> list[Declaration]:
     """The functions that read and write a value, as its bytes lie in a frame, filled up to `size` bytes.
 
@@ -106,7 +105,10 @@ def access_functions(
     `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
     """
     value = wire.value
-    answer, wire = replace(wire, value=value.as_answer(trigger)), replace(wire, swapped=write_swapped)
+    answer, wire = (
+        replace(wire, value=value.as_answer(trigger)),
+        replace(wire, swapped=value.write_swapped(wire.swapped)),
+    )
     result_type = Type(accessed_type(naming, device, answer.value), pointer=True)
     result = declare_value(wire, "out") if wire.is_array else Variable(result_type, "out")
     inputs, outputs = (Variable(INPUT_BYTES, "in"), result), [Variable(OUTPUT_BYTES, "out")]
@@ -179,9 +181,7 @@ def declare_register(naming: Naming, device: Device, layout: RegisterLayout) -> 
     if not is_bit(layout):
         declarations += [
             BLANK,
-            *access_functions(
-                naming, device, "register", names, wire, layout.size, register.trigger, layout.write_swapped
-            ),
+            *access_functions(naming, device, "register", names, wire, layout.size, register.trigger),
         ]
     if layout.count > 1:
         declarations += [BLANK, *_address_function(naming, "register", layout.name, f"{layout.name} by its number")]

@@ -255,13 +255,13 @@ def test_value(
     encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
     for number in numbers:
         data, answer = _write_bytes(value, order, number, size), value_bytes(value, *order, number)
-        answered = enumerate(answer if value.write_word_order else b"")
+        answer_bytes = enumerate(answer if value.write_word_order else b"")
         description = f"{label} {number}"
         body += [
             assign(_IN, encoded_constants[number]),
             expect_equal(description, encoded, ok),
             expect_bytes(f"{description} bytes", _BYTES, data),
-            *(assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1)) for place, byte in answered),
+            *(assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1)) for place, byte in answer_bytes),
             expect_equal(description, decoded, ok),
             expect_equal(description, _OUT, decoded_constants[number]),
         ]
@@ -271,7 +271,7 @@ def test_value(
 def _write_bytes(value: Value, order: tuple[str, bool], number: int, size: int) -> bytes:
     """The bytes of a number in a write, of which the words may have another order than those of a read."""
     byte_order, swapped = order
-    return value_bytes(value, byte_order, swapped != bool(value.write_word_order), number).ljust(size, b"\0")
+    return value_bytes(value, byte_order, value.write_swapped(swapped), number).ljust(size, b"\0")
 
 
 def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:

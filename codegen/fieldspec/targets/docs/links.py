@@ -68,11 +68,11 @@ class FrameTable:
     def table(self, caption: str, record: RecordLayout | None, code: int | None = None) -> DocumentTable:
         """All parts of the frame in order, with the fields of a record where one is given."""
         preamble, (start, end) = self.shape.preamble, self.link.link.marks(self.direction)
-        sent = self.start - len(start)
+        size = self.start - len(start)
         rows: list[TableRow] = []
         if preamble is not None:
-            rows.append(self._frame_row(_span(0, sent), cell("preamble"), cell((text_piece(preamble.text()),))))
-        rows += self._mark("start", _span(max(sent, 0), len(start)), start)
+            rows.append(self._frame_row(_span(0, size), cell("preamble"), cell((text_piece(preamble.text()),))))
+        rows += self._mark("start", _span(max(size, 0), len(start)), start)
         rows += [self._part(part, Position(part.offset), record, code) for part in self.shape.header]
         rows += self._body(record)
         rows += self._tail(record)

@@ -27,7 +27,9 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     register, device = layout.register, names.layout.device
     name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
     size = layout.size if register.value.type.name == BIT else register.value.size
-    request = Slot(layout.name, register.value, size, layout.order, layout.write_swapped, device)
+    request = Slot(
+        layout.name, register.value, size, layout.order, register.value.write_swapped(layout.swapped), device
+    )
     answer = register.answer
     read = Slot(layout.name, answer, size, layout.order, layout.swapped, device)
     reading = read.read("number", "o", 0)

@@ -9,23 +9,23 @@ from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.value import Value
 from fieldspec.tools.lists.words import meaning
 
-_WRITTEN = ", written "
+_OF_WRITES = ", written "
 _JOINED = {(False, False): "ABCD", (False, True): "CDAB", (True, False): "BADC", (True, True): "DCBA"}
 """The orders of bytes by whether words have the low byte first, and whether the low word is first."""
 
 
 def stated_order(text: str) -> str:
     """The order that a text says; empty if it says none."""
-    read, separator, write = text.partition(_WRITTEN)
+    read, separator, write = text.partition(_OF_WRITES)
     orders = [meaning("orders", part) for part in ((read, write) if separator else (read,))]
-    return _WRITTEN.join(orders) if all(orders) else ""
+    return _OF_WRITES.join(orders) if all(orders) else ""
 
 
 def joined_order(of_bytes: str, of_words: str) -> str:
     """The order that one of bytes and one of words give together; an empty one says nothing."""
     if not of_words or of_bytes not in ("ABCD", "DCBA"):
         return of_bytes or of_words
-    return _WRITTEN.join(_JOINED[of_bytes == "DCBA", _is_low_first(own)] for own in of_words.split(_WRITTEN))
+    return _OF_WRITES.join(_JOINED[of_bytes == "DCBA", _is_low_first(own)] for own in of_words.split(_OF_WRITES))
 
 
 def order_text(value: Value | None, order: str, swapped: bool) -> str:
@@ -36,13 +36,13 @@ def order_text(value: Value | None, order: str, swapped: bool) -> str:
     is_low_first = is_little != (swapped and value.has_words)
     read, write = _JOINED[is_little, is_low_first], _JOINED[is_little, not is_low_first]
     if value.write_word_order:
-        return f"{read}{_WRITTEN}{write}"
+        return f"{read}{_OF_WRITES}{write}"
     return "" if read == "ABCD" else read
 
 
 def order_keys(order: str, kind: Primitive, size: int) -> Iterator[str]:
     """The keys of the order of words and of bytes, where they are not those of the device: big, as frames have them."""
-    read, _, write = order.partition(_WRITTEN)
+    read, _, write = order.partition(_OF_WRITES)
     if kind.is_number and size > 2 and size % 2 == 0:
         if read in ("CDAB", "DCBA", "BADC"):
             yield f"word_order: {_word_order(read)}"

@@ -122,12 +122,12 @@ def _preamble(entry: Entry) -> Preamble | None:
     stated = entry.entry("preamble")
     if stated is None:
         return None
-    sent, count = stated.integer("sent") or 0, stated.whole_ranges("count")
-    if count is None or len(count.intervals) > 1 or not 0 <= count.low <= sent <= count.high <= _LONGEST_PREAMBLE:
+    number, count = stated.integer("sent") or 0, stated.whole_ranges("count")
+    if count is None or len(count.intervals) > 1 or not 0 <= count.low <= number <= count.high <= _LONGEST_PREAMBLE:
         text = f"a preamble is received from a least to a greatest number of times, at most {_LONGEST_PREAMBLE},"
         entry.refuse("wrong_form", "preamble", f"{text} and is sent one of these", "state them as `count: 5..20`")
-        count = Ranges(((sent, sent),))
-    return Preamble(stated.integer("byte") or 0, count.low, count.high, sent)
+        count = Ranges(((number, number),))
+    return Preamble(stated.integer("byte") or 0, count.low, count.high, number)
 
 
 def _delimiters(entry: Entry) -> dict[str, bytes]:
