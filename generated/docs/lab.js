@@ -1485,7 +1485,8 @@ function meaningOf(name, label, text, bits = "") {
 }
 
 function forWriting(value) {
-  return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
+  const { ranges, writeRanges = ranges, order, writePlaces = order } = value;
+  return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
 function decodeAnswer(device, value, ...rest) {
@@ -1714,7 +1715,9 @@ function surplusRow(spot, at, raw) {
 }
 
 function startRows(parts) {
-  return markRows(parts, "start", 0, parts.start, parts.marks[0]);
+  const { link: { preamble }, lead, start } = parts;
+  const rows = preamble ? markRows(parts, "preamble", 0, start.subarray(0, lead), new Uint8Array(lead).fill(preamble.byte)) : [];
+  return [...rows, ...markRows(parts, "start", lead, start.subarray(lead), parts.marks[0])];
 }
 
 function endRows(parts) {
@@ -1771,21 +1774,28 @@ function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ..
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
 
+function leadOf(preamble, frame) {
+  if (preamble === undefined) return 0;
+  const other = frame.findIndex((byte) => byte !== preamble.byte);
+  return Math.max(preamble.least, Math.min(other < 0 ? frame.length : other, preamble.most));
+}
+
 function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
-  const start = markOf(frame, marks[0], link.encoding);
+  const lead = leadOf(link.preamble, frame);
+  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.encoding);
   const after = frame.subarray(start.length);
   const end = markOf(after.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
   if (link.encoding === "binary") {
-    return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
+    return { link, marks, lead, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
   }
   const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
   const good = bad < 0 ? inner.length : bad;
   const pairs = good - (good % 2);
   const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
   const data = bytesOfHex(latinOf(inner.subarray(0, pairs)));
-  return { link, marks, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
+  return { link, marks, lead, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
 }
 
 function markOf(frame, mark, encoding) {
@@ -3158,7 +3168,8 @@ function ownSize(link, { direction, frame, rows }) {
   const inner = rows.filter(({ kind }) => kind !== "mark");
   const isHex = link.encoding === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
-  const without = [...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
+  const preamble = link.preamble ? ["preamble"] : [];
+  const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
   const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
   return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
 }
@@ -3765,7 +3776,8 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   const inner = sent();
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
-  return joinedBytes([start, encoded, end]);
+  const { byte, sent: count } = link.preamble ?? { byte: 0, sent: 0 };
+  return joinedBytes([new Uint8Array(count).fill(byte), start, encoded, end]);
 }
 
 function refuseBroadcast({ addresses }, shape, values, message) {
@@ -4615,7 +4627,8 @@ class MessageForm {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
-      const { path, value } = occupant;
+      const { path } = occupant;
+      const value = forWriting(occupant.value);
       if (isWord) {
         const bytes = Uint8Array.of(count >> 8, count & 0xFF);
         const number = contentOf({ ...value, order: undefined }, bytes) ?? bytes;

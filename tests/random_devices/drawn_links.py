@@ -6,7 +6,7 @@ import re
 
 from fieldspec.language.schema import schema
 from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, range_text
-from random_devices.drawn_escapes import add_escape
+from random_devices.drawn_escapes import add_escape, add_preamble
 from random_devices.drawn_values import value
 
 USUAL_CHECKSUMS = ("sum8", "crc16_modbus", "lrc")
@@ -29,6 +29,8 @@ def link(draft: Draft, coded: bool) -> Spec:
     line["response"] = line["request"] if same else parts(draft, line, coded and draft.chance(85), code or {})
     if encoding == "binary" and draft.chance(18):
         add_escape(draft, line)
+    if encoding == "binary" and draft.chance(15):
+        add_preamble(draft, line)
     roles = {part.get("role") for part in (*line["request"], *line["response"])}
     if "unit_address" in roles and draft.chance(60):
         _unit_addresses(draft, line)

@@ -254,7 +254,10 @@ def _expected(line: Line, frames: list[bytes]) -> tuple[list[bytes], bool]:
 
 def _noise(line: Line) -> list[bytes]:
     """Noise with which no frame begins, and after which frames are recognized; empty where there is none."""
-    frame = line.frame
+    frame, preamble = line.frame, line.link.link.preamble
+    if preamble is not None:
+        others = {preamble.byte, *frame.start, *line.link.link.opening(line.direction)}
+        return [bytes([byte]) for byte in range(256) if byte not in others]
     if frame.start:
         return [bytes([byte]) for byte in range(256) if byte != frame.start[0]]
     if line.ending == "delimiters":

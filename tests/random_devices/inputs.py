@@ -303,7 +303,10 @@ def _marked(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> by
     model = layout.links[link].link
     inner = parts.hex().upper().encode() if model.encoding == "hex_ascii" else parts
     start, end = model.delimiters(direction)
-    return start + inner + end
+    own = model.preamble
+    # A preamble is longer than the least one by what the parts happen to have, up to one byte too many.
+    further = bytes((own.byte,)) * (sum(parts) % (own.spare + 2)) if own is not None else b""
+    return further + start + inner + end
 
 
 def _put_part(parts: bytearray, part: PartLayout, number: int) -> None:

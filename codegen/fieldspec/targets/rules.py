@@ -59,8 +59,9 @@ Fix: Do without the omitted facts, or use another output.
 """,
     "output_frames_words": """The frames of a link are the bytes of their parts, between the delimiters, in word maps.
 
-Why: the map states the byte offset of each value in a frame. If bytes are escaped, sent as two characters or part of a
-CAN identifier, a program that fills the words and sends them would send wrong bytes.
+Why: the map states the byte offset of each value in a frame. If bytes are escaped, sent as two characters, sent after a
+preamble of varying length or part of a CAN identifier, a program that fills the words and sends them would send wrong
+bytes.
 
 Example: a link with `escape: {method: slip}`.
 
@@ -68,7 +69,8 @@ Fix: Do without the frames, or use another output: Python, JavaScript and C esca
 """,
     "output_registers_words": """Every register occupies whole words, in word maps.
 
-Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them.
+Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them. A register
+whose words are read in one order and written in the other has two places for each of its bits.
 
 Example: the control table of a servo, in a space with `unit: byte`.
 

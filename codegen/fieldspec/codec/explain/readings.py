@@ -383,7 +383,8 @@ def _own_size(link: LinkLayout, own: Explanation) -> str:
     rows = [row for row in own.rows if row.kind != "mark"]
     is_hex = link.link.encoding == "hex_ascii"
     size = sum(row.length for row in rows) // 2 if is_hex else sum(len(row.raw) for row in rows)
-    without = ["delimiters"] if any(link.link.delimiters(own.direction)) else []
+    without = ["preamble"] if link.link.preamble is not None else []
+    without += ["delimiters"] if any(link.link.marks(own.direction)) else []
     without += ["escapes"] if link.frame(own.direction).escape is not None else []
     opening = f"without its {' and '.join(without)}, the frame has" if without else "the frame has"
     return f"{opening} {_byte_count(size)}"

@@ -278,7 +278,8 @@ HEX = b"0123456789ABCDEFabcdef"
 class Unwrapped:
     """A frame without delimiters and encoding.
 
-    `marks` are the delimiters, `start` and `end` the bytes in their places. `data` are the bytes of the parts, and
+    `marks` are the delimiters, `start` and `end` the bytes in their places, `start` with the `preamble` bytes of the
+    preamble before it, of which a sender may send more or fewer. `data` are the bytes of the parts, and
     `surplus` is what is left between them and the end. Its `reason` is `wrong_length`, or `not_hex`, in which case the
     rest of the frame cannot be read.
     """
@@ -291,6 +292,7 @@ class Unwrapped:
     surplus: bytes
     reason: str
     end: bytes
+    preamble: int = 0
 
     @property
     def whole(self) -> bool:
@@ -300,12 +302,13 @@ class Unwrapped:
 
 def unwrapped(link: Link, direction: str, frame: bytes) -> Unwrapped:
     """A frame of a link without its delimiters and its encoding."""
-    marks = link.delimiters(direction)
-    start = _mark(frame, marks[0], link.encoding)
+    marks = link.marks(direction)
+    lead = link.preamble.least + link.preamble.surplus(frame) if link.preamble is not None else 0
+    start = frame[:lead] + _mark(frame[lead:], marks[0], link.encoding)
     end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.encoding)[::-1]
     inner = frame[len(start) : len(frame) - len(end)]
     if link.encoding == "binary":
-        return Unwrapped(link, marks, frame, start, inner, b"", "", end)
+        return Unwrapped(link, marks, frame, start, inner, b"", "", end, lead)
     good = next((index for index, char in enumerate(inner) if char not in HEX), len(inner))
     pairs = good // 2 * 2
     reason = "not_hex" if good < len(inner) else "wrong_length" if pairs < good else ""
@@ -321,8 +324,12 @@ def _mark(frame: bytes, mark: bytes, encoding: str) -> bytes:
 
 
 def start_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
-    """The row of the start delimiter, if the link has one."""
-    yield from _mark_row(parts, "start", 0, parts.start, parts.marks[0])
+    """The rows of the preamble and of the start delimiter, if the link has them."""
+    preamble = parts.link.preamble
+    size = parts.preamble
+    if preamble is not None:
+        yield from _mark_row(parts, "preamble", 0, parts.start[:size], bytes((preamble.byte,)) * size)
+    yield from _mark_row(parts, "start", size, parts.start[size:], parts.marks[0])
 
 
 def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:

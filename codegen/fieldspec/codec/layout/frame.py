@@ -14,6 +14,7 @@ from fieldspec.codec.layout.subcodes import Subcode, subcode
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.escape import CAN_REMOTE, Escape
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.language.model.sizes import part_size, sent_on
 
 
@@ -41,7 +42,7 @@ class FrameLayout:
 
     All sizes count bytes of the parts, before these are encoded as characters and put between delimiters. The
     `escape` changes the bytes from `escape_start` to `escape_stop`, which are the bounds of a slice as in `PartLayout`.
-    `start` and `end` are the delimiters.
+    `start` and `end` are the delimiters. Those of a `preamble` that every receiver demands are the first of `start`.
     """
 
     direction: str
@@ -54,6 +55,25 @@ class FrameLayout:
     escape_stop: int | None = None
     start: bytes = b""
     end: bytes = b""
+    preamble: Preamble | None = None
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether bytes around the parts show where a frame is."""
+        return bool(self.start or self.end or self.preamble)
+
+    @property
+    def further(self) -> bytes:
+        """What a sender sends before the start delimiter."""
+        return self.preamble.further if self.preamble is not None else b""
+
+    def surplus(self, frame: bytes) -> int:
+        """How many bytes of a preamble a frame has before the start delimiter."""
+        return self.preamble.surplus(frame) if self.preamble is not None else 0
+
+    def as_sent(self, frame: bytes) -> bytes:
+        """A frame with its preamble as long as it is sent."""
+        return self.further + frame[self.surplus(frame) :]
 
     @property
     def parts(self) -> tuple[PartLayout, ...]:
@@ -329,7 +349,10 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])
     start, end = link.delimiters(direction)
-    shape = FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]), start=start, end=end)
+    sizes_around = sum(sizes[:body]), sum(sizes[body + 1 :])
+    shape = FrameLayout(
+        direction, header, sizes_around[0], trailer, sizes_around[1], None, 0, None, start, end, link.preamble
+    )
     if escaped is None:
         return shape
     return replace(shape, escape=link.escape, escape_start=place(escaped[0]), escape_stop=stop_of(escaped[1]))

@@ -83,6 +83,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         )
         if not link.has_common_delimiters:
             yield "response_delimiters", *(mark.hex() for mark in link.delimiters("response"))
+        if link.preamble is not None:
+            yield "preamble", link.preamble.byte, link.preamble.least, link.preamble.most, link.preamble.sent
         unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
         if unanswered:
             yield "unanswered", sorted(unanswered)
@@ -250,6 +252,8 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
             register_layout.swapped,
         )
         yield register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
+        if register.value.write_word_order:
+            yield "words of a write", register.value.write_swapped(register_layout.swapped)
 
 
 def _tables(device: Device) -> Iterator[Words]:

@@ -56,6 +56,7 @@ class FrameCodec:
     def parts(self, frame: bytes, direction: str) -> bytes:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
         link, shape = self.link.link, self.link.frame(direction)
+        frame = frame[shape.surplus(frame) :]
         if not frame.startswith(shape.start):
             raise CodecError("wrong_mark", f"the frame does not start with {shape.start.hex(' ')}", 0)
         if not frame.endswith(shape.end) or len(frame) < len(shape.start) + len(shape.end):
@@ -360,7 +361,7 @@ class FrameCodec:
     def _marked(self, direction: str, data: bytes) -> bytes:
         shape = self.link.frame(direction)
         inner = data.hex().upper().encode("ascii") if self.link.link.encoding == "hex_ascii" else data
-        return shape.start + inner + shape.end
+        return shape.further + shape.start + inner + shape.end
 
 
 def _refuse_short(shape: FrameLayout, data: bytes) -> None:

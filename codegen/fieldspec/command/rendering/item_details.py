@@ -274,9 +274,10 @@ def _code(item: CodeRow) -> Details:
 def _link(layout: DeviceLayout, link: Link) -> Details:
     yield "what", link.title
     yield "encoding", link.encoding
+    yield "preamble", link.preamble.text() if link.preamble is not None else ""
     for direction in ("request",) if link.has_common_delimiters else ("request", "response"):
         name = "marks" if link.has_common_delimiters else f"{direction} marks"
-        yield name, " .. ".join(mark.hex(" ").upper() for mark in link.delimiters(direction) if mark)
+        yield name, " .. ".join(mark.hex(" ").upper() for mark in link.marks(direction) if mark)
     orders = (("bytes", link.byte_order), ("words", link.word_order))
     yield "order", ", ".join(f"{unit_name} {order}" for unit_name, order in orders if order)
     yield "sends", _sends(layout, link)

@@ -22,6 +22,7 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
     yield "unit", unit_text(value)
     yield "range", range_text(value)
     yield "written", "" if value.write_ranges is None else range_text(value.for_writing())
+    yield "words", value.write_order_text
     yield "default", "" if value.default is None else str(value.default)
     yield "digits", digits_text(value) if value.digits else ""
     yield "always", constant_text(value)

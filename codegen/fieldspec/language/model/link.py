@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.escape import Escape
 from fieldspec.language.model.fact import Citation, Fact, Place
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.value import Value
 
@@ -174,9 +175,10 @@ class Network:
 class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
 
-    The delimiters of a response are `response_start` and `response_end`, and of a request `start` and `end`; mostly
-    they are the same. `message_name`, `request_name` and `response_name` are the manual's names of a message and of the
-    two directions. A device with factory settings uses the link that `is_default`.
+    The least bytes of a `preamble` are the first ones of `start`. The delimiters of a response are `response_start` and
+    `response_end`, those of a request `start` and `end`; mostly they are the same. `message_name`, `request_name` and
+    `response_name` are the manual's names of a message and of the two directions. A device with factory settings uses
+    the link that `is_default`.
     """
 
     title: str
@@ -199,6 +201,7 @@ class Link(Fact):
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
     escape: Escape | None = None
+    preamble: Preamble | None = None
     network: Network | None = None
     is_default: bool = False
 
@@ -206,6 +209,11 @@ class Link(Fact):
     def ports(self) -> tuple[tuple[str, int], ...]:
         """The ports of a network on which the device listens: `("tcp", 502)`."""
         return self.network.ports if self.network is not None else ()
+
+    def marks(self, direction: str) -> tuple[bytes, bytes]:
+        """The delimiters in a direction without a preamble."""
+        start, end = self.delimiters(direction)
+        return start[self.preamble.least if self.preamble is not None else 0 :], end
 
     @property
     def sends_characters(self) -> bool:
@@ -215,7 +223,7 @@ class Link(Fact):
 
     def opening(self, direction: str) -> bytes:
         """The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte."""
-        start, _ = self.delimiters(direction)
+        start, _ = self.marks(direction)
         first = next(iter(self.parts(direction)), None)
         value = first.value if first is not None and not first.reserved else None
         if start or value is None or value.const is None or value.size != 1:

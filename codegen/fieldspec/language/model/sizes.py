@@ -129,7 +129,8 @@ class Shape:
             return data
         parts = self.around + data
         coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
-        return sum(map(len, self.link.delimiters(self.direction))) + coded
+        further = len(self.link.preamble.further) if self.link.preamble is not None else 0
+        return sum(map(len, self.link.delimiters(self.direction))) + further + coded
 
     def span_size(self, part: Part, data: int) -> int:
         """The bytes that a length part counts in a frame with `data` bytes of data."""

@@ -129,6 +129,7 @@ class Value:
     zeros. `width` is the most bytes of a value that varies in width, else
     it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
     `has_blanks` says that decimal digits have blanks in place of leading zeros, and a sign below zero only.
+    `write_word_order` is empty where a write has the words in the order of a read.
     """
 
     type: Primitive
@@ -155,6 +156,7 @@ class Value:
     width: int = 0
     has_blanks: bool = False
     codec: str = ""
+    write_word_order: str = ""
 
     @property
     def encoding(self) -> Encoding:
@@ -208,6 +210,16 @@ class Value:
     def has_words(self) -> bool:
         """Whether it consists of several words of 16 bits, whose order matters."""
         return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.is_as_sent
+
+    def write_swapped(self, swapped: bool) -> bool:
+        """Whether the words of a write are swapped, by whether those of a read are."""
+        return swapped != bool(self.write_word_order)
+
+    @property
+    def write_order_text(self) -> str:
+        """`high word first when it is written`; empty where a write has the words in the order of a read."""
+        words = {"": "", "big": "high", "little": "low"}[self.write_word_order]
+        return f"{words} word first when it is written" if words else ""
 
     @property
     def least_width(self) -> int:

@@ -84,9 +84,11 @@ def _describe_form(link: LinkLayout) -> str:
 
 def _describe_delimiters(frame: FrameLayout) -> str:
     """`begin with 3A and end with 0D 0A`"""
-    start = [f"begin with {frame.start.hex(' ').upper()}"] if frame.start else []
+    mark = frame.start[frame.preamble.least :] if frame.preamble is not None else frame.start
+    preamble = [f"begin with a preamble, {frame.preamble.text()}"] if frame.preamble is not None else []
+    start = [f"begin with {mark.hex(' ').upper()}"] if mark else []
     end = [f"end with {frame.end.hex(' ').upper()}"] if frame.end else []
-    return " and ".join([*start, *end])
+    return " and ".join([*preamble, *start, *end])
 
 
 def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
@@ -240,7 +242,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
         parameters.append(Variable(CODE_TYPE, "code"))
     parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
     width = 2 if link.link.encoding == "hex_ascii" else 1
-    delimiters = len(frame.start) + len(frame.end)
+    delimiters = len(frame.further) + len(frame.start) + len(frame.end)
     parts_size = frame.header_size + frame.trailer_size
     body: list[Statement] = [
         Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, parts_size), storage="" if frame.escape else "const"),

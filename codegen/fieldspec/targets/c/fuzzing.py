@@ -168,6 +168,8 @@ def _value_macro(
         return Call("ARRAY", (declared, *functions, exact, unsigned(size)))
     sizes = unsigned(wire.size), unsigned(size)
     argument = Identifier(accessed_type(naming, device, wire.value))
+    if wire.value.write_word_order:
+        return Call("TURNED", (kind, argument, *functions, unsigned(size)))
     if not has_single_bytes(wire.encoding):
         return Call("SEVERAL_FORMS", (kind, argument, *functions, unsigned(size)))
     if answer == wire.value:

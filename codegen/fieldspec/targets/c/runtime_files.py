@@ -174,7 +174,9 @@ def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
             yield from (WireValue(case.value, case.order, case.swapped) for case in field.cases)
     for register in layout.registers:
         if not is_bit(register):
-            yield WireValue(register.register.value, register.order, register.swapped)
+            value = register.register.value
+            for swapped in {register.swapped, value.write_swapped(register.swapped)}:
+                yield WireValue(value, register.order, swapped)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
             for value in (parameter.value, *(inner.value for inner in parameter.subindices)):

@@ -18,6 +18,7 @@ from fieldspec.targets.c.enums import available_members, code_tables, enum_type
 from fieldspec.targets.c.expressions import (
     Call,
     Cast,
+    Element,
     Expression,
     Identifier,
     PointerMember,
@@ -232,7 +233,7 @@ def test_value(
     body: list[Statement] = [Variable(Type("uint8_t"), "bytes", (decimal(size),))]
     kind = Type(type_name(value))
     if value.const is not None:
-        data = value_bytes(value, *order, value.const).ljust(size, b"\0")
+        data = _write_bytes(value, order, value.const, size)
         other = 0 if value.const else 1
         other_data = byte_initializer(value_bytes(value, *order, other).ljust(size, b"\0"))
         yield [
@@ -257,16 +258,24 @@ def test_value(
     body += [Variable(out_type, "out", value=out_start), Variable(in_type, "in", value=in_start, storage="volatile")]
     encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
     for number in numbers:
-        data = value_bytes(value, *order, number).ljust(size, b"\0")
+        data, answer = _write_bytes(value, order, number, size), value_bytes(value, *order, number)
+        answer_bytes = enumerate(answer if value.write_word_order else b"")
         description = f"{label} {number}"
         body += [
             assign(_IN, encoded_constants[number]),
             expect_equal(description, encoded, ok),
             expect_bytes(f"{description} bytes", _BYTES, data),
+            *(assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1)) for place, byte in answer_bytes),
             expect_equal(description, decoded, ok),
             expect_equal(description, _OUT, decoded_constants[number]),
         ]
     yield body
+
+
+def _write_bytes(value: Value, order: tuple[str, bool], number: int, size: int) -> bytes:
+    """The bytes of a number in a write, of which the words may have another order than those of a read."""
+    byte_order, swapped = order
+    return value_bytes(value, byte_order, value.write_swapped(swapped), number).ljust(size, b"\0")
 
 
 def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:

@@ -60,15 +60,19 @@ class FrameTable:
         self.marks = Inferences(anchor)
         self.anchored = anchored
         characters = link.link.encoding == "hex_ascii"
-        self.start, self.width = len(self.shape.start), 2 if characters else 1
+        self.start, self.width = len(self.shape.further) + len(self.shape.start), 2 if characters else 1
         if link.link.escape is not None and link.link.is_can:
             self.start = -link.link.escape.fields_size  # places are those in the data, after the identifier
         self.unit = "Character" if characters else "Byte"
 
     def table(self, caption: str, record: RecordLayout | None, code: int | None = None) -> DocumentTable:
         """All parts of the frame in order, with the fields of a record where one is given."""
-        start, end = self.shape.start, self.shape.end
-        rows = [*self._mark("start", _span(0, len(start)), start)]
+        preamble, (start, end) = self.shape.preamble, self.link.link.marks(self.direction)
+        size = self.start - len(start)
+        rows: list[TableRow] = []
+        if preamble is not None:
+            rows.append(self._frame_row(_span(0, size), cell("preamble"), cell((text_piece(preamble.text()),))))
+        rows += self._mark("start", _span(max(size, 0), len(start)), start)
         rows += [self._part(part, Position(part.offset), record, code) for part in self.shape.header]
         rows += self._body(record)
         rows += self._tail(record)
@@ -364,9 +368,11 @@ def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     yield "Name", ((code(link.name),),)
     yield "Encoding", ((text_piece(ENCODINGS[link.encoding]),),)
     common = link.has_common_delimiters
+    if link.preamble is not None:
+        yield "Preamble", ((text_piece(link.preamble.text()),),)
     for direction in ("request",) if common else ("request", "response"):
         frames = "" if common else f", {link.direction_name(direction)}s"
-        for verb, mark in zip(("Starts", "Ends"), link.delimiters(direction), strict=True):
+        for verb, mark in zip(("Starts", "Ends"), link.marks(direction), strict=True):
             if mark:
                 yield f"{verb} with{frames}", ((code(mark.hex(" ").upper()),),)
     if link.escape is not None:

@@ -9,6 +9,7 @@ from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.escape import Escape
 from fieldspec.language.model.link import ExceptionResponse
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.targets.explainer.codecs import constant_name
 from fieldspec.targets.explainer.literals import Code, Data
 from fieldspec.targets.explainer.values import fact_data, intervals, stated, value_data
@@ -44,7 +45,8 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
                 else None,
             }
         ),
-        "delimiters": {direction: [mark.hex() for mark in own.delimiters(direction)] for direction in DIRECTIONS},
+        "delimiters": {direction: [mark.hex() for mark in own.marks(direction)] for direction in DIRECTIONS},
+        **stated({"preamble": _preamble(own.preamble)}),
         "subcodes": {direction: _subcodes(link, direction) for direction in DIRECTIONS},
         "codes": {direction: _code_texts(link, direction) for direction in DIRECTIONS},
         **stated({"openings": _openings(link)}),
@@ -68,6 +70,13 @@ def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> Data
         **stated({"code": exception.code, "part": exception.part, "normal": intervals(exception.normal)}),
         **({"mark": {"offset": mark.offset, "bytes": list(mark.pattern)}} if mark is not None else {}),
     }
+
+
+def _preamble(preamble: Preamble | None) -> Data:
+    """The byte before frames, how often it is sent, and how often receivers take it."""
+    if preamble is None:
+        return None
+    return {"byte": preamble.byte, "least": preamble.least, "most": preamble.most, "sent": preamble.sent}
 
 
 def _subcodes(link: LinkLayout, direction: str) -> list[Data]:

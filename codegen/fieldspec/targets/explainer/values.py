@@ -60,6 +60,7 @@ def intervals(ranges: Ranges | None) -> Data:
 
 def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str, Data]:
     """A value with the places of its bytes. Its keys are named like the attributes of `Value` with the same meaning."""
+    turned = bool(value.write_word_order)
     parameter = value.parameter
     return stated(
         {
@@ -67,6 +68,7 @@ def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str
             "size": value.size,
             "signed": sign_data(value.encoding),
             "order": _order(places_of(value, order, swapped) if order else ()),
+            "writePlaces": list(places_of(value, order, not swapped)) if turned else None,
             **_digits(value),
             **_text_form(value),
             "const": value.const,

@@ -75,6 +75,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         code += [
             f"    start: {list(frame.start)},",
             f"    end: {list(frame.end)},",
+            *_preamble(frame),
             f"    checksums: {order},",
             f"    escape: {_escape(frame)},",
             f"    escapeStart: {frame.escape_start},",
@@ -206,6 +207,16 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             row |= {"algorithm": checksum_function(part.algorithm, part.order), "digits": literal(part.digits)}
         lines.append(f"      {object_of(row)},")
     return [*lines, "    ],"]
+
+
+def _preamble(frame: FrameLayout) -> list[str]:
+    """The line of a preamble, if frames have one."""
+    own = frame.preamble
+    if own is None:
+        return []
+    return [
+        f"    preamble: {{ byte: {own.byte}, least: {own.least}, further: {len(own.further)}, spare: {own.spare} }},"
+    ]
 
 
 def _escape(frame: FrameLayout) -> str:

@@ -235,6 +235,9 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
     for name, mark in (("start", frame.start), ("end", frame.end)):
         if mark:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
+    if frame.preamble is not None:
+        own = frame.preamble
+        arguments.append(f"preamble=({own.byte}, {own.least}, {len(own.further)}, {own.spare})")
     if link.link.encoding == "hex_ascii":
         arguments.append("hexadecimal=True")
     if is_simple(frame) and constants(frame):

@@ -275,7 +275,7 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
-        marked=bool(frame.start or frame.end or link.link.encoding == "hex_ascii"),
+        marked=frame.is_marked or link.link.encoding == "hex_ascii",
         kind="_EscapedFrames" if frame.escape else "_Frames" if is_simple(frame) else "_PartFrames",
         escape=escape_call(frame),
         arguments=frames_arguments(link, frame),

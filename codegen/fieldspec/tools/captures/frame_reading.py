@@ -78,9 +78,7 @@ class FrameReader:
         self.messages = list(self.link.messages.values())
         self.carried = self.link.carried(direction)
         self.has_code = self.shape.role("code") is not None
-        self.is_bare = not (
-            self.shape.start or self.shape.end or self.link.link.encoding != "binary" or self.shape.escape
-        )
+        self.is_bare = not (self.shape.is_marked or self.link.link.encoding != "binary" or self.shape.escape)
         self.bodies: dict[tuple[int, bool], BodyReader] = {}
         self.least = self.shape.header_size + self.shape.trailer_size
         self._remote = CAN_REMOTE if self.shape.escape is not None and self.shape.escape.remote is not None else 0
@@ -131,7 +129,7 @@ class FrameReader:
         for row, (start, length) in enumerate(zip(offsets.tolist(), size.tolist(), strict=True)):
             frame = buffer[start : start + length].tobytes()
             parts = unwrapped(own, self.direction, frame)
-            if parts.start != self.shape.start:
+            if parts.start[self.shape.surplus(frame) :] != self.shape.start:
                 verdict[row] = WRONG_MARK
             data = parts.data
             pieces.append(data)

@@ -221,9 +221,9 @@ class Redaction:
             known = bits[: count if isinstance(count, int) else len(bits)]
             clean = [bit if (space, start + offset) in self.occupants else 0 for offset, bit in enumerate(known)]
             return bytes(packed_bits(clean)).ljust(len(data), b"\0")[: len(data)]
-        return self.words(space, start, data)
+        return self.words(space, start, data, access.operation)
 
-    def words(self, space: str, start: int, data: bytes) -> bytes:
+    def words(self, space: str, start: int, data: bytes, operation: str = "read") -> bytes:
         """The bytes of the words, or of the bytes, from an address on."""
         result = bytearray(len(data))
         replaced: set[int] = set()
@@ -247,7 +247,8 @@ class Redaction:
                 replaced.add(id(occupant))
                 low, high = max(first, 0), min(first + occupant.value.size, len(data))
                 self._replace(occupant.fact, data[low:high])
-                filler = _filler(occupant.value, occupant.value.size, occupant.order, occupant.swapped)
+                swapped = occupant.is_swapped(operation)
+                filler = _filler(occupant.value, occupant.value.size, occupant.order, swapped)
                 result[low:high] = filler[low - first : high - first]
         return bytes(result)
 

@@ -204,10 +204,10 @@ def _lengths(message: Message, code: int | None) -> Iterator[FactRow]:
 def _marks(link: Link) -> Iterator[tuple[str, bytes]]:
     """The delimiters of a link with their paths in it."""
     if link.has_common_delimiters:
-        yield from (("start", link.start), ("end", link.end))
+        yield from zip(("start", "end"), link.marks("request"), strict=True)
         return
     for direction in ("request", "response"):
-        for name, mark in zip(("start", "end"), link.delimiters(direction), strict=True):
+        for name, mark in zip(("start", "end"), link.marks(direction), strict=True):
             yield f"delimiters/{direction}/{name}", mark
 
 
@@ -218,6 +218,9 @@ def _link(link: Link) -> Iterator[FactRow]:
         if mark:
             cells: FactRow = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
             yield row("mark", f"{path}/{name}", link.sources, **cells)
+    if link.preamble is not None:
+        cells = {"name": "preamble", "bytes": link.preamble.sent, "printed_name": link.preamble.text()}
+        yield row("mark", f"{path}/preamble", link.sources, **cells)
     if link.exception_response is not None:
         error = link.exception_response
         cells = {"name": error.part or "error", "code": error.code or error.flag, "type": error.record}

@@ -93,11 +93,6 @@ def space(text: str) -> str:
     return meaning("spaces", bare) or (space_names.pop() if len(space_names) == 1 else "")
 
 
-def order(text: str) -> str:
-    """The order of the bytes of two words, such as `CDAB`; empty if a text says none."""
-    return meaning("orders", text)
-
-
 def number(text: str, decimal: str = POINT) -> Decimal | None:
     """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is none.
 

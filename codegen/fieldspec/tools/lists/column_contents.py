@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text, place
 from fieldspec.tools.lists.brackets import without_brackets
+from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.row_quantity import decimal_places
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
@@ -69,8 +70,8 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "name": lambda text: any(map(str.isalpha, text)),
     "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None,
     "unit": lambda text: not text.isdecimal() or text == "1",
-    "word_order": lambda text: cells.order(text) or cells.answer(text) is not None,
-    "byte_order": lambda text: cells.order(text) or cells.answer(text) is not None,
+    "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,
+    "byte_order": lambda text: stated_order(text) or cells.answer(text) is not None,
 }
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 

@@ -16,9 +16,10 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
+from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
 from fieldspec.tools.lists.row_quantity import FACTORS, example, open_factor, quantity_of
-from fieldspec.tools.lists.type_words import Loose, Typed, described_order, joined_order, typed
+from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded
@@ -360,7 +361,7 @@ def _order(
 
 def _stated_order(role: str, text: str, doubts: list[str]) -> str:
     """The order in a column of orders of bytes, or of words, where `little` has the low word first and usual bytes."""
-    stated = cells.order(text)
+    stated = stated_order(text)
     if text and not stated:
         answer_value = answer(text)
         if answer_value is None:

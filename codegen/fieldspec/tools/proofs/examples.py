@@ -263,7 +263,7 @@ def _bytes(
         text = f"the values cannot be encoded: {error}"
         yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help="compare them with the fields")
         return
-    if data != example.frame:
+    if data != link.link.frame(example.direction).as_sent(example.frame):
         text = f"the values encode to {data.hex(' ').upper()}"
         label = Label(example.place["frame"], "these bytes")
         span = example.place["values"]

@@ -74,6 +74,7 @@ def _write(engine: Engine, step: RegisterAccess, values: Mapping[str, Any]) -> t
     if not step.and_mask:
         return step, values
     space, (address,) = accessed_words(engine, step, values, "write")
+    address = engine.memory.write_place(space, address)
     word, and_mask, or_mask = engine.memory.words[space, address], values[step.and_mask], values[step.or_mask]
     maximum = (1 << 8 * engine.layout.device.space(step.space).unit_size) - 1
     return RegisterAccess("write", step.start, "", "word", step.space), {

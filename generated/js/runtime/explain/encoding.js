@@ -185,7 +185,8 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   const inner = sent();
   const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
-  return joinedBytes([start, encoded, end]);
+  const { byte, sent: count } = link.preamble ?? { byte: 0, sent: 0 };
+  return joinedBytes([new Uint8Array(count).fill(byte), start, encoded, end]);
 }
 
 function refuseBroadcast({ addresses }, shape, values, message) {

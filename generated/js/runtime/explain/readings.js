@@ -365,7 +365,8 @@ function ownSize(link, { direction, frame, rows }) {
   const inner = rows.filter(({ kind }) => kind !== "mark");
   const isHex = link.encoding === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
-  const without = [...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
+  const preamble = link.preamble ? ["preamble"] : [];
+  const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
   const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
   return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
 }

@@ -17,6 +17,7 @@ from fieldspec.language.model.value import ParameterPart
 
 _KEYS = {
     "encoding": "the encoding",
+    "preamble": "the preamble",
     "start": "the start delimiter",
     "end": "the end delimiter",
     "response_start": "the start delimiter of responses",
@@ -26,8 +27,7 @@ _KEYS = {
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """The delimiters, the encoding or the escape of frames, or the positions of the parts of an identifier, have
-    changed.
+    """Frames have other delimiters, another preamble, encoding or escape, or identifiers have their parts elsewhere.
 
     Why: neither side recognises the frames of the other.
 
@@ -59,7 +59,11 @@ def _framing(link: Link, key: str) -> bytes | str:
     """An attribute of a link that decides how frames look."""
     if key == "escape":
         return link.escape.text() if link.escape is not None else ""
-    value: bytes | str = getattr(link, key)
+    if key == "preamble":
+        return link.preamble.text() if link.preamble is not None else ""
+    direction = "response" if key.startswith("response_") else "request"
+    marks = dict(zip(("start", "end"), link.marks(direction), strict=True))
+    value: bytes | str = marks[key.removeprefix("response_")] if key != "encoding" else link.encoding
     return value
 
 

@@ -248,7 +248,7 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
                 text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
     for value_pair in comparison.values:
-        for key in ("byte_order", "word_order"):
+        for key in ("byte_order", "word_order", "write_word_order"):
             if getattr(value_pair.old, key) == getattr(value_pair.new, key):
                 continue
             if _ordered(value_pair.old, key) and _ordered(value_pair.new, key):
@@ -259,7 +259,7 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _ordered(value: Value, key: str) -> bool:
-    return value.has_words if key == "word_order" else value.has_order or value.is_as_sent
+    return value.has_words if key != "byte_order" else value.has_order or value.is_as_sent
 
 
 def _order(value: Value, device: Device, key: str) -> str:
@@ -267,6 +267,8 @@ def _order(value: Value, device: Device, key: str) -> str:
     own: str = getattr(value, key)
     if value.is_as_sent:
         return own or "big"
+    if key == "write_word_order":
+        return own or _order(value, device, "word_order")
     if key == "word_order":
         return own or device.word_order or _order(value, device, "byte_order")
     return own or device.byte_order

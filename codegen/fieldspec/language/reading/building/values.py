@@ -77,6 +77,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
         write_ranges=entry.whole_ranges("write_range"),
         word_order=entry.text("word_order"),
+        write_word_order=entry.text("write_word_order"),
         digits=digits,
         places=entry.integer("places") or 0,
         scale_by=scale_by,

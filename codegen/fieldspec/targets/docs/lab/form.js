@@ -312,7 +312,8 @@ class MessageForm {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
-      const { path, value } = occupant;
+      const { path } = occupant;
+      const value = forWriting(occupant.value);
       if (isWord) {
         // A word is written as it is, but not if the register cannot have it.
         const bytes = Uint8Array.of(count >> 8, count & 0xFF);

@@ -107,9 +107,11 @@ export function surplusRow(spot, at, raw) {
   return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
 }
 
-/** The row of the start delimiter, if the link has one. */
+/** The rows of the preamble and of the start delimiter, if the link has them. */
 export function startRows(parts) {
-  return markRows(parts, "start", 0, parts.start, parts.marks[0]);
+  const { link: { preamble }, lead, start } = parts;
+  const rows = preamble ? markRows(parts, "preamble", 0, start.subarray(0, lead), new Uint8Array(lead).fill(preamble.byte)) : [];
+  return [...rows, ...markRows(parts, "start", lead, start.subarray(lead), parts.marks[0])];
 }
 
 /** The rows of surplus characters, and of the end delimiter, if the link has one. */

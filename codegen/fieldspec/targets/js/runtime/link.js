@@ -87,7 +87,7 @@ function refusedCodesOf(messages) {
   return byCode;
 }
 
-function frame({ header, trailer, start, end, checksums, escape, escapeStart, escapeStop }) {
+function frame({ header, trailer, start, end, preamble, checksums, escape, escapeStart, escapeStop }) {
   const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
   const parts = [...header, ...trailer];
   return {
@@ -95,6 +95,7 @@ function frame({ header, trailer, start, end, checksums, escape, escapeStart, es
     trailer,
     parts,
     start,
+    preamble,
     end,
     headerSize: sum(header),
     trailerSize: sum(trailer),
