@@ -120,7 +120,7 @@ def mended(layout: DeviceLayout, example: Example, frame: bytes) -> bytes:
     order: Literal["big", "little"] = "big" if checksum.order == "big" else "little"
     number = checksum_of(checksum.algorithm, data[checksum.start : checksum.stop])
     data = data[:at] + number.to_bytes(checksum.size, order) + data[at + checksum.size :]
-    inner = data if link.link.encoding == "binary" else data.hex().upper().encode()
+    inner = data if link.link.transmission == "binary" else data.hex().upper().encode()
     return shape.start + inner + shape.end
 
 
@@ -207,7 +207,7 @@ def test_a_right_checksum_is_called_right() -> None:
 
 def test_a_wrong_checksum_is_shown_with_the_right_one() -> None:
     field_row = row(of("wrong-crc"), "crc")
-    assert (field_row.verdict, field_row.reason) == ("wrong: should be C0 CB", "wrong_check")
+    assert (field_row.verdict, field_row.reason) == ("wrong: should be C0 CB", "wrong_checksum")
 
 
 def test_a_wrong_length_is_shown_with_the_right_one() -> None:

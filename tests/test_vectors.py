@@ -236,7 +236,7 @@ def test_the_verdict_says_whether_print_and_right_bytes_differ(device: str, vect
 @pytest.mark.parametrize(("device", "vector"), VECTORS)
 def test_characters_are_those_of_the_right_bytes(device: str, vector: dict[str, Any]) -> None:
     link = layout_at(device, vector["versions"][0]).links[vector["link"]].link
-    if link.encoding == "hex_ascii":
+    if link.transmission == "hex_ascii":
         assert vector["characters"].encode("ascii") == bytes.fromhex(vector["right"])
     else:
         assert vector["characters"] is None

@@ -1751,7 +1751,7 @@ function markRows({ link }, name, offset, raw, should) {
     offset,
     length: raw.length,
     raw,
-    characters: link.encoding === "hex_ascii" ? latinOf(raw) : "",
+    characters: link.transmission === "hex_ascii" ? latinOf(raw) : "",
     path: name,
     fact: link.path,
     verdict: right ? "right" : `wrong: should be ${hexOf(should, " ")}`,
@@ -1783,11 +1783,11 @@ function leadOf(preamble, frame) {
 function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
   const lead = leadOf(link.preamble, frame);
-  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.encoding);
+  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.transmission);
   const after = frame.subarray(start.length);
-  const end = markOf(after.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
+  const end = markOf(after.toReversed(), marks[1].toReversed(), link.transmission).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
-  if (link.encoding === "binary") {
+  if (link.transmission === "binary") {
     return { link, marks, lead, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
   }
   const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
@@ -2504,7 +2504,7 @@ class ExplainedFrame {
     this.link = device.links.get(link);
     this.shape = this.link[direction];
     this.wrapped = unwrapped(this.link, direction, frame);
-    this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
+    this.spot = new Spot(frame, this.wrapped.start.length, this.link.transmission === "hex_ascii" ? 2 : 1);
     this.unreadable = null;
     this.emptyEscape = new Uint8Array();
     [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
@@ -2669,7 +2669,7 @@ class ExplainedFrame {
     const read = decoded(part.digits ? latinOf(raw) : wholeOf(raw, part.order ?? "big", false));
     if (!this.wrapped.whole) return read;
     const should = checksumOf(part, this.measuredBytes(part));
-    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_check");
+    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_checksum");
   }
 
   codeValue(part, read) {
@@ -2856,8 +2856,8 @@ const GUESSED = "guessed";
 const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));
 const CLOSE = [
   ...FITTING,
-  new Set([...OF_VALUES, "wrong_check", GUESSED]),
-  new Set([...OF_VALUES, "wrong_check", "wrong_length", "incomplete"]),
+  new Set([...OF_VALUES, "wrong_checksum", GUESSED]),
+  new Set([...OF_VALUES, "wrong_checksum", "wrong_length", "incomplete"]),
 ];
 
 function readingsOf(device, frame, close = false) {
@@ -3166,7 +3166,7 @@ function ownSize(link, { direction, frame, rows }) {
   const { escape } = link[direction];
   if (escape?.method === "can") return `the data of the frame have ${byteCount(frame.length - 8)}`;
   const inner = rows.filter(({ kind }) => kind !== "mark");
-  const isHex = link.encoding === "hex_ascii";
+  const isHex = link.transmission === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
   const preamble = link.preamble ? ["preamble"] : [];
   const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
@@ -3260,7 +3260,7 @@ function inCharacters(text, links) {
       if (!inner.startsWith(mark)) continue;
       const [, close] = link.delimiters[direction];
       const [text, end] = ended(inner);
-      const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
+      const body = link.transmission === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
       const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
       return withEnd(bytes, Array.from(end, (char) => char.charCodeAt(0)), [...close]);
     }
@@ -3774,7 +3774,7 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
     for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
-  const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
+  const encoded = link.transmission === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
   const { byte, sent: count } = link.preamble ?? { byte: 0, sent: 0 };
   return joinedBytes([new Uint8Array(count).fill(byte), start, encoded, end]);
@@ -4016,7 +4016,7 @@ class FrameTable {
   }
 
   showBytes({ frame, rows, link }) {
-    const isText = this.lab.device.links.get(link).encoding === "hex_ascii";
+    const isText = this.lab.device.links.get(link).transmission === "hex_ascii";
     const rowAt = new Map();
     for (const [number, { offset, length }] of rows.entries()) {
       for (let at = offset; at < offset + length; at++) rowAt.set(at, number);
@@ -5240,7 +5240,7 @@ class Lab {
   frameText() {
     const { frame, explanation } = this.current ?? { frame: new Uint8Array() };
     const link = explanation && this.device.links.get(explanation.link);
-    if (link?.encoding !== "hex_ascii") return hexOf(frame, " ");
+    if (link?.transmission !== "hex_ascii") return hexOf(frame, " ");
     return latinOf(frame).replace("\r", "\\r").replace("\n", "\\n");
   }
 

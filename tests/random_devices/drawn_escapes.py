@@ -74,7 +74,7 @@ def _before_escape(draft: Draft, line: Spec, escape: Spec) -> None:
     first = names.index(escape["from"]) if "from" in escape else 0
     last = names.index(escape["to"]) if "to" in escape else len(names) - 1
     for at, part in enumerate(line["request"]):
-        key = {"length": "counts", "checksum": "covers"}.get(part.get("role", ""))
+        key = {"length": "measures", "checksum": "covers"}.get(part.get("role", ""))
         if key is not None and not first <= at <= last and draft.chance(60 if key == "covers" else 90):
             part[key] = {**part.get(key, {}), "before_escape": True}
 

@@ -69,7 +69,7 @@ class Line:
         """What ends frames, as the table of `docs/python.md` has it; empty where a link has no framer."""
         frame = self.frame
         is_whole = frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None)
-        if self.link.link.encoding == "hex_ascii" or is_whole:
+        if self.link.link.transmission == "hex_ascii" or is_whole:
             return "delimiters" if frame.end and (frame.start or is_whole) else ""
         length = frame.role("length")
         if frame.escape is not None and (length is None or length.before_escape):

@@ -301,7 +301,7 @@ def delimited(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> 
 def _marked(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> bytes:
     """What is sent between the delimiters of a direction."""
     model = layout.links[link].link
-    inner = parts.hex().upper().encode() if model.encoding == "hex_ascii" else parts
+    inner = parts.hex().upper().encode() if model.transmission == "hex_ascii" else parts
     start, end = model.delimiters(direction)
     own = model.preamble
     # A preamble is longer than the least one by what the parts happen to have, up to one byte too many.

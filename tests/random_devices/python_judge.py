@@ -127,7 +127,7 @@ class Python:
         line = link_of(self.module, link)
         if error:
             codes = () if code is None else (code,)
-            return bytes(line.encode_error(*first, *codes, content, **named))
+            return bytes(line.encode_exception_response(*first, *codes, content, **named))
         return bytes(getattr(line, f"encode_{direction}")(*first, content, **named))
 
     def _encoded(self, query: Query) -> Answer:

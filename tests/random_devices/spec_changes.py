@@ -181,7 +181,7 @@ def _other_algorithm(fact: Spec) -> bool:
 
 
 def _other_mark(fact: Spec) -> bool:
-    if "start" not in fact or "encoding" not in fact:
+    if "start" not in fact or "transmission" not in fact:
         return False
     fact["start"] = "7E"
     return True

@@ -3,7 +3,7 @@ export type Reason =
   | "incomplete"
   | "wrong_length"
   | "wrong_mark"
-  | "wrong_check"
+  | "wrong_checksum"
   | "not_hex"
   | "unknown_code"
   | "unknown_value"
@@ -150,7 +150,7 @@ export interface Link<Q, R, M, E, A = number> {
   encodeRequest<K extends M>(header: Q, message: K, data: DataOf<K, "request">): Uint8Array;
   encodeResponse<K extends M>(header: R, message: K, data: DataOf<K, "response">): Uint8Array;
   /** The exception response in place of the usual response with a code; null where frames carry none. Throws CodecError. */
-  encodeException(header: R, code: number | null, data: E): Uint8Array;
+  encodeExceptionResponse(header: R, code: number | null, data: E): Uint8Array;
   decodeRequest<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "request", Q>;
   decodeResponse<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "response", R> | ([E] extends [never] ? never : ExceptionFrame<M, R, E>);
 }

@@ -54,7 +54,7 @@ class Response(Record, Generic[M]):
         self.unit_address, self.message = unit_address, message
 
 
-class ErrorReply(Record, Generic[M]):
+class ExceptionResponse(Record, Generic[M]):
     """An exception response: the code of the request, or the one that all exception responses have, and the reason.
 
     If the code of the usual response differs from the request's, `code` is the response's.
@@ -191,7 +191,7 @@ class Frames:
             have, want = int.from_bytes(data[at:], self.check_order), self.algorithm(data[:at])
             if have != want:
                 width = 2 * self.tail_size
-                raise CodecError("wrong_check", f"the check is {have:0{width}X}, not {want:0{width}X}", at)
+                raise CodecError("wrong_checksum", f"the check is {have:0{width}X}, not {want:0{width}X}", at)
         for place, name, const, offset in self.constants:
             if head[place] != const:
                 raise wrong_const(name, head[place], const, offset)

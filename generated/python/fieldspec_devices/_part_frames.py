@@ -115,7 +115,7 @@ class PartFrames(Frames):
             want = _number(function(data[start:stop]), size, _order(order), form)
             if have != want:
                 text = f"the check is {have:0{2 * size}X}, not {want:0{2 * size}X}"
-                return CodecError("wrong_check", text, at)
+                return CodecError("wrong_checksum", text, at)
         return None
 
     def _no_digits(self, data: Data, numbers: list[tuple[Part, int, int]], places: Iterable[int]) -> CodecError | None:

@@ -95,7 +95,7 @@ class _Frame:
         self.shape = layout.links[link].frame(direction)
         self.asked = request
         self.wrapped = unwrapped(self.link, direction, frame)
-        self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
+        self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.transmission == "hex_ascii" else 1)
         self.unreadable: int | None = None
         self.empty_escape = b""
         self.sent_data, self.surplus = self._without_surplus(self.wrapped.data)
@@ -273,7 +273,7 @@ class _Frame:
             return read
         expected = part.checksum(self._measured(part))
         text = expected.decode("ascii") if part.digits else expected.hex(" ").upper()
-        return read.judged(raw == expected, text, "wrong_check")
+        return read.judged(raw == expected, text, "wrong_checksum")
 
     def _code(self, part: PartLayout, read: DecodedValue, code: int) -> DecodedValue:
         """The message that a code names. An exception response marks the code."""

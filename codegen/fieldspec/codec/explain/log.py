@@ -79,7 +79,7 @@ def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, .
             mark = link.opening(direction).decode("latin-1")
             if mark.isprintable() and mark and text.startswith(mark):
                 body, ending = _ended(text)
-                if link.encoding == "hex_ascii":
+                if link.transmission == "hex_ascii":
                     body = "".join(body.split())
                 _, end = link.delimiters(direction)
                 return _split_end(body.encode("latin-1", "replace"), ending.encode("latin-1"), end)

@@ -381,7 +381,7 @@ def _own_size(link: LinkLayout, own: Explanation) -> str:
     if link.link.is_can:
         return f"the data of the frame have {_byte_count(len(own.frame) - CAN_HEADER)}"
     rows = [row for row in own.rows if row.kind != "mark"]
-    is_hex = link.link.encoding == "hex_ascii"
+    is_hex = link.link.transmission == "hex_ascii"
     size = sum(row.length for row in rows) // 2 if is_hex else sum(len(row.raw) for row in rows)
     without = ["preamble"] if link.link.preamble is not None else []
     without += ["delimiters"] if any(link.link.marks(own.direction)) else []

@@ -304,10 +304,10 @@ def unwrapped(link: Link, direction: str, frame: bytes) -> Unwrapped:
     """A frame of a link without its delimiters and its encoding."""
     marks = link.marks(direction)
     lead = link.preamble.least + link.preamble.surplus(frame) if link.preamble is not None else 0
-    start = frame[:lead] + _mark(frame[lead:], marks[0], link.encoding)
-    end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.encoding)[::-1]
+    start = frame[:lead] + _mark(frame[lead:], marks[0], link.transmission)
+    end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.transmission)[::-1]
     inner = frame[len(start) : len(frame) - len(end)]
-    if link.encoding == "binary":
+    if link.transmission == "binary":
         return Unwrapped(link, marks, frame, start, inner, b"", "", end, lead)
     good = next((index for index, char in enumerate(inner) if char not in HEX), len(inner))
     pairs = good // 2 * 2
@@ -374,7 +374,7 @@ def _mark_row(parts: Unwrapped, name: str, offset: int, data: bytes, expected: b
             offset=offset,
             length=len(data),
             raw=data,
-            characters=data.decode("latin-1") if parts.link.encoding == "hex_ascii" else "",
+            characters=data.decode("latin-1") if parts.link.transmission == "hex_ascii" else "",
             path=name,
             fact=parts.link.place.path,
             verdict="right" if right else f"wrong: should be {expected.hex(' ').upper()}",

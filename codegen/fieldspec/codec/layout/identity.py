@@ -74,7 +74,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         yield (
             "link",
             link.name,
-            link.encoding,
+            link.transmission,
             link.start.hex(),
             link.end.hex(),
             error,

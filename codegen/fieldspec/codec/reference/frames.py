@@ -62,7 +62,7 @@ class FrameCodec:
         if not frame.endswith(shape.end) or len(frame) < len(shape.start) + len(shape.end):
             raise CodecError("wrong_mark", f"the frame does not end with {shape.end.hex(' ')}", len(frame))
         inner = frame[len(shape.start) : len(frame) - len(shape.end)]
-        if link.encoding == "binary":
+        if link.transmission == "binary":
             return inner
         for index, char in enumerate(inner):
             if char not in b"0123456789ABCDEFabcdef":
@@ -172,7 +172,7 @@ class FrameCodec:
             actual, want = parts[part.name], checksum_of(part, data)
             if actual != want:
                 text = f"{part.name} is {checksum_text(actual, part)}, not {checksum_text(want, part)}"
-                raise CodecError("wrong_check", text, part.at(len(data)))
+                raise CodecError("wrong_checksum", text, part.at(len(data)))
 
     def _body(
         self, shape: FrameLayout, head: Values, inner: bytes, message: str
@@ -360,7 +360,7 @@ class FrameCodec:
 
     def _marked(self, direction: str, data: bytes) -> bytes:
         shape = self.link.frame(direction)
-        inner = data.hex().upper().encode("ascii") if self.link.link.encoding == "hex_ascii" else data
+        inner = data.hex().upper().encode("ascii") if self.link.link.transmission == "hex_ascii" else data
         return shape.further + shape.start + inner + shape.end
 
 

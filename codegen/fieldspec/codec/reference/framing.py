@@ -34,7 +34,7 @@ class Framing:
         self.records = [message.data(direction) for message in self.link.carried(direction).values()]
         if self.refusal is not None:
             self.records.append(layout.records[self.refusal.record])
-        marks, width = len(shape.start) + len(shape.end), 2 if self.link.link.encoding == "hex_ascii" else 1
+        marks, width = len(shape.start) + len(shape.end), 2 if self.link.link.transmission == "hex_ascii" else 1
         framing_size = shape.header_size + shape.trailer_size
         self.least = marks + width * (framing_size + min((record.least for record in self.records), default=0))
         mosts = (_UNBOUNDED if record.most is None else record.most for record in self.records)
@@ -48,7 +48,7 @@ class Framing:
     @property
     def ending(self) -> str:
         """What ends a frame: `delimiters`, `escape`, `length`, `code` or `end`; empty where nothing does."""
-        shape, encoding = self.shape, self.link.link.encoding
+        shape, encoding = self.shape, self.link.link.transmission
         if not self.records or encoding not in ("binary", "hex_ascii"):
             return ""
         if encoding == "hex_ascii":

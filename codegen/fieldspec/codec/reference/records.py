@@ -27,7 +27,7 @@ from fieldspec.language.model.value import Value
 class CodecError(ValueError):
     """Bytes or values that a codec refuses.
 
-    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
+    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_checksum, not_hex, unknown_code,
     unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, missing_value, unknown_field.
     `offset` is the byte at which it shows, None for values.
     """

@@ -273,7 +273,7 @@ def _code(item: CodeRow) -> Details:
 
 def _link(layout: DeviceLayout, link: Link) -> Details:
     yield "what", link.title
-    yield "encoding", link.encoding
+    yield "transmission", link.transmission
     yield "preamble", link.preamble.text() if link.preamble is not None else ""
     for direction in ("request",) if link.has_common_delimiters else ("request", "response"):
         name = "marks" if link.has_common_delimiters else f"{direction} marks"

@@ -283,7 +283,7 @@ def _fields(layout: DeviceLayout, frame_kind: _Way) -> list[str]:
 
 
 def _print(layout: DeviceLayout, frame_kind: _Way, form: str, frame: bytes) -> None:
-    characters = frame.decode("latin-1") if layout.links[frame_kind.link].link.encoding == "hex_ascii" else None
+    characters = frame.decode("latin-1") if layout.links[frame_kind.link].link.transmission == "hex_ascii" else None
     if form == "json":
         data = {
             "device": layout.device.id,

@@ -25,7 +25,7 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.sizes import RecordSizes, messages_on, messages_sent, part_size, sent_on
 
 _CODE = "can_frames_complete"
-_FOREIGN = ("start", "end", "delimiters", "encoding", "escape", "serial", "network", "silence")
+_FOREIGN = ("start", "end", "delimiters", "transmission", "escape", "serial", "network", "silence")
 _MOST_PARTS = 7
 """The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
 _REMOTE_CODE = 4
@@ -111,7 +111,7 @@ def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Ite
     span = link.span(direction, part)
     if span is None or span[0] >= identifier_end:
         return
-    verb, key = ("counts", "counts") if part.role == "length" else ("covers", "covers")
+    verb, key = ("counts", "measures") if part.role == "length" else ("covers", "covers")
     parts = link.parts(direction)
     own = [other.name for other in parts[identifier_end:] if other is not part or part.role == "length"]
     text = f"{part.name} {verb} {parts[span[0]].name}, whose bits are in the identifier"

@@ -2,7 +2,7 @@
 express. A signed hexadecimal number has the digits of its whole type. Constants, reserved fields, sizes of other
 fields, selectors, and fields that read or write registers are not sent as digits; a part of a frame may be any of
 these, and its digits have no sign. `padding: space` needs decimal digits of a fixed width with room for a blank. On
-links with `encoding: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
+links with `transmission: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
 misread the characters as a number.
@@ -10,8 +10,8 @@ misread the characters as a number.
 Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
 
 Fix: Use the next wider type with a `range`, or correct `length`. Write a constant of a text line as the bytes of its
-characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `encoding: hex_ascii`, state the number as
-a binary one: its bytes become the hexadecimal digits.
+characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `transmission: hex_ascii`, state the number
+as a binary one: its bytes become the hexadecimal digits.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
 
 def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
     """The first digits on a link that sends every byte as two characters."""
-    if link.encoding != "hex_ascii":
+    if link.transmission != "hex_ascii":
         return
     bodies = (body for message in messages_on(device, link) for body in (message.request, message.response))
     facts: chain[Part | Field] = chain(link.request, link.response, *(body.fields for body in bodies))
@@ -76,7 +76,7 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
         if digits and digits not in NO_CHARACTERS:
             text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
             help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
-            related_label = label(link.place, "encoding", "sends every byte as two characters")
+            related_label = label(link.place, "transmission", "sends every byte as two characters")
             yield finding(_CODE, fact.place, "digits", text, help, related_label, severity=Severity.WARNING)
             return
 

@@ -190,7 +190,7 @@ def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> st
 def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     """Whether a length counts, or a check covers, neighbouring parts that it can."""
     parts = link.parts(direction)
-    key = "counts" if part.role == "length" else "covers"
+    key = "measures" if part.role == "length" else "covers"
     names = [part.name for part in parts]
     for name in (part.span.first, part.span.last):
         if name and name not in names:
@@ -261,7 +261,7 @@ def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
     start, stop = link.escaped_span(direction) or (0, -1)
     for index, part in enumerate(link.parts(direction)):
         if part.span.before_escape and (link.escape is None or link.is_can or start <= index <= stop):
-            key = "counts" if part.role == "length" else "covers"
+            key = "measures" if part.role == "length" else "covers"
             text = f"`before_escape` has no effect: {part.name} is escaped itself, so that it is of the original bytes"
             if link.escape is None or link.is_can:
                 text = f"`before_escape` has no effect: the link {link.name} escapes no bytes"
@@ -294,7 +294,7 @@ def _preambled(link: Link) -> Iterator[Diagnostic]:
     preamble, key = link.preamble, "preamble"
     if preamble is None:
         return
-    if link.encoding != "binary" or link.is_can or (link.escape is not None and not link.escape.first):
+    if link.transmission != "binary" or link.is_can or (link.escape is not None and not link.escape.first):
         text = f"the link {link.name} has a preamble, but the first parts of its frames are not sent as they are"
         yield finding(_CODE, link.place, key, text, "state the bytes that are always there as `start`")
         return
@@ -319,9 +319,9 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
     escape = link.escape
     if escape is None or link.is_can:
         return
-    if link.encoding != "binary":
+    if link.transmission != "binary":
         text = f"the link {link.name} escapes bytes, but sends characters"
-        yield finding(_CODE, link.place, "escape", text, "remove `escape`, or state `encoding: binary`")
+        yield finding(_CODE, link.place, "escape", text, "remove `escape`, or state `transmission: binary`")
     for direction in ("request", "response"):
         parts = link.parts(direction)
         names = [part.name for part in parts]

@@ -123,10 +123,10 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
     silent = [name for name in link_names if not message.is_answered_on(name)]
     if not silent:
         return
-    for key, accesses in (("accesses", (message.accesses,)), ("access_steps", message.access_steps)):
-        if any(access is not None and access.operation == "read" for access in accesses):
-            text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
-            yield finding(_CODE, message.place, "answered_on", text, f"remove `{key}`, or `answered_on`")
+    accesses = (message.accesses, *message.access_steps)
+    if any(access is not None and access.operation == "read" for access in accesses):
+        text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
+        yield finding(_CODE, message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
     if message.number is not None and message.code is None:
         text = f"{message.name} has no code: its request and its response are sent without each other"
         help = "remove `answered_on`, and add `response: []` if there is none"

@@ -182,7 +182,7 @@ class Link(Fact):
     """
 
     title: str
-    encoding: str
+    transmission: str
     start: bytes
     end: bytes
     response_start: bytes
@@ -219,7 +219,7 @@ class Link(Fact):
     def sends_characters(self) -> bool:
         """Whether people write its frames as characters: parts of them are digits, or all bytes are."""
         values = (part.value for part in (*self.request, *self.response))
-        return self.encoding == "hex_ascii" or any(value is not None and value.has_characters for value in values)
+        return self.transmission == "hex_ascii" or any(value is not None and value.has_characters for value in values)
 
     def opening(self, direction: str) -> bytes:
         """The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte."""

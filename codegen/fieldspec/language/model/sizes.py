@@ -128,7 +128,7 @@ class Shape:
         if self.link.is_can:
             return data
         parts = self.around + data
-        coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
+        coded = 2 * parts if self.link.transmission == "hex_ascii" else parts
         further = len(self.link.preamble.further) if self.link.preamble is not None else 0
         return sum(map(len, self.link.delimiters(self.direction))) + further + coded
 

@@ -41,7 +41,7 @@ _BYTE = Identifier("byte")
 
 def is_wrapped(link: LinkLayout) -> bool:
     """Whether a frame is more than its bytes: it has delimiters or escapes, or is written in characters."""
-    if link.link.encoding == "hex_ascii" or link.link.escape:
+    if link.link.transmission == "hex_ascii" or link.link.escape:
         return True
     return any(frame.is_marked for frame in (link.request, link.response))
 
@@ -66,7 +66,7 @@ def declare_unwrap(naming: Naming, link: LinkLayout, direction: str) -> list[Dec
         body += refuse(naming, any_of(_wrong_delimiters(start, end)), "err_wrong_mark")
     body.append(assign(length, subtract(_SIZE, unsigned(delimiters))))
     too_small = refuse(naming, less(CAPACITY, length), "err_capacity")
-    if link.link.encoding == "binary":
+    if link.link.transmission == "binary":
         byte = Element(_FRAME, add(unsigned(len(start)), INDEX))
         body += [*too_small, CountUp(INDEX, length, (assign(Element(OUT, INDEX), byte),))]
     else:
@@ -126,7 +126,7 @@ def wrap_frame(naming: Naming, link: LinkLayout, direction: str) -> Body:
     """Turns the bytes at `out` into a frame with delimiters, the last byte first, as they overwrite themselves."""
     shape = link.frame(direction)
     start, end = shape.further + shape.start, shape.end
-    if link.link.encoding == "hex_ascii":
+    if link.link.transmission == "hex_ascii":
         digit = naming.own("hex_digit")
         high = Cast("uint8_t", Operation(">>", (_BYTE, decimal(4))))
         low = Cast("uint8_t", Operation("&", (_BYTE, unsigned(15))))

@@ -70,7 +70,7 @@ def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list
 
 
 def _describe_form(link: LinkLayout) -> str:
-    text = "binary" if link.link.encoding == "binary" else "hexadecimal characters"
+    text = "binary" if link.link.transmission == "binary" else "hexadecimal characters"
     escaped = ", escaped" if link.link.escape is not None else ""
     if link.link.has_common_delimiters:
         delimiters = _describe_delimiters(link.request)
@@ -188,7 +188,7 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
             continue
         computed = compute_checksum(naming, checksum, IN, LENGTH)
         test = is_wrong(naming, checksum, computed, part_pointer(IN, checksum, LENGTH))
-        body += refuse(naming, test, "err_wrong_check")
+        body += refuse(naming, test, "err_wrong_checksum")
     for part in frame.constants if is_original else ():
         body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
     return body
@@ -241,7 +241,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     if frame.role("code") is not None:
         parameters.append(Variable(CODE_TYPE, "code"))
     parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
-    width = 2 if link.link.encoding == "hex_ascii" else 1
+    width = 2 if link.link.transmission == "hex_ascii" else 1
     delimiters = len(frame.further) + len(frame.start) + len(frame.end)
     parts_size = frame.header_size + frame.trailer_size
     body: list[Statement] = [

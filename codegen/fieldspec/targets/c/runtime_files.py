@@ -84,7 +84,7 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     encodings |= {signal.value.encoding for signal in layout.device.signals.values() if signal.value.sentinels}
     functions = {machine(encoding).from_bits for encoding in encodings}
     usual_texts = any(is_text(wire.encoding) and wire.value.text_form is None for wire in wires)
-    characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
+    characters = any(link.link.transmission == "hex_ascii" for link in layout.links.values())
     parts = [
         *_accesses(layout, wires),
         *(["bits"] if has_bits(layout) else []),

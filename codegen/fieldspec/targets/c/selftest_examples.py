@@ -149,7 +149,7 @@ def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     shape = link.frame(example.direction)
     start, end = shape.surplus(example.frame) + len(shape.start), len(example.frame) - len(shape.end)
     data, part = example.frame[start:end], shape.role("code")
-    if link.link.encoding == "hex_ascii":
+    if link.link.transmission == "hex_ascii":
         pairs = [data[offset : offset + 2] for offset in range(0, len(data), 2)]
         data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))
     shape = link.frame(example.direction)

@@ -60,7 +60,7 @@ REFUSALS = {
     "wrong_length": "its length is wrong",
     "wrong_mark": "a delimiter is wrong or missing",
     "not_hex": "a character is not a hexadecimal digit",
-    "wrong_check": "its checksum is wrong",
+    "wrong_checksum": "its checksum is wrong",
     "unknown_code": "its code is unknown",
     "unknown_value": "a value is not a member of its enum",
     "wrong_const": "a constant has a different value",

@@ -59,7 +59,7 @@ class FrameTable:
         self.shape = link.frame(direction)
         self.marks = Inferences(anchor)
         self.anchored = anchored
-        characters = link.link.encoding == "hex_ascii"
+        characters = link.link.transmission == "hex_ascii"
         self.start, self.width = len(self.shape.further) + len(self.shape.start), 2 if characters else 1
         if link.link.escape is not None and link.link.is_can:
             self.start = -link.link.escape.fields_size  # places are those in the data, after the identifier
@@ -366,7 +366,7 @@ def _has_equal_parts(link: Link) -> bool:
 
 def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
     yield "Name", ((code(link.name),),)
-    yield "Encoding", ((text_piece(ENCODINGS[link.encoding]),),)
+    yield "Encoding", ((text_piece(ENCODINGS[link.transmission]),),)
     common = link.has_common_delimiters
     if link.preamble is not None:
         yield "Preamble", ((text_piece(link.preamble.text()),),)

@@ -94,7 +94,7 @@ def _length(link: LinkLayout, direction: str, record: RecordLayout) -> str:
     """The length of a frame, as its table counts: with its delimiters, and without the identifier of a CAN frame."""
     shape, escape = link.frame(direction), link.link.escape
     parts_size, marks = shape.header_size + shape.trailer_size, len(shape.further + shape.start) + len(shape.end)
-    if link.link.encoding == "hex_ascii":
+    if link.link.transmission == "hex_ascii":
         text = f"{length_text(parts_size, record)}, as two characters each"
         return f"{text}, and {many(marks, 'character')} as delimiters" if marks else text
     if escape is not None and link.link.is_can:

@@ -26,7 +26,7 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
         **stated(
             {
                 "title": own.title,
-                "encoding": own.encoding,
+                "transmission": own.transmission,
                 "messageName": own.message_name,
                 "addresses": stated({"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast})
                 if addresses is not None

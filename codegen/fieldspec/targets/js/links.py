@@ -65,7 +65,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     code = [f"const {frames} = /* @__PURE__ */ frames({{"]
     code += [
         f"  name: {literal(link.name)},",
-        f"  hex: {'true' if link.link.encoding == 'hex_ascii' else 'false'},",
+        f"  hex: {'true' if link.link.transmission == 'hex_ascii' else 'false'},",
     ]
     for direction in ("request", "response"):
         frame = link.frame(direction)

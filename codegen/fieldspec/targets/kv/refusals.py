@@ -72,4 +72,9 @@ def _refused_links(layout: DeviceLayout) -> Iterator[tuple[LinkLayout, list[str]
             reason = f"{link.name} has a preamble of varying length, so the words of its frames have no place"
             yield link, messages, "preamble", reason
         else:
-            yield link, messages, "encoding", f"{link.name} sends each byte as two characters, which a word map has not"
+            yield (
+                link,
+                messages,
+                "transmission",
+                f"{link.name} sends each byte as two characters, which a word map has not",
+            )

@@ -238,7 +238,7 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
     if frame.preamble is not None:
         own = frame.preamble
         arguments.append(f"preamble=({own.byte}, {own.least}, {len(own.further)}, {own.spare})")
-    if link.link.encoding == "hex_ascii":
+    if link.link.transmission == "hex_ascii":
         arguments.append("hexadecimal=True")
     if is_simple(frame) and constants(frame):
         arguments.append(f"constants=({', '.join(constants(frame))},)")

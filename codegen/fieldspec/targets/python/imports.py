@@ -67,7 +67,7 @@ _SHARED = {
     "_filled": "Filled",
     "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
-    "_frames": "ErrorReply Frames Request RequestOf Response",
+    "_frames": "ExceptionResponse Frames Request RequestOf Response",
     "_inner_lists": "Decision InnerList InnerLists Parts",
     "_mark_framer": "MarkFramer",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",

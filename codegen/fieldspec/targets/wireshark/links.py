@@ -34,7 +34,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
     return {
         "name": link.name,
         "title": line_text(own.title) or Name.of(link.name).title(),
-        "hex": own.encoding == "hex_ascii",
+        "hex": own.transmission == "hex_ascii",
         "is_coded": is_coded,
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
         "repeated": [
@@ -72,7 +72,7 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
     bodies = [message.data(direction) for message in link.messages.values()]
     if own.exception_response is not None:
         bodies.append(layout.records[own.exception_response.record])
-    parts_size, width = frame.header_size + frame.trailer_size, 2 if own.encoding == "hex_ascii" else 1
+    parts_size, width = frame.header_size + frame.trailer_size, 2 if own.transmission == "hex_ascii" else 1
     marks = len(frame.start) + len(frame.end)
     largest = max((record.most if record.most is not None else LONGEST for record in bodies), default=0)
     return {

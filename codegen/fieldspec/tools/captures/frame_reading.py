@@ -27,7 +27,7 @@ from fieldspec.tools.captures.verdicts import (
     UNKNOWN_CODE,
     UNKNOWN_VALUE,
     VERDICT_NUMBERS,
-    WRONG_CHECK,
+    WRONG_CHECKSUM,
     WRONG_LENGTH,
     WRONG_MARK,
 )
@@ -78,7 +78,7 @@ class FrameReader:
         self.messages = list(self.link.messages.values())
         self.carried = self.link.carried(direction)
         self.has_code = self.shape.role("code") is not None
-        self.is_bare = not (self.shape.is_marked or self.link.link.encoding != "binary" or self.shape.escape)
+        self.is_bare = not (self.shape.is_marked or self.link.link.transmission != "binary" or self.shape.escape)
         self.bodies: dict[tuple[int, bool], BodyReader] = {}
         self.least = self.shape.header_size + self.shape.trailer_size
         self._remote = CAN_REMOTE if self.shape.escape is not None and self.shape.escape.remote is not None else 0
@@ -154,7 +154,7 @@ class FrameReader:
             rows = np.flatnonzero(verdict == OK)
             if len(rows):
                 right = are_right(part, covered.buffer, covered.at[rows], covered.length[rows])
-                verdict[rows[~right]] = WRONG_CHECK
+                verdict[rows[~right]] = WRONG_CHECKSUM
             return
         if part.reserved or part.value is None:
             return

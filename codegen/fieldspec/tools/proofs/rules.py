@@ -21,7 +21,7 @@ Example: `characters: ":0106"` above `3A 30 31 30 33`.
 
 Fix: Correct the misprinted row, and write an erratum.
 """,
-    "check_code_correct": """The checksum of every example is correct.
+    "checksum_correct": """The checksum of every example is correct.
 
 Why: a device rejects a frame with a wrong checksum. Either the checksum or a byte before it is misprinted.
 
@@ -69,8 +69,8 @@ Why: a frame with a wrong length is never complete, or it swallows the next fram
 Example: a frame of 19 bytes whose length is 14h.
 
 Fix: If the manual misprints the bytes, state the right ones as `frame`, and write an erratum with the
-printed ones. If the checksum is correct, or all examples differ in the same way, correct the `counts` of the
-link. If no `counts` can express it, remove the role `length`; users then supply the number.
+printed ones. If the checksum is correct, or all examples differ in the same way, correct the `measures` of the
+link. If no `measures` can express it, remove the role `length`; users then supply the number.
 """,
     "lines_alike": """A version of a line that is `like` another line equals a version of that line on the wire.
 

@@ -58,7 +58,7 @@ def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[Compared
 
 
 EXAMPLE_PROOFS = (
-    "check_code_correct",
+    "checksum_correct",
     "length_byte_correct",
     "meaning_matches_bytes",
     "characters_match_bytes",

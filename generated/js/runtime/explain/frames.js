@@ -20,11 +20,11 @@ function leadOf(preamble, frame) {
 export function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
   const lead = leadOf(link.preamble, frame);
-  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.encoding);
+  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.transmission);
   const after = frame.subarray(start.length);
-  const end = markOf(after.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
+  const end = markOf(after.toReversed(), marks[1].toReversed(), link.transmission).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
-  if (link.encoding === "binary") {
+  if (link.transmission === "binary") {
     return { link, marks, lead, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
   }
   const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));

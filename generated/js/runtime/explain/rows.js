@@ -150,7 +150,7 @@ function markRows({ link }, name, offset, raw, should) {
     offset,
     length: raw.length,
     raw,
-    characters: link.encoding === "hex_ascii" ? latinOf(raw) : "",
+    characters: link.transmission === "hex_ascii" ? latinOf(raw) : "",
     path: name,
     fact: link.path,
     verdict: right ? "right" : `wrong: should be ${hexOf(should, " ")}`,

@@ -22,7 +22,7 @@ _NUMBER_KEYS = frozenset({"type", "byte_order", "digits", "length"})
 _KEYS = {
     "unit_address": _NUMBER_KEYS | {"range"},
     "code": _NUMBER_KEYS,
-    "length": _NUMBER_KEYS | {"range", "counts"},
+    "length": _NUMBER_KEYS | {"range", "measures"},
     "body": frozenset[str](),
     "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix", "avoids"}),
     "plain": VALUE_KEYS
@@ -31,13 +31,13 @@ _KEYS = {
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except the keys of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "avoids"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "measures", "prefix", "suffix", "avoids"}
 _SPECIFIC |= {"reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
-    "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
-    "counts": "move it to the part with `role: length`",
+    "offset": "a length takes `measures: {plus: ..}` instead; remove `offset`",
+    "measures": "move it to the part with `role: length`",
     "covers": "move it to the part with `role: checksum`",
     "prefix": "move it to the part with `role: checksum`",
     "suffix": "move it to the part with `role: checksum`",
@@ -79,7 +79,7 @@ def link(entry: Entry) -> Link:
     return Link(
         **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
         title=entry.text("title"),
-        encoding=entry.text("encoding") or "binary",
+        transmission=entry.text("transmission") or "binary",
         start=delimiters["start"],
         end=delimiters["end"],
         response_start=delimiters["response_start"],
@@ -188,8 +188,8 @@ def _part(entry: Entry, link_order: str) -> Part:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
             text = f"`{key}` has no effect in a part with the role {role}"
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
-    counts, covers, bits = entry.entry("counts"), entry.entry("covers"), _bits(entry)
-    span = counts if role == "length" else covers if role == "checksum" else None
+    measures, covers, bits = entry.entry("measures"), entry.entry("covers"), _bits(entry)
+    span = measures if role == "length" else covers if role == "checksum" else None
     return Part(
         **entry.fact(),
         role=role,

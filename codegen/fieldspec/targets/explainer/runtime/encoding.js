@@ -183,7 +183,7 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
     for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
-  const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
+  const encoded = link.transmission === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
   const { byte, sent: count } = link.preamble ?? { byte: 0, sent: 0 };
   return joinedBytes([new Uint8Array(count).fill(byte), start, encoded, end]);

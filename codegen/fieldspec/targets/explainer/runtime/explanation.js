@@ -32,7 +32,7 @@ class ExplainedFrame {
     this.link = device.links.get(link);
     this.shape = this.link[direction];
     this.wrapped = unwrapped(this.link, direction, frame);
-    this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
+    this.spot = new Spot(frame, this.wrapped.start.length, this.link.transmission === "hex_ascii" ? 2 : 1);
     this.unreadable = null;
     this.emptyEscape = new Uint8Array();
     [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
@@ -207,7 +207,7 @@ class ExplainedFrame {
     const read = decoded(part.digits ? latinOf(raw) : wholeOf(raw, part.order ?? "big", false));
     if (!this.wrapped.whole) return read;
     const should = checksumOf(part, this.measuredBytes(part));
-    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_check");
+    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_checksum");
   }
 
   /** The message that a code names. An exception response marks the code. */

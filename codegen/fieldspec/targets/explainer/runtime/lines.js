@@ -95,7 +95,7 @@ function inCharacters(text, links) {
       if (!inner.startsWith(mark)) continue;
       const [, close] = link.delimiters[direction];
       const [text, end] = ended(inner);
-      const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
+      const body = link.transmission === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
       const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
       return withEnd(bytes, Array.from(end, (char) => char.charCodeAt(0)), [...close]);
     }

@@ -31,7 +31,7 @@ local function show_part(context, part, at)
         local printable = text(bytes):gsub("[^\32-\126]", "?")
         item:set_text(part.title .. ": " .. printable .. (bytes == should and " (right)" or " (wrong)"))
         if bytes ~= should then
-            values.report(item, "wrong_check", part.name .. " should be " .. text(should))
+            values.report(item, "wrong_checksum", part.name .. " should be " .. text(should))
         end
         values.cite(item, part.errata)
         return
