@@ -37,7 +37,7 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
     if not field.varies:
         return ""
     if field is not body.sent_fields[-1]:
-        return f"has {'several types and ' * bool(field.forms)}fields behind it"
+        return f"has {'several types and ' * bool(field.forms)}fields after it"
     if field.forms:
         return "has several types, in a record or behind what has no fixed size"
     record = field.record
