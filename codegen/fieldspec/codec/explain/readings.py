@@ -386,8 +386,8 @@ def _own_size(link: LinkLayout, own: Explanation) -> str:
     without = ["preamble"] if link.link.preamble is not None else []
     without += ["delimiters"] if any(link.link.marks(own.direction)) else []
     without += ["escapes"] if link.frame(own.direction).escape is not None else []
-    opening = f"without its {' and '.join(without)}, the frame has" if without else "the frame has"
-    return f"{opening} {_byte_count(size)}"
+    opening = f"without its {' and '.join(without)}, " if without else ""
+    return f"{opening}the frame has {_byte_count(size)}"
 
 
 def _byte_count(count: int) -> str:
@@ -396,6 +396,5 @@ def _byte_count(count: int) -> str:
 
 def _bounds(minimum: int, maximum: int | None, identifier: int) -> str:
     """`8`, `8 or more` or `8 to 12`: sizes without the bytes of the parts of an identifier."""
-    if maximum is None:
-        return f"{minimum - identifier} or more"
-    return str(minimum - identifier) if maximum == minimum else f"{minimum - identifier} to {maximum - identifier}"
+    least = minimum - identifier
+    return f"{least} or more" if maximum is None else f"{least} to {maximum - identifier}".removesuffix(f" to {least}")

@@ -44,14 +44,11 @@ class FrameCodec:
 
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
-        self.heads = {
-            direction: construct.Struct(*(part.name / part_construct(part) for part in link.frame(direction).header))
-            for direction in ("request", "response")
-        }
-        self.tails = {
-            direction: construct.Struct(*(part.name / part_construct(part) for part in link.frame(direction).trailer))
-            for direction in ("request", "response")
-        }
+        self.heads, self.tails = {}, {}
+        for direction in ("request", "response"):
+            shape = link.frame(direction)
+            for parts, structs in ((shape.header, self.heads), (shape.trailer, self.tails)):
+                structs[direction] = construct.Struct(*(part.name / part_construct(part) for part in parts))
 
     def parts(self, frame: bytes, direction: str) -> bytes:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""

@@ -11,7 +11,7 @@ from fieldspec.foundation.classes import replace
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
 from fieldspec.targets.docs.checksums import DIGITS, checksum_text
-from fieldspec.targets.docs.context import Context, cited, many, names, sources
+from fieldspec.targets.docs.context import Context, many, names, sources
 from fieldspec.targets.docs.document import (
     Cell,
     DocumentTable,
@@ -27,7 +27,7 @@ from fieldspec.targets.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.targets.docs.link_settings import address_facts, network_facts, serial_facts
+from fieldspec.targets.docs.link_settings import link_facts
 from fieldspec.targets.docs.positions import Position, placed_fields
 from fieldspec.targets.docs.sources import Inferences
 from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
@@ -313,10 +313,6 @@ def length_text(framing_size: int, record: RecordLayout) -> str:
     return f"{framing_size + last.offset} + {step} bytes, n = {spoken(repeat.text())}"
 
 
-ENCODINGS = {"binary": "bytes as they are", "hex_ascii": "each byte as two hexadecimal characters, the high one first"}
-ORDERS = {"big": "the most significant first", "little": "the least significant first"}
-
-
 def links(context: Context) -> Section:
     """The section of all links: their frames, settings and times."""
     inner = tuple(_link(context, link_layout) for link_layout in context.layout.links.values())
@@ -326,7 +322,7 @@ def links(context: Context) -> Section:
 def _link(context: Context, link_layout: LinkLayout) -> Section:
     link = link_layout.link
     blocks = context.opening(link)
-    blocks.append(Facts(tuple(_facts(link))))
+    blocks.append(Facts(tuple(link_facts(link))))
     if _has_equal_parts(link):
         frame = FrameTable(context, link_layout, "request", f"{link.place.path}/frame", "links/")
         blocks.append(frame.table("Requests and responses", None))
@@ -362,44 +358,3 @@ def _has_equal_parts(link: Link) -> bool:
         )
 
     return [facts_of(part) for part in link.request] == [facts_of(part) for part in link.response]
-
-
-def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    yield "Name", ((code(link.name),),)
-    yield "Encoding", ((text_piece(ENCODINGS[link.transmission]),),)
-    common = link.has_common_delimiters
-    if link.preamble is not None:
-        yield "Preamble", ((text_piece(link.preamble.text()),),)
-    for direction in ("request",) if common else ("request", "response"):
-        frames = "" if common else f", {link.direction_name(direction)}s"
-        for verb, mark in zip(("Starts", "Ends"), link.marks(direction), strict=True):
-            if mark:
-                yield f"{verb} with{frames}", ((code(mark.hex(" ").upper()),),)
-    if link.escape is not None:
-        yield "Identifier" if link.is_can else "Escaped bytes", ((text_piece(link.escape.text()),),)
-    if link.byte_order:
-        yield "Bytes of a number", ((text_piece(ORDERS[link.byte_order]),),)
-    if link.word_order:
-        yield "Words of a number", ((text_piece(ORDERS[link.word_order]),),)
-    if link.silence_characters is not None:
-        yield "Silence between frames", ((text_piece(f"{link.silence_characters:f} characters"),),)
-    if link.silence_milliseconds is not None:
-        yield "Silence between frames", ((text_piece(f"{link.silence_milliseconds:f} ms"),),)
-    if link.silence_sources:
-        yield "Source of the silence", (cited(link.silence_sources),)
-    if link.exception_response is not None:
-        error = link.exception_response
-        text = f"the code of the request with the bits 0x{error.flag:02X} set, and the record "
-        if not error.flag:
-            text = f"{error.mark_text}, and the record "
-        yield (
-            "Refusals",
-            ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
-        )
-    if link.is_default:
-        yield "Factory setting", ((text_piece("the device uses this link with factory settings"),),)
-    yield from address_facts(link)
-    yield from serial_facts(link)
-    yield from network_facts(link)
-    if link.sources:
-        yield "Source", (cited(link.sources),)

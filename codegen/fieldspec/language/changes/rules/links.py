@@ -63,7 +63,7 @@ def _framing(link: Link, key: str) -> bytes | str:
         return link.preamble.text() if link.preamble is not None else ""
     direction = "response" if key.startswith("response_") else "request"
     marks = dict(zip(("start", "end"), link.marks(direction), strict=True))
-    value: bytes | str = marks[key.removeprefix("response_")] if key != "encoding" else link.transmission
+    value: bytes | str = marks[key.removeprefix("response_")] if key != "transmission" else link.transmission
     return value
 
 

@@ -148,7 +148,7 @@ def _refuse_unstated(entry: Entry) -> None:
 
 
 _OF_REQUESTS = (
-    *("request", "remote", "accesses", "access_steps"),
+    *("request", "remote", "accesses"),
     *("segments", "broadcast", "supplements", "response_code"),
 )
 """The keys of messages that say something of a request."""

@@ -11,7 +11,7 @@ def with_remote_request(entry: Entry) -> Entry:
     stated = entry.node.values.get("remote")
     if not isinstance(stated, Scalar) or entry.maybe("requested") is False:
         return entry
-    for key in ("request", "accesses", "access_steps", "segments"):
+    for key in ("request", "accesses", "segments"):
         if key in entry.own:
             text = f"a remote request has no data, but the message has `{key}`"
             entry.refuse("wrong_form", key, text, f"remove `{key}`, or `remote`")
