@@ -44,7 +44,8 @@ class FrameCodec:
 
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
-        self.heads, self.tails = {}, {}
+        self.heads: dict[str, construct.Struct] = {}
+        self.tails: dict[str, construct.Struct] = {}
         for direction in ("request", "response"):
             shape = link.frame(direction)
             for parts, structs in ((shape.header, self.heads), (shape.trailer, self.tails)):
