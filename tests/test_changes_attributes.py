@@ -90,6 +90,7 @@ IGNORED = {
     "Device.version": "it is what is compared",
     "Device.accepts": "it judges changes, and is none",
     "Device.stated_changes": "it gives changes their reasons, and is none",
+    "Link/Escape.remote": "it is set where messages are remote requests, which are compared",
     "Part.prefix": "the algorithm that begins after it is compared",
     "Part.suffix": "the algorithm that ends after it is compared",
     "Part.stated_algorithm": "the algorithm is compared, which begins after the prefix",
