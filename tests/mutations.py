@@ -255,7 +255,8 @@ def more(key: str, most: int = 9) -> Callable[[Mapping, random.Random], int]:
 
 def measured(tree: Mapping, chance: random.Random) -> Mapping | None:
     """A field that counts items counts bytes, or the other way round."""
-    place = picked([(way, node) for way, node in mappings(tree) if way and way[-1] == "measures"], chance)
+    counters = [(way, node) for way, node in mappings(tree) if way and way[-1] == "measures"]
+    place = picked([(way, node) for way, node in counters if {"items", "bytes"} & node.values.keys()], chance)
     if place is None:
         return None
     way, node = place
