@@ -267,7 +267,7 @@ class Driver:
                     test += " && !opened.error"
                 bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")
         if error is not None:
-            encode = self.naming.function("link", link.name, "encode", "error")
+            encode = self.naming.function("link", link.name, "encode", "exception_response")
             body = self._body(self.layout.records[error.record], encode, f"{heads}opened.code, " if coded else heads)
             bodies.append(f"if (opened.error) {{ {body} }}")
         if link.ambiguous_codes(direction):

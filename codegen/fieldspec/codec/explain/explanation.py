@@ -250,7 +250,7 @@ class _Frame:
             return self._judged_length(part, read)
         if part.offset < 0:
             return read
-        self.values[part.name] = self.shape.printed_number(part, read.number)
+        self.values[part.name] = self.shape.stated_number(part, read.number)
         if part.role == "code":
             return self._code(part, replace(read, number=self.values[part.name]), read.number)
         if part.role == "unit_address":

@@ -80,7 +80,7 @@ class FrameLayout:
         """All parts but the body, in the order in which they are sent."""
         return (*self.header, *self.trailer)
 
-    def printed_number(self, part: PartLayout, number: int) -> int:
+    def stated_number(self, part: PartLayout, number: int) -> int:
         """The number of a part as people know it: the code of a remote request without its bit."""
         has_remote = part.role == "code" and self.escape is not None and self.escape.remote is not None
         return number & ~CAN_REMOTE if has_remote else number
