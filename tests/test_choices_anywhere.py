@@ -125,5 +125,5 @@ def test_entered_values_have_the_type_that_is_decided() -> None:
 def test_outputs_without_choices_within_data_leave_them_out_by_name() -> None:
     texts = OUTPUTS["queries"].files([LAYOUT])
     (sql,) = (text for path, text in texts.items() if path.endswith(".sql") and isinstance(text, str))
-    assert "record sample: value has several types and fields behind it" in sql
+    assert "record sample: value has several types and fields after it" in sql
     assert "message read_samples: " in sql

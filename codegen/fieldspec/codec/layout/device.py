@@ -119,7 +119,7 @@ def device_layout(device: Device) -> DeviceLayout:
 def _add_record(
     record: Record, device: Device, records: dict[str, RecordLayout], orders: Orders, parts: frozenset[str]
 ) -> None:
-    """Adds the layout of a record, after those of the records in it. `parts` are those that are part of others."""
+    """Adds the layout of a record, after the layouts of the records in it. `parts` are the records in others."""
     if record.name in records:
         return
     for field in record.fields:

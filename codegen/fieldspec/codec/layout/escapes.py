@@ -70,7 +70,7 @@ def _of_blocks(data: bytes) -> list[tuple[int, int]]:
 
 
 def _of_identifier(escape: Escape, data: bytes) -> list[tuple[int, int]]:
-    """The first part is in the place of the whole header, and the others of the identifier are behind it.
+    """The first part is in the place of the whole header, and the other parts of the identifier follow it.
 
     In a remote request the number of the data has the second half of the header.
     """

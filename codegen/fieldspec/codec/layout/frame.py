@@ -64,7 +64,7 @@ class FrameLayout:
 
     @property
     def further(self) -> bytes:
-        """What a sender sends before the start delimiter."""
+        """The bytes that a sender sends before the start delimiter."""
         return self.preamble.further if self.preamble is not None else b""
 
     def surplus(self, frame: bytes) -> int:

@@ -39,7 +39,7 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
     if field is not body.sent_fields[-1]:
         return f"has {'several types and ' * bool(field.forms)}fields after it"
     if field.forms:
-        return "has several types, in a record or behind what has no fixed size"
+        return "has several types, in a record or after fields without a fixed size"
     record = field.record
     if (
         record is None

@@ -4,8 +4,8 @@ in some data.
 Codecs work on the image of such a record: first all other fields, then the lists. Each list except the last has room
 there for its greatest number of elements. An element that differs in size is there as it is sent, with zeros after it
 up to the most bytes that it may have, so that everything in the image has its place. The last list extends to the end
-of the image. A record that differs in size and occurs a fixed number of times is a list of so many elements. A field
-whose type another one decides is a list of one element, in the image with zeros behind it in the same way.
+of the image. A record that differs in size and occurs a fixed number of times is a list with that number of elements.
+A field whose type another one decides is a list of one element, in the image with zeros after it in the same way.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ class InnerList:
     """The list `name` begins after `first` bytes of other fields, not counting lists, and at `room` in the image.
 
     It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
-    image and has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit`
-    bytes. `count` is empty where the number is always the same, and where the data end with the list and the fields
-    behind it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
+    image and has `count_size` bytes in the order `count_order`; its number, less `plus`, counts units of `unit` bytes.
+    `count` is empty where the number is always the same, and where the data end with the list and the fields
+    after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
     where all have the same size.
     """
 
@@ -143,7 +143,7 @@ class InnerLists:
     def _decided(
         self, inner: InnerList, decision: Decision, image: bytes, left: int, extents: list[ListExtent]
     ) -> ListExtent | ListFault:
-        """The bytes of an element that an image decides, of which at most so many are left."""
+        """The bytes of an element that an image decides; at most `left` bytes."""
         start = inner.first + sum(extent.size for extent in extents)
         size = decision.size_in(image)
         if size is None:

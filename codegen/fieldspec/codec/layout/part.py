@@ -61,7 +61,7 @@ class PartLayout:
 
     @property
     def number_size(self) -> int:
-        """The bytes of its number; of a part of an identifier those of its bits."""
+        """The bytes of its number, or of its bits if it is part of an identifier."""
         return self.size if self.part.bits is None else (self.part.bits[1] - self.part.bits[0]) // 8 + 1
 
     def data(self, number: int) -> bytes:

@@ -38,7 +38,7 @@ class FieldLayout:
 
     `size` is the size of one element in bytes. `count` is the number of elements, None if they go on to the end of the
     data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case. Where
-    other fields are behind it, or its record is part of another one, `size` is that of the greatest case, and `forms`
+    other fields follow it, or its record is part of another one, `size` is that of the greatest case, and `forms`
     is the field as each number of the `selector`, a field before it, decides it.
     is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. For a field with the
     bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of equal sizes the
@@ -202,7 +202,7 @@ class RecordLayout:
 
     @property
     def has_differing(self) -> bool:
-        """Whether it has records that differ in size, or fields of several types with others behind them."""
+        """Whether it has records that differ in size, or fields of several types before others."""
         return any(field.forms or (field.record and field.record.size is None) for field in self.fields)
 
     @property

@@ -25,7 +25,7 @@ def record_layout(
 
 
 def _varies(field: Field, records: Mapping[str, RecordLayout]) -> bool:
-    """Whether the bytes of a field differ from data to data, or those of what is in it."""
+    """Whether the bytes of a field, or of its content, differ from data to data."""
     if field.record and records[field.record].size is None:
         return True
     return field.repeat is not None or field.choice is not None

@@ -72,9 +72,9 @@ class Inner:
 
 @dataclass(frozen=True, slots=True)
 class Each:
-    """The elements of a field of a record: one, or if it `is_list`, a counted number or as many as fit.
+    """The elements of a field of a record: one, or if it `is_list`, a counted number or all that fit.
 
-    `size` is that of each element in bytes.
+    `size` is the size of each element in bytes.
     """
 
     name: str

@@ -91,7 +91,7 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
     extents, fault = inner.extents_in(data)
     if fault is not None:
         own = inner.lists[len(extents)]
-        text = f"{own.name} has another number of bytes"
+        text = f"{own.name} has the wrong number of bytes"
         if fault.reason == "unknown_value" and own.decision is not None:
             text = f"{own.decision.name} chooses nothing that may follow"
         raise CodecError(fault.reason, text, offset + fault.at)

@@ -28,7 +28,7 @@ def judged_codec(plugin: Plugin) -> InstalledCodec:
     """The codec that an entry point refers to, and what its judges find. Raises UsageError for something else."""
     codec = loaded(plugin)
     if not isinstance(codec, NumberCodec | ChecksumCodec):
-        raise plugin.error(f"{plugin.value} is no NumberCodec and no ChecksumCodec")
+        raise plugin.error(f"{plugin.value} is neither a NumberCodec nor a ChecksumCodec")
     texts = (codec.version, codec.python, codec.c, codec.javascript)
     if not all(isinstance(text, str) for text in texts) or not codec.version.isprintable():
         raise plugin.error("its version, of one line, and the texts of its targets are texts")
@@ -76,7 +76,7 @@ def _within_time(judgement: Callable[[], str]) -> str:
 
 
 def _fault(plugin: Plugin, codec: Codec, functions: dict[str, Callable[..., object]]) -> str:
-    """What is wrong with the Python of a codec, whose functions are added; empty for nothing."""
+    """The fault of the Python of a codec, whose functions are added; empty if it has none."""
     random = Random(plugin.name)
     space: dict[str, Any] = {"__name__": f"{plugin.value}.python"}
     try:

@@ -251,7 +251,7 @@ class _Offsets:
     """The offsets of fields, or of parts of a frame, by their identity in memory, and their size.
 
     An offset is a run and a number of bytes: a frame has one run before its body, and one from there on; fields have
-    one up to each choice and each list that goes on to the end or that another field measures, and one behind the last.
+    one up to each choice and each list that extends to the end or that another field measures, and one after the last.
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:

@@ -149,7 +149,7 @@ def _remote_request(device: Device, message: Message) -> Iterator[Diagnostic]:
             continue
         data_parts = [part for part in link.request if part.bits is None and part.role != "body"]
         if not link.is_can:
-            text = f"{message.name} is a remote request, but {link.name} is no CAN bus"
+            text = f"{message.name} is a remote request, but {link.name} is not a CAN bus"
             help = "name the CAN buses on which it is sent under `links`, or state its `request`"
         elif data_parts:
             text = f"{message.name} is a remote request, which has no room for {data_parts[0].name} of {link.name}"

@@ -56,7 +56,7 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
         text = f"{field.name} has a choice and a `count`"
         yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
     elif field.repeat is not None and (is_part or varying is not None or field is not layer.fields[-1]):
-        text = f"{field.name} has a choice and several elements, so only the end of the data tells where they end"
+        text = f"{field.name} has a choice and several elements, so only the end of the data determines where they end"
         help = "list it last in a message in which all else has a fixed size, or remove `repeat`"
         labels = [label(varying.place, "name", "has no fixed size")] if varying is not None else []
         yield finding(_CODE, field.place, "repeat", text, help, *labels)
@@ -69,7 +69,7 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
     for case in field.choice.cases if field.choice is not None else ():
         if case.value.parameter is not None:
             text = f"{case.name} carries a part of a parameter, and {field.name} does not end a message alone"
-            yield finding(_CODE, case.place, "parameter", text, "list it last, behind fields of fixed size")
+            yield finding(_CODE, case.place, "parameter", text, "list it last, after fields of fixed size")
 
 
 def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:

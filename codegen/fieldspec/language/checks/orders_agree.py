@@ -54,7 +54,7 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _of_write(device: Device, register: Register) -> Iterator[Diagnostic]:
-    """Whether a register is written with its words in another order than it is read."""
+    """Whether the order of a register's words differs between writing and reading."""
     value, key = register.value, "write_word_order"
     if register.access == "ro":
         text = f"{register.name} is read-only, so that its words are never written"

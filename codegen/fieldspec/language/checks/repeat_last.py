@@ -72,7 +72,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
 
 
 def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Iterator[Diagnostic]:
-    """The findings of what is behind a list, a choice, or a record that differs in size."""
+    """The findings of fields after a list, a choice, or a record that differs in size."""
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
     counts = [

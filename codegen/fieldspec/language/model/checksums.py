@@ -12,7 +12,7 @@ from fieldspec.foundation.classes import dataclass, replace
 class Checksum:
     """An algorithm. Its `method` is `crc`, `sum`, `xor` or `fletcher`; `width` is the number of bits of its result.
 
-    The method `codec` has the name of the `codec` of a package, and nothing else but the width.
+    The method `codec` has only the width and the name of the `codec` of a package.
     The polynomial of a CRC is without its highest bit. `reflect_in` takes the lowest bit of each byte first, and
     `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
     last number that is not complete is filled up with zeros after its bytes. The bytes of a number are in the order

@@ -1,7 +1,7 @@
 """Codecs of projects: numbers and checksums that the language cannot say, which installed packages give.
 
-A spec names a codec and runs no code: `provide` says where codecs come from, and the first name that is asked for loads
-them. Each has the texts that outputs print; those of Python are what the compiler itself runs.
+A spec names a codec and runs no code: `provide` says where codecs come from, and the first request for a name loads
+them. Each has the texts that outputs print; the compiler itself runs the texts in Python.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class NumberCodec:
     texts define the same, or are empty: `c` has `bool device_NAME_decode(const uint8_t *in, int64_t *number)` and
     `void device_NAME_encode(int64_t number, uint8_t *out)`, and all in it is static inline; `javascript` has functions
     `decode` of a Uint8Array, whose result is a number or null, and `encode`, whose result is an array. With `rounds`,
-    not every number has bytes, and `encode` gives those of one near it.
+    not every number has bytes, and `encode` gives the bytes of a number near it.
     """
 
     version: str
@@ -56,7 +56,7 @@ class ChecksumCodec:
 
 
 Codec = NumberCodec | ChecksumCodec
-"""What a package gives under a name."""
+"""The codec that a package gives under a name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +74,7 @@ _used: list[set[str]] = []
 
 
 def provide(source: Callable[[], Mapping[str, InstalledCodec]]) -> None:
-    """Says what gives the codecs, and forgets those of before."""
+    """Sets the source of the codecs, and forgets the codecs of earlier sources."""
     _sources[:] = [source]
     _installed.clear()
 
@@ -123,7 +123,7 @@ def _function(name: str, function: str) -> Callable[..., object]:
 
 
 def decoded(name: str, data: bytes) -> int | None:
-    """The number that bytes are, None for those that are none."""
+    """The number that bytes encode; None for invalid bytes."""
     codec, number = number_codec(name), _function(name, "decode")(data)
     return number if isinstance(number, int) and codec.low <= number <= codec.high else None
 

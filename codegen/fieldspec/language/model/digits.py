@@ -53,7 +53,7 @@ NIBBLES = (BCD, PACKED_DECIMAL)
 """The forms with two digits in each byte."""
 
 NO_CHARACTERS = (*NIBBLES, CODEC)
-"""The forms that are no characters."""
+"""The forms without characters."""
 
 _LAST_NIBBLES = {False: {"f": 1}, True: {"c": 1, "d": -1}}
 

@@ -77,7 +77,7 @@ class Escape:
         return b"".join(numbers)
 
     def is_remote(self, data: bytes) -> bool:
-        """Whether the bytes of a frame are those of a remote request, where the link has any."""
+        """Whether the bytes of a frame are a remote request, if the link has any."""
         return self.remote is not None and bool(data[0] & CAN_REMOTE >> 24)
 
     def wrong_header(self, data: bytes) -> int | None:

@@ -176,9 +176,9 @@ class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
 
     The least bytes of a `preamble` are the first ones of `start`. The delimiters of a response are `response_start` and
-    `response_end`, those of a request `start` and `end`; mostly they are the same. `message_name`, `request_name` and
-    `response_name` are the manual's names of a message and of the two directions. A device with factory settings uses
-    the link that `is_default`.
+    `response_end`, in a request they are `start` and `end`; mostly they are the same. `message_name`, `request_name`
+    and `response_name` are the manual's names of a message and of the two directions. A device with factory settings
+    uses the link that `is_default`.
     """
 
     title: str

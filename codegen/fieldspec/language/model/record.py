@@ -51,7 +51,7 @@ class Field(Fact):
 
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
     places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
-    that `is_implied` is not among those of the spec: a byte of the record's `separator`, or a DLC.
+    that `is_implied` is not in the spec: a byte of the record's `separator`, or a DLC.
     """
 
     value: Value | None
@@ -218,8 +218,8 @@ class Message(Fact):
     people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
     those that it `supplements`. It is answered on the links in `answered_on`, which is None for all. The lengths of the
     frame are in bytes, and the words count the data, as printed. A message that does more with registers than one
-    access has `access_steps`; nobody chooses it to read or to write a register. A request that
-    is `remote` goes over a CAN bus as a remote request for so many bytes, which its only field repeats.
+    access has `access_steps`; outputs never choose it to read or to write a register. A request that
+    is `remote` goes over a CAN bus as a remote request for bytes, whose number its only field repeats.
     """
 
     title: str
@@ -256,7 +256,7 @@ class Message(Fact):
 
     @property
     def has_response_code(self) -> bool:
-        """Whether the code of its response is another one than that of its request."""
+        """Whether the code of its response differs from the code of its request."""
         return self.code_of("request") != self.code_of("response")
 
     @property

@@ -212,7 +212,7 @@ class Value:
         return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.is_as_sent
 
     def write_swapped(self, swapped: bool) -> bool:
-        """Whether the words of a write are swapped, by whether those of a read are."""
+        """Whether the words of a write are swapped, by whether the words of a read are."""
         return swapped != bool(self.write_word_order)
 
     @property
@@ -240,7 +240,7 @@ class Value:
 
     @property
     def is_as_sent(self) -> bool:
-        """Whether its bytes are in the order of the wire whatever the byte order: characters, and those of a codec."""
+        """Whether its bytes are in the order of the wire whatever the byte order: characters and bytes of a codec."""
         return self.has_characters or bool(self.codec)
 
     @property

@@ -113,7 +113,7 @@ def quoted(text: str) -> str:
 
 
 def former(word: str, known: Collection[str]) -> str:
-    """The help for a key or a word that has another name now; empty for others."""
+    """The help for a key or a word with a new name; empty for others."""
     return f"it is called `{name}` now" if (name := FORMER.get(word)) in known else ""
 
 

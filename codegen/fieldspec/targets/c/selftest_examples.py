@@ -216,7 +216,7 @@ def _encode_frame(
         arguments.append(_code(link, example))
     if members(record):
         arguments.append(_IN_POINTER)
-    name = "error" if example.exception_response else example.message
+    name = "exception_response" if example.exception_response else example.message
     direction = () if example.exception_response else (example.direction,)
     function = naming.function("link", link.name, "encode", name, *direction)
     return function, (*arguments, *_ENCODE_ARGUMENTS)

@@ -107,7 +107,7 @@ def times_direction(
     if coarse and not proofs:
         evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
         return DIVIDE, Assumption(f"`{example}`", _direction(DIVIDE), evidence, option)
-    return "", Assumption(f"`{example}`", "not used", "a unit is so many counts, or a count so many units", option)
+    return "", Assumption(f"`{example}`", "not used", "the factor is counts per unit, or units per count", option)
 
 
 def _direction(direction: str) -> str:

@@ -99,7 +99,7 @@ def with_objects(
                 f"has indices with two readings: `{lowest}` is 0x{lowest}, or 0x{int(lowest):04X}. The evidence is "
                 "equal; choose with --base hex or --base decimal"
             )
-        evidence = "those of objects are 0x1000..0xFFFF"
+        evidence = "objects have indices from 0x1000 to 0xFFFF"
         if own_base == HEXADECIMAL:
             evidence = f"`{lowest}` is less than 0x1000 as a decimal number"
         assumptions.append(Assumption("indices", reading, evidence, "--base"))
