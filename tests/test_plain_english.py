@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "codegen" / "fieldspec"
 FINDINGS = (*ROOT.glob("tests/cases/*/*/expected.txt"), *ROOT.glob("tests/changes/*/expected.txt"))
 
-CEILINGS = {"codec": 1, "command": 2, "foundation": 0, "language": 4, "targets": 7, "tools": 94}
+CEILINGS = {"codec": 1, "command": 2, "foundation": 0, "language": 4, "targets": 0, "tools": 0}
 """The hits in the docstrings of each folder. They can only fall: lower a ceiling with the module that improves."""
 
 
