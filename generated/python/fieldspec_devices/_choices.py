@@ -54,7 +54,7 @@ class Case:
 
 
 class Cases:
-    """The types of a single field with others behind it, by the numbers of its selector `by`."""
+    """The types of a single field that other fields follow, by the numbers of its selector `by`."""
 
     __slots__ = ("by", "values")
 

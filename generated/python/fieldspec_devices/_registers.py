@@ -34,8 +34,8 @@ class Register(Generic[T]):
     accessed in one request. `trigger`: writing starts an action, and reading returns no meaningful value.
     `number` is its number in another list of the manual, `copy_of` the name of the register that it copies.
     `space` is its address space, empty where the device has only one. An address has `unit_size` bytes: 2, or 1 in a
-    space of bytes, in which `words` counts these. With `turns_writes`, the words of a write have the opposite order of
-    those of a read. `scale_by` is the register with the exponent of the scale, None where
+    space of bytes, in which `words` counts these. With `turns_writes`, the words of a write have the opposite order
+    from a read. `scale_by` is the register with the exponent of the scale, None where
     the scale is always the same.
     """
 

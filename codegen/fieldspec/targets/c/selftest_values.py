@@ -273,7 +273,7 @@ def test_value(
 
 
 def _write_bytes(value: Value, order: tuple[str, bool], number: int, size: int) -> bytes:
-    """The bytes of a number in a write, of which the words may have another order than those of a read."""
+    """The bytes of a number in a write, whose word order may differ from the word order of a read."""
     byte_order, swapped = order
     return value_bytes(value, byte_order, value.write_swapped(swapped), number).ljust(size, b"\0")
 

@@ -53,7 +53,7 @@ def placed_fields(record: RecordLayout) -> Iterator[tuple[FieldLayout, Position]
 
 
 def _starts_around(record: RecordLayout, inner: InnerLists) -> list[Position]:
-    """Where each field of a record begins behind lists, less its offset: `4 + 2 times number of samples`."""
+    """The start of each field that follows lists in a record, less its offset: `4 + 2 times number of samples`."""
     lists = {own.name: own for own in inner.lists}
     position = Position(0)
     starts = []

@@ -22,7 +22,7 @@ _LINES = 2
 
 
 def explainer_data(layout: DeviceLayout) -> str:
-    """The data of the explainer as an expression of JavaScript: a literal, or behind codecs what a function returns."""
+    """The data of the explainer as an expression of JavaScript: a literal, or after codecs the result of a function."""
     data, codecs = lines(device_data(layout), _LINES), codec_constants(layout)
     if not codecs:
         return data

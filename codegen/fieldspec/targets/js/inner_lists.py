@@ -31,7 +31,7 @@ def list_table(record: RecordLayout, name: str) -> list[str]:
 
 
 def _decided_size(record: RecordLayout, field: FieldLayout, selector: FieldLayout) -> str:
-    """The bytes of a field whose type another one decides: those of the longest one where that decides nothing."""
+    """The bytes of a field whose type a selector decides: the bytes of the longest type if it decides none."""
     key = next(member.key for member in members_of(record) if member.field.name == selector.name)
     if not key:
         assert selector.value is not None

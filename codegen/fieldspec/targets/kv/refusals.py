@@ -15,9 +15,9 @@ from fieldspec.targets.kv.areas import frames_in_words, has_frame_areas
 
 
 def register_refusals(layout: DeviceLayout) -> Iterator[Refusal]:
-    """A refusal of each register in a space of bits or bytes; those of a group have one finding.
+    """A refusal of each register in a space of bits or bytes; the registers of a group have one finding.
 
-    So has each register whose words are written in another order than they are read.
+    Each register whose words are written in a different order from reads is refused too.
     """
     for group in layout.device.groups:
         space = layout.device.space(group.space)

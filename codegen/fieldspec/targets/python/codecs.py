@@ -11,7 +11,7 @@ from fieldspec.targets.python.text import literal
 
 
 def codec_key(name: str) -> str:
-    """What the runtime knows a codec by: its name, and a digest of its text, which devices may have of two versions."""
+    """The key of a codec in the runtime: its name and a digest of its text, as devices may use two versions of it."""
     return f"codec_{name}_{sha256(installed()[name].codec.python.encode()).hexdigest()[:8]}"
 
 

@@ -108,8 +108,8 @@ def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
 def _extent_row(extent: FrameExtent, frame: FrameLayout) -> tuple[int | str | bool, ...]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit.
 
-    After these is the order of a count that has another one than the unit address, and whether the bytes of its words
-    have the opposite one.
+    After these is the byte order of a count if it differs from the order of the unit address, and whether the bytes of
+    its words have the opposite order.
     """
     if extent.kind == BY_COUNT:
         usual = extent.length, extent.offset, extent.size, extent.unit

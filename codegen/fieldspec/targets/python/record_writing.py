@@ -30,7 +30,7 @@ def writing_lines(
 ) -> Writing:
     """The code that writes a record; the fields in `bound` get a local even where no test needs one.
 
-    `cases` are the variables of the types of fields, by the names of these, where others may be behind them.
+    `cases` are the variables of the types of fields, by the names of these, where other fields may follow them.
     """
     expressions = {field.title: f"self.{field.slot}" for field in shaped.stored}
     bind: list[str] = []

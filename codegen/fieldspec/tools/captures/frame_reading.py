@@ -48,7 +48,7 @@ class Spans:
 class ReadFrames:
     """Frames of one link and direction, one row each.
 
-    Their parts are `length` bytes from `at` on in `buffer`, which is another one than that of the capture where the
+    Their parts are `length` bytes from `at` on in `buffer`, which differs from the buffer of the capture where the
     link encodes or escapes them; `sent` are the parts before escapes are undone. `message` is a place in the messages
     of the link, NONE for none; `body` and `body_size` are the bytes between header and trailer. `fields` are the
     values of messages without registers.

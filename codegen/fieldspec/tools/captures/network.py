@@ -151,7 +151,7 @@ class Network:
         return concatenated(parts)
 
     def _serial(self, packets: Packets, rows: Numbers, packet: Numbers, link_type: int) -> Segments:
-        """The packets of serial lines. What is recorded without bytes, such as a change of a signal, has none."""
+        """The packets of serial lines. Records without bytes, such as a change of a signal, have no packet."""
         offsets, size = packets.at[rows], packets.size[rows]
         if link_type == RTAC_SERIAL:
             whole = size >= 12

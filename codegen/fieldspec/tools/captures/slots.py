@@ -15,7 +15,7 @@ class Slot:
     """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
 
     In a record that differs in size, it is an element of some lists: `places` are these, each with the offset of the
-    record that counts it and with the number of the element. Of a counted text, `text` are its bytes as a list.
+    record that counts it and with the number of the element. For a counted text, `text` are its bytes as a list.
     It is only in bodies in which each of some selectors, with the offsets of their records, has one of some `numbers`.
     """
 
@@ -29,7 +29,7 @@ class Slot:
 
 
 def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
-    """The values of a record in the order of the wire, those of records in it too; a repeated field counts once."""
+    """The values of a record and of the records in it, in the order of the wire; a repeated field counts once."""
     parts = inner_lists_of(record, is_element=True).lists if outer is not None and record.size is None else ()
     by_name = {inner.name: inner for inner in parts}
     for field in record.sent_fields:

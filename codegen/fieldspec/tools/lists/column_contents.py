@@ -1,4 +1,4 @@
-"""What the cells of a column must be, so that it has the role that its heading names."""
+"""The conditions for the cells of a column, so that it has the role that its heading names."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discr
 
 
 def are_spaces(rows: Sequence[SheetRow], column: int) -> bool:
-    """Whether a column, whose heading is that of types, has nothing but names of address spaces."""
+    """Whether a column, whose heading is that of types, has only names of address spaces."""
     texts = {text for row in rows if (text := row.cell(column))}
     return all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
 
@@ -83,11 +83,11 @@ _FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
 """The same for roles whose own headings are enough, and others are not."""
 
 NOTED = ("access", "unit", "writable", "word_order", "byte_order")
-"""Roles whose heading, if it is a whole word, is enough: cells that are none become notes."""
+"""Roles whose heading, if it is a whole word, is enough: cells that do not fit become notes."""
 
 
 def has_role(role: str, texts: Sequence[str], is_fallback: bool) -> bool:
-    """Whether the texts of a column are those of a role, whose heading may be one that others also have."""
+    """Whether the texts of a column fit a role whose heading other roles may share."""
     check = (_FALLBACK_CONTENTS.get(role) if is_fallback else None) or _CONTENTS.get(role)
     if check is None or not texts:
         return check is None or role != "address"

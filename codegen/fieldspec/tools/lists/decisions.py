@@ -1,4 +1,4 @@
-"""What a list decides as a whole for its rows: the unit of lengths, the direction of factors, the unit of bounds."""
+"""The decisions of a whole list for its rows: the unit of lengths, the direction of factors, the unit of bounds."""
 
 from __future__ import annotations
 

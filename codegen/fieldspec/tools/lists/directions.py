@@ -94,7 +94,7 @@ def gain_direction(
 def times_direction(
     example: str, measured: Sequence[Measured], coarse: int, stated: str
 ) -> tuple[str, Assumption | None]:
-    """The same of factors behind a multiplication sign, as in `V x 10`, which are not used where nothing shows it."""
+    """The same for factors after a multiplication sign, as in `V x 10`, which are not used without evidence."""
     if stated:
         return stated, None
     proofs = {proof for entry in measured for proof in _proofs(entry, True)}

@@ -20,7 +20,7 @@ from fieldspec.tools.lists.orders import order_text
 from fieldspec.tools.lists.value_forms import type_text
 
 MESSAGES = "messages"
-"""What an export has in place of the name of a space for the fields of messages."""
+"""The word of an export for the fields of messages, in place of the name of a space."""
 
 REGISTERS = "registers"
 """The name of the first space of registers; further ones, and spaces of parameters, have their own names."""

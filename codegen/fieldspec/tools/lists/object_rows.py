@@ -107,7 +107,7 @@ def with_objects(
 
 
 def _ends(text: str, base: str) -> str | None:
-    """The subindices in a cell as decimal numbers; None if they are none."""
+    """The subindices in a cell as decimal numbers; None if the cell has no subindices."""
     ends = [end.number(base) if (end := address_text(part)) else None for part in _SPAN.split(text)]
     numbers = [end for end in ends if end is not None and end <= _LAST_SUBINDEX]
     return "..".join(map(str, numbers)) if len(numbers) == len(ends) <= 2 else None

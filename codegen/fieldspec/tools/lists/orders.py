@@ -1,4 +1,4 @@
-"""The order of the bytes of two words in a list: `CDAB`, or `CDAB, written ABCD` where a write has another one."""
+"""The order of the bytes of two words in a list: `CDAB`, or `CDAB, written ABCD` if a write has a different order."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def order_text(value: Value | None, order: str, swapped: bool) -> str:
 
 
 def order_keys(order: str, kind: Primitive, size: int) -> Iterator[str]:
-    """The keys of the order of words and of bytes, where they are not those of the device: big, as frames have them."""
+    """The keys of the order of words and of bytes that differ from the orders of the device: big, as in frames."""
     read, _, write = order.partition(_OF_WRITES)
     if kind.is_number and size > 2 and size % 2 == 0:
         if read in ("CDAB", "DCBA", "BADC"):

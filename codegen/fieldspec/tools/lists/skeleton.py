@@ -48,7 +48,7 @@ class Origin:
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
-    """What a spec has beside the rows: remarks for its head, what it takes of a protocol, and allowances.
+    """The contents of a spec apart from the rows: remarks for its head, the facts from a protocol, and allowances.
 
     `uses` has lines by section and is empty for a spec without frames. `allowed` has the rules that a row
     may break, by its number. `names` are those that the protocol has for numbers of parameters, and for subindices.
@@ -267,7 +267,7 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
 
 
 def _widened(entry: Entry, names: Mapping[tuple[int, int | None], str]) -> Entry:
-    """A parameter with elements, with as many as the protocol has for it; another entry as it is."""
+    """A parameter with elements, with at least the number that the protocol names; any other entry as it is."""
     row = entry.row
     if entry.kind != PARAMETER or row.subindices is not None or row.count == 1:
         return entry
@@ -282,7 +282,7 @@ def _number(entry: Entry) -> tuple[int, int | None]:
 
 
 def _namespace(entry: Entry) -> str:
-    """What a name has to be the only one in: elements of a parameter have names of their own."""
+    """The scope in which a name must be unique: elements of a parameter have names of their own."""
     if entry.row.subindices is not None or entry.kind == SIGNAL:
         return f"{entry.space} {entry.row.address}"
     return entry.space if entry.row.is_own else ""

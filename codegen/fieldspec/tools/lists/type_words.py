@@ -95,7 +95,7 @@ class Typed:
         return PRIMITIVES[self.name].size if self.name else (self.bits + 7) // 8
 
     def of_words(self, words: int | None) -> str:
-        """The name of the type; if the list has only its kind, that of the type with so many words."""
+        """The name of the type; if the list has only its kind, that of the type with this number of words."""
         if self.name:
             return self.name
         if self.kind is Loose.TRUTH:

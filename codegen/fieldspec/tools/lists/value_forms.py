@@ -31,7 +31,7 @@ def type_text(value: Value) -> str:
 
 
 def type_parts(text: str) -> tuple[str, dict[str, str]]:
-    """The type in such a text, and the keys of a spec that say its form; the whole text where it is none."""
+    """The type in such a text, and the keys of a spec that state its form; the whole text if it has no form."""
     match = _FORM.fullmatch(text)
     if match is None:
         return text, {}

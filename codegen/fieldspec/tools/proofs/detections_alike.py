@@ -81,7 +81,7 @@ def _number_of(base: int, parameter: Parameter) -> dict[str, str]:
 
 
 def _message(message: Message) -> dict[str, str]:
-    """What a request says that asks for the message, as far as it is constant."""
+    """The constant content of a request for the message."""
     constants = [
         f"{field.name} {field.value.const}"
         for field in message.request.fields

@@ -34,7 +34,7 @@ def previous(spec: DeviceSpec, version: str) -> str | None:
 
 
 def accepted(spec: DeviceSpec) -> list[Diagnostic]:
-    """The findings of the acceptances that belong to versions; those of the spec are judged by a comparison with it."""
+    """The findings of the acceptances of versions; the acceptances of the spec are judged by a comparison with it."""
     if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
         return []
     from fieldspec.language.changes import RULES
@@ -130,7 +130,7 @@ class Outcome:
     """The result of all checks and proofs of a device.
 
     `findings` has all findings, `proofs` one proof for each erratum in the order of the spec, and `by_version` the
-    findings of each version by itself, without those of errata. `remembered` caches the findings of examples.
+    findings of each version by itself, without the findings of errata. `remembered` caches the findings of examples.
 
     `layouts` has the versions that have a layout; where all have one, `shared` is the result of `equal_versions`.
     """

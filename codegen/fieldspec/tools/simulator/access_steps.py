@@ -22,8 +22,8 @@ def carry_out_steps(
 ) -> dict[str, Any]:
     """The values of the response. Raises Refusal, and then nothing is written, unless a rule of the behaviour refuses.
 
-    Steps see what those before them have written. Where several reasons speak against the request, the one with the
-    lowest `number` counts.
+    Steps see what those before them have written. If there are several reasons to refuse the request, the
+    reason with the lowest `number` counts.
     """
     steps = announced.message.access_steps
     wrong = first_out_of_range(engine.layout.device, announced.request, values)

@@ -61,10 +61,10 @@ def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
 
 
 def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> Iterator[FieldLayout]:
-    """The fields of a record, of which each has its values in `values` before the next one is asked for.
+    """The fields of a record. Each has its values in `values` before the iterator gives the next field.
 
-    A field with cases has the type that the value of the selector decides. Where others may be behind it, a selector
-    that decides nothing is set to what decides something.
+    A field with cases has the type that the value of the selector decides. Where other fields may follow it, a
+    selector that decides nothing is set to a number that decides a type.
     """
     for index, field in enumerate(record.fields):
         if field.selector is not None and field.form_of(values[field.selector.name]) is None:

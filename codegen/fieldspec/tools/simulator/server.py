@@ -294,7 +294,7 @@ class Server:
         return [{**record} for record in records[: part.get("most") or len(records)]]
 
     def _head(self, frames: FrameCodec, head: Mapping[str, Any]) -> dict[str, Any]:
-        """The parts of the response's frame that nothing else decides: those of the request, or what is in memory."""
+        """The parts of the response's frame that nothing else decides, from the request or from memory."""
         values: dict[str, Any] = {}
         for part in frames.link.response.header:
             if part.role in ("length", "checksum", "code"):

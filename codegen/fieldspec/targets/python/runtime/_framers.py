@@ -179,7 +179,7 @@ class Framer:
         raise NotImplementedError
 
     def _goes_on(self, buffer: bytearray, at: int) -> bool:
-        """Whether a preamble goes on behind its least bytes, so that no frame begins with the first ones."""
+        """Whether a preamble continues after its least bytes, so that no frame begins with the first bytes."""
         preamble = self.frames.preamble
         return preamble is not None and buffer[at + preamble[1]] == preamble[0]
 

@@ -115,7 +115,7 @@ class InnerList:
         return sizes
 
     def sent(self, image: bytes) -> bytes:
-        """What is sent of a list whose bytes in the image are these."""
+        """The sent bytes of a list whose bytes in the image are these."""
         if self.parts is None:
             return image
         elements = [image[at : at + self.size] for at in range(0, len(image), self.size)]
