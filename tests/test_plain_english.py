@@ -18,7 +18,6 @@ PACKAGE = ROOT / "codegen" / "fieldspec"
 FINDINGS = (*ROOT.glob("tests/cases/*/*/expected.txt"), *ROOT.glob("tests/changes/*/expected.txt"))
 
 
-
 def _docstrings(tree: ast.Module) -> Iterator[ast.Constant]:
     """The docstrings of a module, its classes, functions and values."""
     for node in ast.walk(tree):

@@ -144,7 +144,7 @@ def _codec(naming: Naming, name: str, codec: NumberCodec) -> list[Source]:
     """The C of a codec, and the functions that test what bytes are before they load it."""
     words = {"codec_decode": f"{name}_decode", "is_codec": f"is_codec_{name}", "load_codec": f"load_codec_{name}"}
     words |= {"LOW": f"INT64_C({codec.low})", "HIGH": f"INT64_C({codec.high})"}
-    return [package_text(naming, codec), copy_runtime(naming, "digits.h", "codec", words)]
+    return [package_text(naming, codec), copy_runtime(naming, "number_forms.h", "codec", words)]
 
 
 def _magnitude_words(bits: int) -> dict[str, str]:

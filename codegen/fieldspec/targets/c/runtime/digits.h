@@ -250,20 +250,3 @@ static inline uint64_t device_to_signed_packed(int64_t value)
 {
     return value < 0 ? (device_to_bcd((uint64_t)-value) << 4) | 13u : (device_to_bcd((uint64_t)value) << 4) | 12u;
 }
-
-/* ---- codec ---- */
-
-/** Whether bytes are a number of a codec. */
-static inline bool device_is_codec(const uint8_t *in)
-{
-    int64_t number = 0;
-    return device_codec_decode(in, &number) && number >= LOW && number <= HIGH;
-}
-
-/** The number of a codec. */
-static inline int64_t device_load_codec(const uint8_t *in)
-{
-    int64_t number = 0;
-    (void)device_codec_decode(in, &number);
-    return number;
-}
