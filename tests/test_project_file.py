@@ -181,9 +181,12 @@ def test_a_program_has_the_chosen_blocks_and_what_they_need(motor: Bench, output
     files = (path for path in (motor.folder / "generated" / output).rglob("*") if path.suffix in SOURCES)
     text = "\n".join(path.read_text("utf-8").removeprefix("\ufeff") for path in files)
     text = re.sub(r"\(\*.*?\*\)|<documentation>.*?</documentation>", "", re.sub(r"//[^\n]*", "", text), flags=re.S)
-    assert set(re.findall(r"\bFB_Tc100_(\w+)", text)) == BLOCKS
-    declared = set(re.findall(r"""(?:FUNCTION|name=|Name=)\s*"?(F_Tc100_\w+)""", text))
-    assert declared == set(re.findall(r"\bF_Tc100_\w+", text))
+    function, block = ("", "") if output == "scl" else ("F_", "FB_")
+    blocks = set(re.findall(rf"""(?:FUNCTION_BLOCK|pou name=|POU Name=)\s*"?{block}Tc100_(\w+)""", text))
+    assert blocks == BLOCKS
+    declared = set(re.findall(rf"""(?:FUNCTION|name=|Name=)\s*"?({function}Tc100_\w+)""", text))
+    called = set(re.findall(rf"\b{function}Tc100_\w+", text)) - {f"Tc100_{name}" for name in blocks}
+    assert declared - {f"{function}Tc100_{name}" for name in blocks} == called
     assert "Ascii" not in text
     assert "JogSpeed" not in text
 

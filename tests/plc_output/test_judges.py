@@ -292,7 +292,7 @@ def test_the_identifier_of_an_object_depends_on_its_name_alone() -> None:
         ("TYPE e : (a := 0, b := 300) USINT; END_TYPE", "does not hold"),
         ("TYPE e : (a := 0, A := 1) USINT; END_TYPE", "there twice"),
         ("VAR_GLOBAL CONSTANT a : SINT := 128; END_VAR", "does not hold"),
-        ("VAR_GLOBAL CONSTANT a : STRING(2) := 'abc'; END_VAR", "no string of 2"),
+        ("VAR_GLOBAL CONSTANT a : STRING(2) := 'abc'; END_VAR", "not a valid string of 2"),
         ("TYPE s : STRUCT a : t; END_STRUCT; END_TYPE", "declared nowhere"),
     ],
 )
