@@ -18,8 +18,8 @@ READS = (
 )
 MODEL = "The parsed files and their model take 0.8 GB; the text of an output is added to that."
 WATCH = (
-    "Findings are available after 0.1 s. Then all outputs of all versions of the device are written again, even after "
-    "a small change; half of that time is the documentation with its audit, which is one unit of work."
+        "The findings take 0.1 s. The rest of the time rewrites all outputs of all versions of the device, even after a "
+    "small change; half of it is for the documentation with its audit, which is always built as a whole."
 )
 LARGE_SAVE = (
     "Seventy checks read every register again, which takes a third of the time. The rest moves the text after the "
