@@ -37,10 +37,10 @@ ALL = (
     "reading all specs take 0.3 s."
 )
 TURNS = (
-    "pymodbus takes 3.7 times as long as the loop over 256 entries; when the goal was set, it took 4.7 times as long. "
-    "The shortest hand-written code that creates the same objects, for one message and without a link, is at 8.0. The "
-    "difference is one call of the link in each direction, and the look-up of the class by the code. construct is at "
-    "29 to 31, depending on the run."
+        "pymodbus, the baseline, takes 3.7 times as long as a loop over the 256-entry CRC table; when the goal was set, it "
+    "took 4.7 times as long. Even the shortest hand-written code that creates the same objects, for one message and "
+    "without a link, reaches only 8.0. The generated code also calls the link in each direction, and looks up the class "
+    "by the code. construct is at 29 to 31, depending on the run."
 )
 TESTS = (
     "Eighteen fields have ranges, and a comparison takes 9 ns: the range checks are half of the time. Without them, "
