@@ -16,10 +16,16 @@ from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 from xdist.workermanage import WorkerController
 
+from fieldspec import command
+from fieldspec.language.model.codecs import provide
+from package_site import example_codecs
 from proofs import IS_WHOLE, share
 from shared_results import FOLDERS
 
 TESTS = Path(__file__).parent
+
+assert command  # which provides those of installed packages
+provide(example_codecs)
 
 SLOW = (
     "audit/test_audit_page.py",

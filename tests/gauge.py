@@ -99,7 +99,7 @@ WIRE = """\
 protocol: {id: wire, title: A part of Modbus}
 links:
   - name: rtu
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &frame
       - {name: station, role: unit_address, type: u8}

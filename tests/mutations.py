@@ -255,7 +255,8 @@ def more(key: str, most: int = 9) -> Callable[[Mapping, random.Random], int]:
 
 def measured(tree: Mapping, chance: random.Random) -> Mapping | None:
     """A field that counts items counts bytes, or the other way round."""
-    place = picked([(way, node) for way, node in mappings(tree) if way and way[-1] == "measures"], chance)
+    counters = [(way, node) for way, node in mappings(tree) if way and way[-1] == "measures"]
+    place = picked([(way, node) for way, node in counters if {"items", "bytes"} & node.values.keys()], chance)
     if place is None:
         return None
     way, node = place
@@ -285,11 +286,14 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     ("byte_order_changed", turned("byte_order")),
     ("byte_order_changed", turned("word_order")),
     ("check_changed", setting(parts("checksum", "algorithm"), "algorithm", other_word(ALGORITHMS, "algorithm"))),
-    ("framing_changed", setting(top("links", "encoding"), "encoding", other_word(("binary", "hex_ascii"), "encoding"))),
+    (
+        "framing_changed",
+        setting(top("links", "transmission"), "transmission", other_word(("binary", "hex_ascii"), "transmission")),
+    ),
     ("framing_changed", setting(delimited, "start", lambda node, chance: f"{chance.randint(16, 99)}")),
     ("framing_changed", setting(delimited, "end", lambda node, chance: f"{chance.randint(16, 99)}")),
     (
-        "error_reply_changed",
+        "exception_response_changed",
         setting(inner("links", "exception_response", "flag"), "flag", lambda node, chance: chance.choice((1, 2, 4))),
     ),
     (

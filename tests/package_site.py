@@ -10,6 +10,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import fieldspec
+from fieldspec.command.packages.codec_loading import judged_codec
+from fieldspec.command.packages.plugins import CODECS, Plugin
+from fieldspec.language.model.codecs import InstalledCodec
 
 HERE = Path(__file__).resolve().parent
 EXAMPLE = HERE / "example_package"
@@ -73,6 +76,16 @@ class Site:
     def manifest(self) -> dict[str, dict[str, str]]:
         data: dict[str, dict[str, str]] = json.loads((self.folder / "generated/manifest.json").read_text("utf-8"))
         return data
+
+
+def example_codecs() -> dict[str, InstalledCodec]:
+    """The codecs of the example package, as though it were installed."""
+    sys.path.append(str(EXAMPLE / "src"))
+    names = {"acme_float": "FLOAT", "acme_gray": "GRAY", "acme_rolling": "ROLLING"}
+    return {
+        name: judged_codec(Plugin(CODECS, name, f"acme_fieldspec.codecs:{attribute}", "acme-fieldspec", "1.0"))
+        for name, attribute in names.items()
+    }
 
 
 def declare(folder: Path, package: str, group: str, name: str, value: str, code: str = "") -> None:

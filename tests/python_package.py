@@ -116,12 +116,12 @@ def stored(record: RecordLayout) -> Iterator[FieldLayout]:
 def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values: Mapping[str, Any]) -> Any:
     """The object with some raw values."""
     by = record.selector
-    chosen = record.of_number(values[by.name]) if by is not None else None
-    fields = (chosen or record).fields
+    chosen = record.decided_by(values)
+    fields = chosen.fields
     arguments = {
         field.name: _attribute(module, layout, field, values[field.name]) for field in fields if field.name in values
     }
-    if by is not None and chosen is not None and chosen.fields[-1].is_list:
+    if by is not None and chosen.fields[-1].is_list:
         arguments[chosen.fields[-1].name] = tuple(arguments[chosen.fields[-1].name])
     return record_class(module, record)(*(arguments[field.name] for field in stored(record)))
 

@@ -70,7 +70,7 @@ links:
     start: "B5 62"
     request: &little
       - {name: class_id, role: code, type: u16}
-      - {name: length, role: length, type: u16, byte_order: little, counts: {from: payload, to: payload}}
+      - {name: length, role: length, type: u16, byte_order: little, measures: {from: payload, to: payload}}
       - {name: payload, role: body}
       - {name: sum, role: checksum, algorithm: sum8, covers: {from: class_id, to: payload}}
     response: *little

@@ -37,7 +37,7 @@ links:
   - name: bus
     title: A bus
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     word_order: big
     request: &bus

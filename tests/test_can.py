@@ -64,7 +64,7 @@ def test_a_number_with_more_bits_than_its_place_is_refused() -> None:
     with pytest.raises(CodecError, match="function is 16"):
         reference["pdo"].encode("request", "position_data", {"function": 16, "node": 1, "controlword": 0, "target": 0})
     with pytest.raises(codec_error()):
-        MODULE.vehicle.encode_error(1, 1 << 18, MODULE.Reason(reason=1), priority=0)
+        MODULE.vehicle.encode_exception_response(1, 1 << 18, MODULE.Reason(reason=1), priority=0)
 
 
 def test_the_offset_of_an_error_counts_the_identifier_first_and_then_the_data_as_the_guide_says() -> None:
@@ -291,7 +291,7 @@ def test_canopen_raises_the_abort_of_an_exception_response(bus: Bus) -> None:
         reason = MODULE.AbortCode.READ_ONLY
         abort = MODULE.Abort(index=0x607A, subindex=0, reason=reason)
         assert request == OBJECTS.write_request(OBJECTS.TARGET, 1)
-        bus.send(MODULE.sdo, MODULE.sdo.encode_error(NODE, abort))
+        bus.send(MODULE.sdo, MODULE.sdo.encode_exception_response(NODE, abort))
 
     drive = threading.Thread(target=refuse, daemon=True)
     drive.start()

@@ -56,4 +56,4 @@ def test_long_lists_are_cut() -> None:
 
 def test_hint_does_not_depend_on_the_order_of_a_set() -> None:
     assert near("spedd", {"speed", "force"}) == "did you mean `speed`?"
-    assert near("x", {"speed", "force", "angle"}) == "there are `angle`, `force` and `speed`"
+    assert near("x", {"speed", "force", "angle"}) == "choose from `angle`, `force` and `speed`"

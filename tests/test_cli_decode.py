@@ -74,7 +74,7 @@ def test_every_good_example_is_explained_with_exit_code_0(run: CommandLine, exam
     assert data["wrong"] is False
 
 
-OF_FRAMES = ("unknown_code", "wrong_check", "wrong_length", "incomplete")
+OF_FRAMES = ("unknown_code", "wrong_checksum", "wrong_length", "incomplete")
 """Refusals that show without the link and the message."""
 
 

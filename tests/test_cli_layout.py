@@ -94,7 +94,7 @@ def test_digits_are_bytes_and_what_varies_in_width_has_no_layout(
     run = CommandLine(capsys, monkeypatch, TEST_SPECS)
     assert "weight[3]" in run("layout", "weigher", "checkpoint", "--target", "c").out
     behind = run("layout", "weigher", "weigh_samples_request", "--target", "c")
-    assert (behind.code, "fields come after samples, which repeats" in behind.err) == (2, True)
+    assert (behind.code, "fields follow samples, which repeats" in behind.err) == (2, True)
     ran = run("layout", "weigher", "measure_response", "--target", "c")
     assert (ran.code, "weight varies in width" in ran.err) == (2, True)
 

@@ -43,13 +43,13 @@ messages:
     response:
       - {name: address, type: u16, same_as: address}
       - {name: word_count, type: u16, same_as: word_count}
-    accesses: {operation: write, start: address, count: word_count, values: values}
+    accesses: [{operation: write, start: address, count: word_count, values: values}]
   - name: write_one
     code: 0x06
     source: 2 L2
     request: [{name: address, type: u16}, {name: value, type: u16}]
     response: [{name: at, type: u16, same_as: address}, {name: kept, type: u16, same_as: value}]
-    accesses: {operation: write, start: address, values: value}
+    accesses: [{operation: write, start: address, values: value}]
   - name: move
     code: 0x20
     source: 2 L3

@@ -33,7 +33,7 @@ device:
   manual: {title: The meter of nothing, file: meter.txt, sha256: "%s", lines: 99}
 links:
   - name: line
-    encoding: binary
+    transmission: binary
     byte_order: little
     source: 1 L1
     request: &line
@@ -44,7 +44,7 @@ links:
       - {name: sum, role: checksum, algorithm: sum8}
     response: *line
   - name: counted
-    encoding: binary
+    transmission: binary
     byte_order: little
     source: 1 L2
     request:
@@ -59,7 +59,7 @@ links:
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
   - name: flagged
-    encoding: binary
+    transmission: binary
     byte_order: little
     source: 1 L3
     request: &flagged
@@ -69,7 +69,7 @@ links:
       - {name: sum, role: checksum, algorithm: sum8}
     response: *flagged
   - name: routed
-    encoding: binary
+    transmission: binary
     byte_order: little
     source: 1 L5
     request:
@@ -91,7 +91,7 @@ messages:
     source: 2 L1
     request: [{name: address, type: u16}, {name: words, type: u8, range: 1..20}]
     response: [{name: values, type: u16, repeat: 1..20}]
-    accesses: {operation: read, start: address, count: words, values: values}
+    accesses: [{operation: read, start: address, count: words, values: values}]
   - {name: ping, code: 2, links: [counted, flagged, routed], source: 2 L2, request: [], response: []}
   - {name: state, code: 3, links: [counted], source: 2 L5, request: [], response: [{name: volume, type: u8}]}
 registers:

@@ -108,7 +108,7 @@ def test_a_framer_finds_frames_by_the_digits_of_their_code() -> None:
     assert framer.dropped == len(stream) - len(b"".join(requests))
     responses = [
         RING.encode_response(2, LADDER.ReadLevelResponse(-5)),
-        RING.encode_error(2, 31, LADDER.Trouble(31, 0xAB)),
+        RING.encode_exception_response(2, 31, LADDER.Trouble(31, 0xAB)),
     ]
     assert responses[1][:8] == b"!9F2031A"
     framer = RING.response_framer()

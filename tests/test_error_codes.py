@@ -17,7 +17,7 @@ device:
   manual: {title: The manual of a gate, file: gate.txt, sha256: "%s", lines: 99}
 links:
   - name: line
-    encoding: binary
+    transmission: binary
     byte_order: big
     source: 1 L1
     request: &frame
@@ -49,8 +49,8 @@ def gatekeeper(response_code: str) -> DeviceLayout:
 def test_the_texts_say_whose_code_an_exception_response_takes(response_code: str, python: str, c: str) -> None:
     layout = gatekeeper(response_code)
     module = module_apart(layout, f"gatekeeper_{bool(response_code)}")
-    assert python in module.line.encode_error.__doc__
+    assert python in module.line.encode_exception_response.__doc__
     assert c in " ".join(" ".join(files([layout]).values()).split())
     code = 0x91 if response_code else 0x11
-    frame = module.line.encode_error(code, module.Refusal(3))
+    frame = module.line.encode_exception_response(code, module.Refusal(3))
     assert module.line.decode_response(frame, module.OpenRequest).code == code

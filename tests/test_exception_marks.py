@@ -43,9 +43,9 @@ def test_a_code_of_its_own_marks_an_exception_response() -> None:
     assert (decoded.error, decoded.message, decoded.values) == (True, None, {"reason": 2})
     reply = MODULE.terminal.decode_response(REFUSED_LINE, MODULE.ReadStateRequest())
     assert (reply.code, reply.exception) == (0xFF, MODULE.Refusal(2))
-    assert MODULE.terminal.encode_error(0xFF, MODULE.Refusal(2)) == REFUSED_LINE
+    assert MODULE.terminal.encode_exception_response(0xFF, MODULE.Refusal(2)) == REFUSED_LINE
     with pytest.raises(codec_error()) as refused:
-        MODULE.terminal.encode_error(0x10, MODULE.Refusal(2))
+        MODULE.terminal.encode_exception_response(0x10, MODULE.Refusal(2))
     assert refused.value.reason == "unknown_code"
     assert explained(SCANNER, "terminal", "response", REFUSED_LINE).error
 
@@ -83,7 +83,7 @@ def test_a_part_before_the_body_marks_an_exception_response() -> None:
     assert decoded.message.name == "read_state"
     reply = MODULE.panel.decode_response(BUSY, MODULE.ReadStateRequest())
     assert (reply.unit_address, reply.code, reply.status) == (5, 0x10, 2)
-    assert MODULE.panel.encode_error(5, 0x10, MODULE.Nothing(), status=2) == BUSY
+    assert MODULE.panel.encode_exception_response(5, 0x10, MODULE.Nothing(), status=2) == BUSY
 
 
 def test_a_response_is_not_encoded_with_the_mark_of_the_other_kind() -> None:
@@ -91,7 +91,7 @@ def test_a_response_is_not_encoded_with_the_mark_of_the_other_kind() -> None:
         MODULE.panel.encode_response(5, MODULE.ReadStateResponse(7), status=2)
     assert refused.value.reason == "out_of_range"
     with pytest.raises(codec_error()):
-        MODULE.panel.encode_error(5, 0x10, MODULE.Nothing(), status=100)
+        MODULE.panel.encode_exception_response(5, 0x10, MODULE.Nothing(), status=100)
     for error, values in ((False, {"status": 2, "state": 7}), (True, {"status": 0})):
         with pytest.raises(CodecError, match="status is"):
             LINKS["panel"].encode("response", "read_state", {"station": 5, **values}, error=error)
@@ -110,7 +110,7 @@ def test_a_client_raises_what_an_exception_response_says(link: str, frame: bytes
 def test_a_part_marks_an_exception_response_where_responses_carry_no_code() -> None:
     servo = newest(TEST_SPECS, "servo2")
     module, line = module_of(servo), codec(servo).links["bus"]
-    refusal = module.bus.encode_error(1, module.NoData(), error=module.Error(4))
+    refusal = module.bus.encode_exception_response(1, module.NoData(), error=module.Error(4))
     assert line.encode("response", "", {"id": 1, "error": 4}, error=True) == refusal
     reply = module.bus.decode_response(refusal, module.ReadRequest(address=132, size=4))
     assert (reply.code, reply.error.number, reply.exception) == (

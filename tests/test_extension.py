@@ -23,7 +23,7 @@ PAGES = sorted([*(ROOT / "docs").glob("*.md"), *ROOT.glob("*.md")])
 PUBLIC = {"extension", "testing"}
 """The modules that people import."""
 SCHEMAS = {"schema.json", "project.schema.json"}
-NOT_MODULES = SCHEMAS | {"outputs", "checks", "protocols", "yaml", "vsix", "manuals", "program"}
+NOT_MODULES = SCHEMAS | {"outputs", "checks", "codecs", "protocols", "yaml", "vsix", "manuals", "program"}
 """What else follows the name and a point: groups of entry points, the project file, and the files of the schemas."""
 ROWS = re.findall(r"^\| (`.+`) \| .+ \| (.*)\|$", PAGE.read_text("utf-8"), re.MULTILINE)
 

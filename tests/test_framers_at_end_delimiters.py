@@ -48,11 +48,11 @@ links:
   - name: alike
     source: 1 L3
     byte_order: big
-    encoding: hex_ascii
+    transmission: hex_ascii
     start: "7E"
     end: "7E"
     request: &counted
-      - {name: size, role: length, type: u8, counts: {from: mark}}
+      - {name: size, role: length, type: u8, measures: {from: mark}}
       - {name: mark, role: code, type: u8}
       - {name: data, role: body}
     response: *counted

@@ -67,7 +67,7 @@ EXAMPLES = [
     if example.message
     and not has_digits(layout)
     and not (example.refused or example.exception_response or layout.messages[example.message].message.accesses)
-    and layout.links[example.link].link.encoding == "binary"
+    and layout.links[example.link].link.transmission == "binary"
     and layout.links[example.link].link.escape is None
 ]
 

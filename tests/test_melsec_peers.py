@@ -31,7 +31,7 @@ def answer(frame: bytes, words: dict[int, int], seen: list[Any]) -> bytes:
         case SEQUENCER.ReadWordsRequest() if asked.first + asked.points > LAST:
             parts = (request.network, request.pc, request.module_io, request.unit_address, asked.CODE, 0)
             refusal = SEQUENCER.AccessedRoute(*parts)
-            data = ETHERNET.encode_error(request.unit_address, refusal, **route, end_code=0xC056)
+            data = ETHERNET.encode_exception_response(request.unit_address, refusal, **route, end_code=0xC056)
             assert isinstance(data, bytes)
             return data
         case SEQUENCER.ReadWordsRequest():
@@ -111,7 +111,7 @@ def test_pymcprotocol_knows_the_end_code_of_an_unknown_command() -> None:
                 connection.recv(4096)
                 refusal = SEQUENCER.AccessedRoute(0, 0xFF, 0x3FF, 0, 0x0403, 0)
                 connection.sendall(
-                    ETHERNET.encode_error(0, refusal, network=0, pc=0xFF, module_io=0x3FF, end_code=0xC059)
+                    ETHERNET.encode_exception_response(0, refusal, network=0, pc=0xFF, module_io=0x3FF, end_code=0xC059)
                 )
 
         thread = threading.Thread(target=refuse, daemon=True)

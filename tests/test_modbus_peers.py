@@ -183,7 +183,7 @@ class Server:
             message = self._response(request.message)
         except IndexError:
             refusal = STATION.ExceptionRecord(exception_code=2)
-            answer = self.link.encode_error(request.unit_address, request.message.CODE, refusal, **head)
+            answer = self.link.encode_exception_response(request.unit_address, request.message.CODE, refusal, **head)
         else:
             answer = self.link.encode_response(request.unit_address, message, **head)
         assert isinstance(answer, bytes)

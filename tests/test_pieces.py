@@ -24,7 +24,7 @@ device:
   vendor: V
   manual: {title: M, file: m.txt, sha256: "%s", lines: 9}
 links:
-  - {name: line, title: A line, encoding: binary, byte_order: big, word_order: big, source: 1 L1,
+  - {name: line, title: A line, transmission: binary, byte_order: big, word_order: big, source: 1 L1,
      request: [{name: body, role: body}], response: [{name: body, role: body}]}
 enums:
   - {name: mode, source: 1 L1, members: [{value: 0, name: off}, {value: 1, name: on}]}

@@ -18,7 +18,7 @@ links:
   - name: whole
     title: The sum covers all bytes.
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &whole
       - {name: station, role: unit_address, type: u8}
@@ -29,7 +29,7 @@ links:
   - name: marked
     title: The sum covers the bytes after the mark.
     source: 1 L2
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &marked
       - {name: mark, type: u8, const: 0x55}

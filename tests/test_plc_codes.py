@@ -14,7 +14,7 @@ SPEC = """
 links:
   - name: line
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &frame [{name: code, role: code, type: u40}, {name: body, role: body}]
     response: *frame

@@ -51,8 +51,8 @@ def test_flags_are_equal_where_their_words_are() -> None:
 def test_a_part_of_a_header_may_be_given_as_a_number() -> None:
     bus, done = SERVO.bus, SERVO.RebootResponse()
     assert bus.encode_response(1, done, error=0x80) == bus.encode_response(1, done, error=SERVO.Error(alert=True))
-    refusal = bus.encode_error(1, SERVO.NoData(), error=SERVO.Error(number=7))
-    assert bus.encode_error(1, SERVO.NoData(), error=7) == refusal
+    refusal = bus.encode_exception_response(1, SERVO.NoData(), error=SERVO.Error(number=7))
+    assert bus.encode_exception_response(1, SERVO.NoData(), error=7) == refusal
     for error, reason in ((256, "out_of_range"), (SERVO.Error(256), "out_of_range"), ("alert", "wrong_type")):
         with pytest.raises(CodecError, match="error is") as caught:
             bus.encode_response(1, done, error=error)

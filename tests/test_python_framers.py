@@ -27,7 +27,7 @@ def _in_form(layout: Any, example: Any, link: str) -> bytes:
     decoded = getattr(link_of(module, example.link), f"decode_{example.direction}")(example.frame)
     spoken = link_of(module, link)
     if example.exception_response:
-        frame = spoken.encode_error(decoded.unit_address, decoded.code, decoded.exception)
+        frame = spoken.encode_exception_response(decoded.unit_address, decoded.code, decoded.exception)
     else:
         frame = getattr(spoken, f"encode_{example.direction}")(decoded.unit_address, decoded.message)
     assert isinstance(frame, bytes)
@@ -128,7 +128,7 @@ def test_a_reply_that_does_not_say_its_length_ends_with_the_silence() -> None:
 
 def test_an_error_reply_to_any_code_is_a_frame() -> None:
     link, exception = module_of(WIDGET).rtu, module_of(WIDGET).ExceptionRecord(1)
-    frames = [link.encode_error(2, code, exception) for code in (0x03, 0x10, 0x2B, 0x7F)]
+    frames = [link.encode_exception_response(2, code, exception) for code in (0x03, 0x10, 0x2B, 0x7F)]
     assert link.response_framer().feed(b"".join(frames)) == frames
 
 

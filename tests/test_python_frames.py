@@ -82,7 +82,7 @@ def encode(layout: DeviceLayout, example: Example, values: dict[str, Any], code:
     named = {name if name not in KEYWORDS else f"{name}_": value for name, value in parts.items()}
     if example.exception_response:
         codes = [code] if frame.role("code") is not None else []
-        encoded = spoken.encode_error(*first, *codes, body, **named)
+        encoded = spoken.encode_exception_response(*first, *codes, body, **named)
     else:
         encoded = getattr(spoken, f"encode_{example.direction}")(*first, body, **named)
     assert isinstance(encoded, bytes)
@@ -127,7 +127,10 @@ def test_an_example_frame_means_what_the_spec_says_and_is_made_of_it(layout: Dev
     expected = raw_values(layout, example)
     assert all(head.get(name, value) == value for name, value in expected.items())
     assert all(holds(body.get(name, value), value) for name, value in expected.items())
-    assert encode(layout, example, {**head, **body, **expected}, code) == example.frame
+    shape, frame = layout.links[example.link].frame(example.direction), example.frame
+    made = encode(layout, example, {**head, **body, **expected}, code)
+    # A frame may have a longer preamble than the one that is sent.
+    assert made[shape.surplus(made) :] == frame[shape.surplus(frame) :]
 
 
 def holds(actual: Any, expected: Any) -> bool:
@@ -242,5 +245,5 @@ def _with_right_check(layout: DeviceLayout, link: str, direction: str, frame: by
         number = checksum_of(check.algorithm, bytes(data[check.start : check.stop]))
         data[at : at + check.size] = number.to_bytes(check.size, order)
     marks = layout.links[link].link
-    inner = bytes(data).hex().upper().encode() if marks.encoding == "hex_ascii" else bytes(data)
+    inner = bytes(data).hex().upper().encode() if marks.transmission == "hex_ascii" else bytes(data)
     return marks.start + inner + marks.end

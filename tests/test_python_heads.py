@@ -102,14 +102,14 @@ def test_a_part_that_is_always_the_same_is_no_argument_and_is_looked_at(name: st
 def test_a_refusal_has_all_parts_of_the_head() -> None:
     frame = bytes.fromhex("07 81 00 44 00 01")
     reply = GLIDER.channel.decode_response(frame, GLIDER.ReadParameterRequest)
-    assert isinstance(reply, package().ErrorReply)
+    assert isinstance(reply, package().ExceptionResponse)
     assert (reply.reference, reply.code, reply.unit_address) == (7, 1, 0)
     assert reply.exception.error_number is GLIDER.ErrorNumber.NOT_WRITABLE
-    assert GLIDER.channel.encode_error(1, reply.exception, reference=7) == frame
-    assert repr(reply).startswith("ChannelErrorReply(unit_address=0, code=1, ")
+    assert GLIDER.channel.encode_exception_response(1, reply.exception, reference=7) == frame
+    assert repr(reply).startswith("ChannelExceptionResponse(unit_address=0, code=1, ")
     for wrong in (0, 256, "7"):
         with pytest.raises(CodecError) as caught:
-            GLIDER.channel.encode_error(1, reply.exception, reference=wrong)
+            GLIDER.channel.encode_exception_response(1, reply.exception, reference=wrong)
         assert caught.value.detail.startswith("reference is ")
 
 

@@ -173,9 +173,9 @@ def test_the_error_names_the_field_that_is_out_of_range(change: dict[str, Any], 
 
 
 def test_an_error_can_be_sent_to_another_process() -> None:
-    error = CodecError("wrong_check", "so it is", 7)
+    error = CodecError("wrong_checksum", "so it is", 7)
     again = pickle.loads(pickle.dumps(error))
-    assert (again.reason, again.detail, again.offset, str(again)) == ("wrong_check", "so it is", 7, str(error))
+    assert (again.reason, again.detail, again.offset, str(again)) == ("wrong_checksum", "so it is", 7, str(error))
     assert isinstance(error, ValueError)
 
 
@@ -279,9 +279,11 @@ def test_a_response_is_of_the_class_that_belongs_to_its_request() -> None:
 
 
 def test_a_refusal_is_a_result_and_no_exception() -> None:
-    frame = WIDGET.rtu.encode_error(1, 0x03, WIDGET.ExceptionRecord(WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS))
+    frame = WIDGET.rtu.encode_exception_response(
+        1, 0x03, WIDGET.ExceptionRecord(WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS)
+    )
     match WIDGET.rtu.decode_response(frame, WIDGET.ReadRegistersRequest):
-        case PACKAGE.ErrorReply(unit_address=1, code=3, exception=WIDGET.ExceptionRecord(reason)):
+        case PACKAGE.ExceptionResponse(unit_address=1, code=3, exception=WIDGET.ExceptionRecord(reason)):
             assert reason is WIDGET.ExceptionCode.ILLEGAL_DATA_ADDRESS
         case other:
             pytest.fail(f"it is {other}")
@@ -321,7 +323,7 @@ def test_a_frame_that_is_too_long_for_its_length_is_refused() -> None:
         (b":01 3\r\n", "not_hex", 3),
         (b":013\r\n", "wrong_length", 4),
         (b":0103\r\n", "incomplete", 2),
-        (b":010310000002EB\r\n", "wrong_check", 6),
+        (b":010310000002EB\r\n", "wrong_checksum", 6),
     ],
 )
 def test_what_is_wrong_with_characters_is_told_by_its_place(frame: bytes, reason: str, offset: int) -> None:

@@ -76,7 +76,7 @@ USER = """# pyright: strict
 from decimal import Decimal
 from fractions import Fraction
 from typing_extensions import assert_type
-from fieldspec_devices import ErrorReply, Parameter, Register, Request, Response, glider_x, widget
+from fieldspec_devices import ExceptionResponse, Parameter, Register, Request, Response, glider_x, widget
 from fieldspec_devices import transports
 from fieldspec_devices.glider_x import client as glider_client
 from fieldspec_devices.widget import before_2_0
@@ -84,9 +84,9 @@ from fieldspec_devices.widget import client as widget_client
 
 request = widget.ReadRegistersRequest(0x1000, 2)
 reply = widget.rtu.decode_response(b"", request)
-assert_type(reply, Response[widget.ReadRegistersResponse] | ErrorReply[widget.ExceptionRecord])
+assert_type(reply, Response[widget.ReadRegistersResponse] | ExceptionResponse[widget.ExceptionRecord])
 stopped = widget.rtu.decode_response(b"", widget.StopRequest)
-assert_type(stopped, Response[widget.StopResponse] | ErrorReply[widget.ExceptionRecord])
+assert_type(stopped, Response[widget.StopResponse] | ExceptionResponse[widget.ExceptionRecord])
 packet = widget.packet.decode_response(b"", widget.StopRequest())
 assert_type(packet.message, widget.StopResponse)
 assert_type(packet.status, widget.PacketStatus)

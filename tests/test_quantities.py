@@ -144,7 +144,7 @@ def test_a_number_with_a_point_in_a_spec_is_the_same_scaled_number() -> None:
 
 def test_a_scaled_number_between_two_counts_gets_the_help_of_its_neighbours() -> None:
     value = replace(DISTANCE, scale=Decimal("0.1"), unit="")
-    with pytest.raises(MeaningError, match=r"no whole number of counts of 0\.1; the nearest ones are 1\.9 and 2\.0$"):
+    with pytest.raises(MeaningError, match=r"a whole number of counts of 0\.1; the nearest ones are 1\.9 and 2\.0$"):
         raw_value(DEVICE, "ratio", value, "1.95")
     with pytest.raises(MeaningError, match=r"`1\.5` would be the count 15, which stands for broken"):
         raw_value(DEVICE, "ratio", replace(value, sentinels=(BROKEN,)), "1.5")

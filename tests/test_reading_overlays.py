@@ -274,8 +274,8 @@ def test_a_finding_about_a_row_is_reported_at_every_version() -> None:
 
 EXAMPLES = """
 messages:
-  - {name: read, code: 3, accesses: {start: address}}
-  - {name: other, code: 4, accesses: {start: address}}
+  - {name: read, code: 3, accesses: [{start: address}]}
+  - {name: other, code: 4, accesses: [{start: address}]}
 examples:
   - {id: reading, message: read}
   - {id: address, message: other, values: {address: 0x10}}

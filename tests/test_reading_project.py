@@ -14,14 +14,14 @@ WIRE = """
 protocol: {id: wire, title: A protocol}
 links:
   - name: rtu
-    encoding: binary
+    transmission: binary
     byte_order: big
     doc: Of the protocol.
     request:
       - {name: station, role: unit_address, type: u8}
       - {name: function, role: code, type: u8, doc: Says which message it is.}
       - {name: body, role: body}
-  - {name: ascii, encoding: hex_ascii}
+  - {name: ascii, transmission: hex_ascii}
 messages:
   - name: read
     code: 3

@@ -17,7 +17,7 @@ links:
     byte_order: big
     request: &frame
       - {name: head, type: u8, const: 7}
-      - {name: length, role: length, type: u8, counts: {from: data, to: data}}
+      - {name: length, role: length, type: u8, measures: {from: data, to: data}}
       - {name: data, role: body}
     response: *frame
 messages:

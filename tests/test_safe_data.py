@@ -45,8 +45,8 @@ def test_safe_data_on_a_bus_have_the_crc_of_their_identifier_and_themselves() ->
     data = frame[8:]
     assert data == bytes([Crc8SaeJ1850.calc(bytes.fromhex("34 12") + data[1:])]) + bytes.fromhex("03 E8 03 01")
     wrong = frame[:8] + bytes([data[0] ^ 1]) + data[1:]
-    assert explained(PEDAL, "position", "response", wrong, "pedal_position").reasons == ("wrong_check",)
-    with pytest.raises(CodecError, match="wrong_check"):
+    assert explained(PEDAL, "position", "response", wrong, "pedal_position").reasons == ("wrong_checksum",)
+    with pytest.raises(CodecError, match="wrong_checksum"):
         codec(PEDAL).links["position"].decode(wrong, "response", "pedal_position")
 
 
@@ -96,7 +96,7 @@ links:
     request: &line
       - {name: size, role: length, type: u8}
       - {name: code, role: code, type: u8}
-      - {name: inner, role: length, type: u8, counts: {from: data, to: data}}
+      - {name: inner, role: length, type: u8, measures: {from: data, to: data}}
       - {name: data, role: body}
       - {name: crc, role: checksum, algorithm: sum8, covers: {from: code}}
     response: *line

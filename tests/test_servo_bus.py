@@ -46,7 +46,9 @@ class Servo(threading.Thread):
                 request = self.bus.decode_request(frame)
                 self.requests.append(request)
                 if getattr(request.message, "address", 0) >= BEHIND:
-                    refusal = self.bus.encode_error(1, self.module.NoData(), error=self.module.Error(NO_ACCESS))
+                    refusal = self.bus.encode_exception_response(
+                        1, self.module.NoData(), error=self.module.Error(NO_ACCESS)
+                    )
                     os.write(self.descriptor, refusal)
                     continue
                 response = self.response(request.message)

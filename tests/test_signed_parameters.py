@@ -26,11 +26,11 @@ device:
 links:
   - name: bus
     source: 2 L10
-    encoding: binary
+    transmission: binary
     start: "AA"
     byte_order: little
     request: &frame
-      - {{name: length, role: length, type: u8, counts: {{from: command, to: body}}}}
+      - {{name: length, role: length, type: u8, measures: {{from: command, to: body}}}}
       - {{name: command, role: code, type: u8}}
       - {{name: body, role: body}}
       - {{name: crc, role: checksum, algorithm: crc16_ibm_3740, byte_order: big}}

@@ -11,7 +11,7 @@ PROTOCOL = """
 protocol: {id: wire, title: Wire, doc: A wire.}
 links:
   - name: line
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &frame [{name: code, role: code, type: u8}, {name: body, role: body}]
     response: *frame

@@ -48,7 +48,7 @@ device:
 links:
   - name: line
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &frame [{{name: code, role: code, type: u8}}, {{name: body, role: body}}]
     response: *frame

@@ -72,10 +72,10 @@ def test_registers_that_are_no_words_are_left_out_with_a_warning_for_each_group(
     ("more", "reason"),
     [
         (
-            "encoding: binary; escape: {method: slip}",
+            "transmission: binary; escape: {method: slip}",
             "bus escapes bytes, so the words of its parts are not what is sent",
         ),
-        ('encoding: hex_ascii; start: "3A"', "bus sends each byte as two characters, which a word map has not"),
+        ('transmission: hex_ascii; start: "3A"', "bus sends each byte as two characters, which a word map has not"),
     ],
 )
 def test_frames_whose_bytes_are_not_those_of_their_parts_are_left_out_with_a_warning(more: str, reason: str) -> None:
@@ -85,13 +85,13 @@ def test_frames_whose_bytes_are_not_those_of_their_parts_are_left_out_with_a_war
 
 
 def test_frames_that_another_link_has_in_words_are_there_for_it_alone() -> None:
-    rows, findings = word_map(("bus", "encoding: binary; escape: {method: slip}"), ("open", "encoding: binary"))
+    rows, findings = word_map(("bus", "transmission: binary; escape: {method: slip}"), ("open", "transmission: binary"))
     assert {row["area"] for row in rows} == {"rest on open request", "rest on open response"}
     assert findings == []
 
 
 def test_delimiters_are_words_of_a_frame() -> None:
-    rows, findings = word_map(("bus", 'encoding: binary; start: "3A 3B"; end: "0D"'))
+    rows, findings = word_map(("bus", 'transmission: binary; start: "3A 3B"; end: "0D"'))
     assert findings == []
     request = [row for row in rows if row["area"] == "rest request"]
     assert [(row["name"], row["byte"], row["words"], row["fixed"]) for row in request] == [
@@ -104,6 +104,6 @@ def test_delimiters_are_words_of_a_frame() -> None:
 
 
 def test_queries_say_that_payloads_are_not_escaped() -> None:
-    links = LINK % ("bus", "encoding: binary\n    escape: {method: slip}")
+    links = LINK % ("bus", "transmission: binary\n    escape: {method: slip}")
     texts = query_files([layout_at(gadget(f"links:{links}{MESSAGES}"), "1")])
     assert all("Payloads of bus have the bytes before they are escaped." in text for text in texts.values())

@@ -17,7 +17,7 @@ device:
 links:
   - name: line
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &parts
       - {name: code, role: code, type: u8, source: 1 L1}

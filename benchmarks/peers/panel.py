@@ -18,7 +18,7 @@ device:
 links:
   - name: tcp
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     word_order: big
     request: &frame

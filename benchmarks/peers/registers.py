@@ -16,7 +16,7 @@ device:
   vendor: Nobody
   manual: {{title: M, file: m.txt, sha256: "{zeros}", lines: 999999}}
 links:
-  - {{name: line, title: A line, encoding: binary, byte_order: big, word_order: big, source: 1 L1,
+  - {{name: line, title: A line, transmission: binary, byte_order: big, word_order: big, source: 1 L1,
      request: [{{name: body, role: body}}], response: [{{name: body, role: body}}]}}
 """
 

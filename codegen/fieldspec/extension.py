@@ -1,4 +1,4 @@
-"""What outputs, checks and protocols of other packages import from fieldspec. They import nothing else of it.
+"""What outputs, checks, protocols and codecs of other packages import from fieldspec. They import nothing else of it.
 
 Every other module may move or change in any release; the names here do not. docs/extend.md lists them. The objects are
 those that the compiler works with: frozen, so do not change the mappings in them either. Offsets and sizes are in
@@ -19,6 +19,7 @@ from fieldspec.foundation.source import Span
 from fieldspec.foundation.spreadsheet import Cell, Workbook, Worksheet, csv_text
 from fieldspec.language.checks.finding import Check, finding, label
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic, Label, Severity
+from fieldspec.language.model.codecs import ChecksumCodec, NumberCodec
 from fieldspec.language.model.device import Device, Manual
 from fieldspec.language.model.encoding import Digits, Encoding, Octets, Precision, Real, Sign, Text, Truth, Whole
 from fieldspec.language.model.enums import Bit, Enum, Flags, Member
@@ -37,6 +38,7 @@ __all__ = [
     "CaseLayout",
     "Cell",
     "Check",
+    "ChecksumCodec",
     "Citation",
     "Device",
     "DeviceLayout",
@@ -58,6 +60,7 @@ __all__ = [
     "Message",
     "MessageLayout",
     "Name",
+    "NumberCodec",
     "Octets",
     "Parameter",
     "ParameterSet",

@@ -50,7 +50,7 @@ typedef enum ck10_codec_status {
     CK10_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
     CK10_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
     CK10_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
-    CK10_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
+    CK10_ERR_WRONG_CHECKSUM = 5, /**< The checksum does not match. */
     CK10_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
     CK10_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
     CK10_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
@@ -5897,7 +5897,7 @@ static inline ck10_codec_status ck10_rtu_request_open(const uint8_t *frame, size
         return CK10_ERR_INCOMPLETE;
     }
     if (ck10_crc16_modbus(in, length - 2u) != ck10_load_u16_le(in + length - 2u)) {
-        return CK10_ERR_WRONG_CHECK;
+        return CK10_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
@@ -5954,7 +5954,7 @@ static inline ck10_codec_status ck10_rtu_response_open(const uint8_t *frame, siz
         return CK10_ERR_INCOMPLETE;
     }
     if (ck10_crc16_modbus(in, length - 2u) != ck10_load_u16_le(in + length - 2u)) {
-        return CK10_ERR_WRONG_CHECK;
+        return CK10_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
@@ -6117,8 +6117,8 @@ static inline ck10_codec_status ck10_rtu_encode_report_server_id_response(uint8_
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline ck10_codec_status ck10_rtu_encode_error(uint8_t unit_address, uint32_t code, const ck10_exception *in,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline ck10_codec_status ck10_rtu_encode_exception_response(uint8_t unit_address, uint32_t code,
+        const ck10_exception *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     ck10_codec_status status;
@@ -6202,7 +6202,7 @@ static inline ck10_codec_status ck10_ascii_request_open(const uint8_t *frame, si
         return CK10_ERR_INCOMPLETE;
     }
     if (ck10_lrc(in, length - 1u) != ck10_load_u8(in + length - 1u)) {
-        return CK10_ERR_WRONG_CHECK;
+        return CK10_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
@@ -6277,7 +6277,7 @@ static inline ck10_codec_status ck10_ascii_response_open(const uint8_t *frame, s
         return CK10_ERR_INCOMPLETE;
     }
     if (ck10_lrc(in, length - 1u) != ck10_load_u8(in + length - 1u)) {
-        return CK10_ERR_WRONG_CHECK;
+        return CK10_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = ck10_load_u8(in + 0);
     out->code = ck10_load_u8(in + 1);
@@ -6449,8 +6449,8 @@ static inline ck10_codec_status ck10_ascii_encode_report_server_id_response(uint
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline ck10_codec_status ck10_ascii_encode_error(uint8_t unit_address, uint32_t code, const ck10_exception *in,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline ck10_codec_status ck10_ascii_encode_exception_response(uint8_t unit_address, uint32_t code,
+        const ck10_exception *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     ck10_codec_status status;

@@ -6578,7 +6578,7 @@ static void test_275(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example refused-write-response decodes");
     expect(out.exception_code == 2u, "example refused-write-response: exception_code");
     in.exception_code = 2u;
-    expect(ck10_rtu_encode_error(1u, 6u, &in, again, sizeof again, &length) == CK10_OK, "example refused-write-response encodes");
+    expect(ck10_rtu_encode_exception_response(1u, 6u, &in, again, sizeof again, &length) == CK10_OK, "example refused-write-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example refused-write-response bytes");
 }
 
@@ -8777,7 +8777,7 @@ static void test_325(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-unknown-function-response decodes");
     expect(out.exception_code == 1u, "example rtu-unknown-function-response: exception_code");
     in.exception_code = 1u;
-    expect(ck10_rtu_encode_error(1u, 4u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-unknown-function-response encodes");
+    expect(ck10_rtu_encode_exception_response(1u, 4u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-unknown-function-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-unknown-function-response bytes");
 }
 
@@ -8812,7 +8812,7 @@ static void test_327(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-unknown-function-response decodes");
     expect(out.exception_code == 1u, "example ascii-unknown-function-response: exception_code");
     in.exception_code = 1u;
-    expect(ck10_ascii_encode_error(1u, 4u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-unknown-function-response encodes");
+    expect(ck10_ascii_encode_exception_response(1u, 4u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-unknown-function-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-unknown-function-response bytes");
 }
 
@@ -8863,7 +8863,7 @@ static void test_329(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-write-read-only-response decodes");
     expect(out.exception_code == 2u, "example rtu-write-read-only-response: exception_code");
     in.exception_code = 2u;
-    expect(ck10_rtu_encode_error(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-write-read-only-response encodes");
+    expect(ck10_rtu_encode_exception_response(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-write-read-only-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-write-read-only-response bytes");
 }
 
@@ -8914,7 +8914,7 @@ static void test_331(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-value-refused-response decodes");
     expect(out.exception_code == 3u, "example rtu-value-refused-response: exception_code");
     in.exception_code = 3u;
-    expect(ck10_rtu_encode_error(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-value-refused-response encodes");
+    expect(ck10_rtu_encode_exception_response(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-value-refused-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-value-refused-response bytes");
 }
 
@@ -8961,7 +8961,7 @@ static void test_333(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-device-failure-response decodes");
     expect(out.exception_code == 4u, "example rtu-device-failure-response: exception_code");
     in.exception_code = 4u;
-    expect(ck10_rtu_encode_error(1u, 6u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-device-failure-response encodes");
+    expect(ck10_rtu_encode_exception_response(1u, 6u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-device-failure-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-device-failure-response bytes");
 }
 
@@ -9008,7 +9008,7 @@ static void test_335(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-read-nothing-response decodes");
     expect(out.exception_code == 2u, "example rtu-read-nothing-response: exception_code");
     in.exception_code = 2u;
-    expect(ck10_rtu_encode_error(1u, 3u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-read-nothing-response encodes");
+    expect(ck10_rtu_encode_exception_response(1u, 3u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-read-nothing-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-read-nothing-response bytes");
 }
 
@@ -9061,7 +9061,7 @@ static void test_337(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-write-read-only-response decodes");
     expect(out.exception_code == 2u, "example ascii-write-read-only-response: exception_code");
     in.exception_code = 2u;
-    expect(ck10_ascii_encode_error(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-write-read-only-response encodes");
+    expect(ck10_ascii_encode_exception_response(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-write-read-only-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-write-read-only-response bytes");
 }
 
@@ -9114,7 +9114,7 @@ static void test_339(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-value-refused-response decodes");
     expect(out.exception_code == 3u, "example ascii-value-refused-response: exception_code");
     in.exception_code = 3u;
-    expect(ck10_ascii_encode_error(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-value-refused-response encodes");
+    expect(ck10_ascii_encode_exception_response(1u, 16u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-value-refused-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-value-refused-response bytes");
 }
 
@@ -9163,7 +9163,7 @@ static void test_341(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-device-failure-response decodes");
     expect(out.exception_code == 4u, "example ascii-device-failure-response: exception_code");
     in.exception_code = 4u;
-    expect(ck10_ascii_encode_error(1u, 6u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-device-failure-response encodes");
+    expect(ck10_ascii_encode_exception_response(1u, 6u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-device-failure-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-device-failure-response bytes");
 }
 
@@ -9212,7 +9212,7 @@ static void test_343(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example ascii-read-nothing-response decodes");
     expect(out.exception_code == 2u, "example ascii-read-nothing-response: exception_code");
     in.exception_code = 2u;
-    expect(ck10_ascii_encode_error(1u, 3u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-read-nothing-response encodes");
+    expect(ck10_ascii_encode_exception_response(1u, 3u, &in, again, sizeof again, &length) == CK10_OK, "example ascii-read-nothing-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example ascii-read-nothing-response bytes");
 }
 
@@ -9235,7 +9235,7 @@ static void test_344(void)
     expect(ck10_exception_decode(opened.body, opened.body_length, &out) == CK10_OK, "example rtu-identity-refused decodes");
     expect(out.exception_code == 4u, "example rtu-identity-refused: exception_code");
     in.exception_code = 4u;
-    expect(ck10_rtu_encode_error(1u, 17u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-identity-refused encodes");
+    expect(ck10_rtu_encode_exception_response(1u, 17u, &in, again, sizeof again, &length) == CK10_OK, "example rtu-identity-refused encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example rtu-identity-refused bytes");
 }
 

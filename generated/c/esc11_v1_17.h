@@ -49,7 +49,7 @@ typedef enum esc11_codec_status {
     ESC11_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
     ESC11_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
     ESC11_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
-    ESC11_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
+    ESC11_ERR_WRONG_CHECKSUM = 5, /**< The checksum does not match. */
     ESC11_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
     ESC11_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
     ESC11_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
@@ -4473,7 +4473,7 @@ static inline esc11_codec_status esc11_serial_request_open(const uint8_t *frame,
         return ESC11_ERR_WRONG_LENGTH;
     }
     if (esc11_sum8(in, length - 1u) != esc11_load_u8(in + length - 1u)) {
-        return ESC11_ERR_WRONG_CHECK;
+        return ESC11_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = esc11_load_u8(in + 1);
     out->code = esc11_load_u8(in + 2);
@@ -4548,7 +4548,7 @@ static inline esc11_codec_status esc11_serial_response_open(const uint8_t *frame
         return ESC11_ERR_WRONG_LENGTH;
     }
     if (esc11_sum8(in, length - 1u) != esc11_load_u8(in + length - 1u)) {
-        return ESC11_ERR_WRONG_CHECK;
+        return ESC11_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = esc11_load_u8(in + 1);
     out->status = esc11_load_u8(in + 2);

@@ -50,7 +50,7 @@ typedef enum hiwin_e_codec_status {
     HIWIN_E_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
     HIWIN_E_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
     HIWIN_E_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
-    HIWIN_E_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
+    HIWIN_E_ERR_WRONG_CHECKSUM = 5, /**< The checksum does not match. */
     HIWIN_E_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
     HIWIN_E_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
     HIWIN_E_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
@@ -5888,8 +5888,8 @@ static inline hiwin_e_codec_status hiwin_e_parameter_channel_encode_write_parame
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline hiwin_e_codec_status hiwin_e_parameter_channel_encode_error(uint8_t request_reference, uint32_t code,
-        const hiwin_e_parameter_error *in, uint8_t *out, size_t capacity, size_t *length)
+static inline hiwin_e_codec_status hiwin_e_parameter_channel_encode_exception_response(uint8_t request_reference,
+        uint32_t code, const hiwin_e_parameter_error *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     hiwin_e_codec_status status;

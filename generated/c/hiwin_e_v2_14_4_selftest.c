@@ -9424,7 +9424,7 @@ static void test_339(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example write-two-elements-response decodes");
     expect(out.error_number == 1u, "example write-two-elements-response: error_number");
     in.error_number = 1u;
-    expect(hiwin_e_parameter_channel_encode_error(44u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-two-elements-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(44u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-two-elements-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example write-two-elements-response bytes");
 }
 
@@ -9473,7 +9473,7 @@ static void test_341(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example read-missing-parameter-response decodes");
     expect(out.error_number == 0u, "example read-missing-parameter-response: error_number");
     in.error_number = 0u;
-    expect(hiwin_e_parameter_channel_encode_error(49u, 1u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example read-missing-parameter-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(49u, 1u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example read-missing-parameter-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example read-missing-parameter-response bytes");
 }
 
@@ -9528,7 +9528,7 @@ static void test_343(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example write-mastership-out-of-range-response decodes");
     expect(out.error_number == 2u, "example write-mastership-out-of-range-response: error_number");
     in.error_number = 2u;
-    expect(hiwin_e_parameter_channel_encode_error(50u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-mastership-out-of-range-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(50u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-mastership-out-of-range-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example write-mastership-out-of-range-response bytes");
 }
 
@@ -9577,7 +9577,7 @@ static void test_345(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example read-element-31-response decodes");
     expect(out.error_number == 3u, "example read-element-31-response: error_number");
     in.error_number = 3u;
-    expect(hiwin_e_parameter_channel_encode_error(51u, 1u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example read-element-31-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(51u, 1u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example read-element-31-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example read-element-31-response bytes");
 }
 
@@ -9626,7 +9626,7 @@ static void test_347(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example read-elements-of-single-value-response decodes");
     expect(out.error_number == 4u, "example read-elements-of-single-value-response: error_number");
     in.error_number = 4u;
-    expect(hiwin_e_parameter_channel_encode_error(52u, 1u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example read-elements-of-single-value-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(52u, 1u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example read-elements-of-single-value-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example read-elements-of-single-value-response bytes");
 }
 
@@ -9681,7 +9681,7 @@ static void test_349(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example write-float-as-integer-response decodes");
     expect(out.error_number == 5u, "example write-float-as-integer-response: error_number");
     in.error_number = 5u;
-    expect(hiwin_e_parameter_channel_encode_error(53u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-float-as-integer-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(53u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-float-as-integer-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example write-float-as-integer-response bytes");
 }
 
@@ -9736,7 +9736,7 @@ static void test_351(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example write-mastership-while-excited-response decodes");
     expect(out.error_number == 17u, "example write-mastership-while-excited-response: error_number");
     in.error_number = 17u;
-    expect(hiwin_e_parameter_channel_encode_error(54u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-mastership-while-excited-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(54u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-mastership-while-excited-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example write-mastership-while-excited-response bytes");
 }
 
@@ -9791,7 +9791,7 @@ static void test_353(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example write-count-differs-response decodes");
     expect(out.error_number == 24u, "example write-count-differs-response: error_number");
     in.error_number = 24u;
-    expect(hiwin_e_parameter_channel_encode_error(55u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-count-differs-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(55u, 2u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example write-count-differs-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example write-count-differs-response bytes");
 }
 
@@ -9858,7 +9858,7 @@ static void test_357(void)
     expect(hiwin_e_parameter_error_decode(opened.body, opened.body_length, &out) == HIWIN_E_OK, "example unknown-request-id-response decodes");
     expect(out.error_number == 33u, "example unknown-request-id-response: error_number");
     in.error_number = 33u;
-    expect(hiwin_e_parameter_channel_encode_error(65u, 0u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example unknown-request-id-response encodes");
+    expect(hiwin_e_parameter_channel_encode_exception_response(65u, 0u, &in, again, sizeof again, &length) == HIWIN_E_OK, "example unknown-request-id-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example unknown-request-id-response bytes");
 }
 

@@ -50,7 +50,7 @@ typedef enum tc100_codec_status {
     TC100_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
     TC100_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
     TC100_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
-    TC100_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
+    TC100_ERR_WRONG_CHECKSUM = 5, /**< The checksum does not match. */
     TC100_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
     TC100_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
     TC100_ERR_WRONG_CONST = 8, /**< A constant field has another value. */
@@ -2996,7 +2996,7 @@ static inline tc100_codec_status tc100_rtu_request_open(const uint8_t *frame, si
         return TC100_ERR_INCOMPLETE;
     }
     if (tc100_crc16_modbus(in, length - 2u) != tc100_load_u16_le(in + length - 2u)) {
-        return TC100_ERR_WRONG_CHECK;
+        return TC100_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
@@ -3051,7 +3051,7 @@ static inline tc100_codec_status tc100_rtu_response_open(const uint8_t *frame, s
         return TC100_ERR_INCOMPLETE;
     }
     if (tc100_crc16_modbus(in, length - 2u) != tc100_load_u16_le(in + length - 2u)) {
-        return TC100_ERR_WRONG_CHECK;
+        return TC100_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
@@ -3188,8 +3188,8 @@ static inline tc100_codec_status tc100_rtu_encode_write_registers_response(uint8
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline tc100_codec_status tc100_rtu_encode_error(uint8_t unit_address, uint32_t code, const tc100_exception *in,
-        uint8_t *out, size_t capacity, size_t *length)
+static inline tc100_codec_status tc100_rtu_encode_exception_response(uint8_t unit_address, uint32_t code,
+        const tc100_exception *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;
     tc100_codec_status status;
@@ -3270,7 +3270,7 @@ static inline tc100_codec_status tc100_ascii_request_open(const uint8_t *frame, 
         return TC100_ERR_INCOMPLETE;
     }
     if (tc100_lrc(in, length - 1u) != tc100_load_u8(in + length - 1u)) {
-        return TC100_ERR_WRONG_CHECK;
+        return TC100_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
@@ -3342,7 +3342,7 @@ static inline tc100_codec_status tc100_ascii_response_open(const uint8_t *frame,
         return TC100_ERR_INCOMPLETE;
     }
     if (tc100_lrc(in, length - 1u) != tc100_load_u8(in + length - 1u)) {
-        return TC100_ERR_WRONG_CHECK;
+        return TC100_ERR_WRONG_CHECKSUM;
     }
     out->unit_address = tc100_load_u8(in + 0);
     out->code = tc100_load_u8(in + 1);
@@ -3488,7 +3488,7 @@ static inline tc100_codec_status tc100_ascii_encode_write_registers_response(uin
 }
 
 /** Writes the whole frame of an exception response to a code. */
-static inline tc100_codec_status tc100_ascii_encode_error(uint8_t unit_address, uint32_t code,
+static inline tc100_codec_status tc100_ascii_encode_exception_response(uint8_t unit_address, uint32_t code,
         const tc100_exception *in, uint8_t *out, size_t capacity, size_t *length)
 {
     size_t body_length = 0;

@@ -4528,7 +4528,7 @@ static void test_169(void)
     expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-04-response decodes");
     expect(out.exception_code == 1u, "example unknown-function-04-response: exception_code");
     in.exception_code = 1u;
-    expect(tc100_ascii_encode_error(1u, 4u, &in, again, sizeof again, &length) == TC100_OK, "example unknown-function-04-response encodes");
+    expect(tc100_ascii_encode_exception_response(1u, 4u, &in, again, sizeof again, &length) == TC100_OK, "example unknown-function-04-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example unknown-function-04-response bytes");
 }
 
@@ -4563,7 +4563,7 @@ static void test_171(void)
     expect(tc100_exception_decode(opened.body, opened.body_length, &out) == TC100_OK, "example unknown-function-90-response decodes");
     expect(out.exception_code == 1u, "example unknown-function-90-response: exception_code");
     in.exception_code = 1u;
-    expect(tc100_ascii_encode_error(1u, 16u, &in, again, sizeof again, &length) == TC100_OK, "example unknown-function-90-response encodes");
+    expect(tc100_ascii_encode_exception_response(1u, 16u, &in, again, sizeof again, &length) == TC100_OK, "example unknown-function-90-response encodes");
     expect(length == sizeof frame && same_bytes(again, frame, length), "example unknown-function-90-response bytes");
 }
 

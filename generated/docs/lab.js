@@ -10,36 +10,28 @@ for (let byte = 0; byte < 256; byte++) {
   TABLE[byte] = crc;
 }
 
-/** CRC-16 with polynomial A001h, reflected, and initial value FFFFh, over the bytes from `start` to `stop`. */
 function crc16(bytes, start, stop) {
   let crc = 0xffff;
   for (let at = start; at < stop; at++) crc = (crc >> 8) ^ TABLE[(crc ^ bytes[at]) & 0xff];
   return crc;
 }
 
-/** The low byte of the sum of the bytes from `start` to `stop`. */
 function sum8(bytes, start, stop) {
   let sum = 0;
   for (let at = start; at < stop; at++) sum += bytes[at];
   return sum & 0xff;
 }
 
-/** The two's complement of the sum of the bytes from `start` to `stop`. */
 function lrc(bytes, start, stop) {
   return -sum8(bytes, start, stop) & 0xff;
 }
 
-/** The bits of a number of `width` bits in the opposite order. */
 function reversed(number, width) {
   let result = 0n;
   for (let place = 0n; place < width; place++) result |= ((number >> place) & 1n) << (BigInt(width) - 1n - place);
   return result;
 }
 
-/**
- * A function that computes a CRC over the bytes from `start` to `stop`. The register is that of a reflected CRC; one
- * that is not reflected takes the bits of each byte in the opposite order. Its numbers are bigints.
- */
 function crcOf({ width, polynomial, initial, reflectIn, reflectOut, finalXor }) {
   const [size, term] = [BigInt(width), reversed(polynomial, width)];
   const terms = Array.from({ length: 256 }, (_, byte) => {
@@ -64,7 +56,6 @@ function crcOf({ width, polynomial, initial, reflectIn, reflectOut, finalXor }) 
   };
 }
 
-/** The `unitSize` bytes from `at` on as one number; zeros follow where bytes before `stop` are missing. */
 function unitAt(bytes, at, stop, unitSize, order) {
   let unit = 0n;
   for (let place = 0; place < unitSize; place++) {
@@ -74,10 +65,6 @@ function unitAt(bytes, at, stop, unitSize, order) {
   return unit;
 }
 
-/**
- * A function that adds, or combines by exclusive or, the bytes from `start` to `stop`, `unitSize` of them at a time as
- * one number in the byte order `order`; zeros follow where the last are missing. Its numbers are bigints.
- */
 function totalOf({ method, width, initial, complement, unitSize, order }) {
   const combine = method === "sum" ? (total, unit) => total + unit : (total, unit) => total ^ unit;
   return (bytes, start, stop) => {
@@ -91,10 +78,6 @@ function totalOf({ method, width, initial, complement, unitSize, order }) {
   };
 }
 
-/**
- * A function that computes a Fletcher checksum of the bytes from `start` to `stop`: two sums modulo `modulus`, that of
- * the numbers and, in the upper half of the bits, that of all values of the first one. Its numbers are bigints.
- */
 function fletcherOf({ width, initial, modulus, unitSize, order }) {
   const half = BigInt(width / 2);
   return (bytes, start, stop) => {
@@ -107,7 +90,6 @@ function fletcherOf({ width, initial, modulus, unitSize, order }) {
   };
 }
 
-/** A function that computes a checksum of the bytes from `start` to `stop`, and of more bytes after them. */
 function followedBy(algorithm, suffix) {
   return (bytes, start, stop) => {
     const data = [...bytes.subarray(start, stop), ...suffix];
@@ -115,7 +97,6 @@ function followedBy(algorithm, suffix) {
   };
 }
 
-/** A function that computes a checksum of numbers of `unitSize` bytes, of which it takes the last byte first. */
 function swapping(algorithm, unitSize) {
   return (bytes, start, stop) => {
     const data = new Uint8Array(Math.ceil((stop - start) / unitSize) * unitSize);
@@ -125,7 +106,6 @@ function swapping(algorithm, unitSize) {
   };
 }
 
-/** A function that computes a checksum of `size` bytes, with others in place of the bytes that must not occur. */
 function avoiding(algorithm, size, avoided, replacements) {
   return (bytes, start, stop) => {
     const number = BigInt(algorithm(bytes, start, stop));
@@ -139,7 +119,6 @@ function avoiding(algorithm, size, avoided, replacements) {
   };
 }
 
-/** The bytes of a checksum in a frame: those of its number, or its digits. */
 function checksumBytes({ algorithm, size, order, digits }, bytes, first, last) {
   let number = algorithm(bytes, first, last);
   if (digits) {
@@ -155,7 +134,6 @@ function checksumBytes({ algorithm, size, order, digits }, bytes, first, last) {
   return order === "little" ? result : result.reverse();
 }
 
-/** Bytes or values that a codec refuses. */
 class CodecError extends Error {
   constructor(reason, detail, offset = null) {
     super(offset === null ? `${reason}: ${detail}` : `${reason} at byte ${offset}: ${detail}`);
@@ -166,47 +144,39 @@ class CodecError extends Error {
   }
 }
 
-/** The error of data of a wrong size, which begin at `offset` of a frame. */
 function wrongSize(name, least, most, size, offset) {
   return size < least
     ? new CodecError("incomplete", `${name} has at least ${least} bytes, not ${size}`, offset + size)
     : new CodecError("wrong_length", `${name} has at most ${most} bytes, not ${size}`, offset + most);
 }
 
-/** The error of data that end within an element of a list. */
 function brokenList(name, left, end) {
   return new CodecError("wrong_length", `${left} bytes are not a whole number of ${name}`, end);
 }
 
-/** The error of a number that was received. */
 function wrongNumber(reason, name, number, expected, offset) {
   return new CodecError(reason, `${name} is ${number}, ${expected}`, offset);
 }
 
-/** The error of a value that cannot be encoded as a whole number from `low` to `high`. */
 function refusedNumber(name, value, low, high, allowed) {
   const wrong = wrongType(name, value, typeof low === "bigint");
   return wrong ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
-/** The error of a word with a field of bits that is out of its range. */
 function refusedBits(name, bits, allowed) {
   return new CodecError("out_of_range", `${bits} of ${name} is not in ${allowed}`);
 }
 
-/** The error of a value that a closed enum does not list; `wide` where its numbers are bigints. */
 function refusedMember(name, value, enumName, wide) {
   return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
 }
 
-/** The error of a value that is not a whole number, or null. */
 function wrongType(name, value, wide) {
   if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
   if (wide ? typeof value === "bigint" : Number.isInteger(value)) return null;
   return new CodecError("wrong_type", `${name} is ${wide ? "a bigint" : "a whole number"}, not ${printed(value)}`);
 }
 
-/** The error of a value that must be a list of `least` to `most` elements. */
 function refusedList(name, value, least, most) {
   if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
   if (!Array.isArray(value)) return new CodecError("wrong_type", `${name} is an array, not ${printed(value)}`);
@@ -214,7 +184,6 @@ function refusedList(name, value, least, most) {
   return new CodecError("wrong_length", `${name} has ${count} elements, not ${value.length}`);
 }
 
-/** A value within a message: short, and without what it may do when it is turned into a text. */
 function printed(value) {
   if (typeof value === "string") return JSON.stringify(value.slice(0, 60));
   if (typeof value === "bigint") return `${value}n`;
@@ -222,10 +191,6 @@ function printed(value) {
   return String(value);
 }
 
-/**
- * The original bytes, by the `walk` of an escape, which gives each with the place of the byte that is sent for it. Throws
- * CodecError for what is the escape of nothing, as if the data began at `offset`.
- */
 function original(data, offset) {
   const result = [];
   try {
@@ -236,7 +201,6 @@ function original(data, offset) {
   return Uint8Array.from(result);
 }
 
-/** Two bytes are sent for each of some bytes: `pairs` are such a byte and the two bytes. */
 function replacing(pairs) {
   const pairOf = new Map(pairs.map(([byte, first, second]) => [byte, [first, second]]));
   const originals = new Map(pairs.map(([byte, first, second]) => [first * 256 + second, byte]));
@@ -265,7 +229,6 @@ function replacing(pairs) {
   };
 }
 
-/** A byte is sent after each occurrence of a pattern. */
 function inserting(pattern, inserted) {
   return {
     escaped(data) {
@@ -296,7 +259,6 @@ function inserting(pattern, inserted) {
   };
 }
 
-/** Each byte is sent plus `byte`, without the carry. */
 function adding(byte) {
   return {
     escaped: (data) => data.map((own) => own + byte),
@@ -306,7 +268,6 @@ function adding(byte) {
   };
 }
 
-/** Consistent overhead byte stuffing: no zero is sent; each block begins with the distance to the next zero. */
 const cobs = {
   escaped(data) {
     const result = [];
@@ -343,45 +304,47 @@ function wrongEscape(detail, offset) {
   return new CodecError("wrong_mark", detail, offset);
 }
 
-/** Whether a mark stands at a place. */
 function begins(bytes, at, mark) {
   if (at + mark.length > bytes.length) return false;
   for (let place = 0; place < mark.length; place++) if (bytes[at + place] !== mark[place]) return false;
   return true;
 }
 
-/** The place of the first mark from a place on, or -1. */
 function find(bytes, from, mark) {
   for (let at = from; at + mark.length <= bytes.length; at++) if (begins(bytes, at, mark)) return at;
   return -1;
 }
 
-const EXTENDED = 2 ** 31;
+const [EXTENDED, REMOTE] = [2 ** 31, 2 ** 30];
 
-/**
- * The first parts as the identifier of a CAN frame, which has `bits` bits: the size, whether the byte order is little,
- * the first bit and the bits of each part. A frame is the identifier in four bytes, the number of data, zeros, the data.
- */
-function canIdentifier(bits, fields) {
+function canIdentifier(bits, fields, remote = -1) {
   const flags = bits > 11 ? EXTENDED : 0;
   return {
     escaped(data) {
       let [identifier, at] = [flags, 0];
-      for (const [size, isLittle, first, width] of fields) {
-        const number = numberIn(data.subarray(at, at + size), isLittle);
+      let isRemote = false;
+      for (const [row, [size, isLittle, first, width]] of fields.entries()) {
+        let number = numberIn(data.subarray(at, at + size), isLittle);
+        if (row === remote && number >= REMOTE && number < EXTENDED) {
+          isRemote = true;
+          identifier += REMOTE;
+          number -= REMOTE;
+        }
         if (number >= 2 ** width) throw new CodecError("out_of_range", `${number} has more than ${width} bits`);
         identifier += number * 2 ** first;
         at += size;
       }
-      const size = data.length - at;
+      const content = isRemote ? [] : data.subarray(at);
+      const size = isRemote && data.length - at === 1 ? data[at] : data.length - at;
       if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
-      return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
+      return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...content].map((byte) => byte & 0xff));
     },
-    // The first part is in the place of the whole header, and the others of the identifier are after it.
     walk(data, give) {
-      const wrong = wrongCanHeader(bits, data);
-      if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong), wrong);
-      canParts(fields, data).forEach((byte, at) => give(byte, at < fields[0][0] ? 0 : 8));
+      const wrong = wrongCanHeader(bits, data, remote);
+      if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong, remote), wrong);
+      const isRemote = isRemoteRequest(data, remote);
+      canParts(fields, data, isRemote ? remote : -1).forEach((byte, at) => give(byte, at < fields[0][0] ? 0 : isRemote ? 4 : 8));
+      if (isRemote) give(data[4], 4);
       data.subarray(8).forEach((byte, at) => give(byte, at + 8));
     },
     original,
@@ -389,29 +352,33 @@ function canIdentifier(bits, fields) {
   };
 }
 
-/** The offset at which bytes are not a CAN frame with an identifier of some bits; -1 where they are. */
-function wrongCanHeader(bits, data) {
-  const flags = bits > 11 ? EXTENDED : 0;
+function isRemoteRequest(data, remote) {
+  return remote >= 0 && (data[0] & 0x40) !== 0;
+}
+
+function wrongCanHeader(bits, data, remote) {
+  const isRemote = isRemoteRequest(data, remote);
+  const flags = (bits > 11 ? EXTENDED : 0) + (isRemote ? REMOTE : 0);
   const identifier = numberIn(data.subarray(0, 4), false);
   if (data.length < 8 || identifier < flags || identifier >= flags + 2 ** bits) return 0;
-  if (data[4] !== data.length - 8 || data[4] > 8) return 4;
+  if (data.length !== 8 + (isRemote ? 0 : data[4]) || data[4] > 8) return 4;
   return data.subarray(5, 8).some((byte) => byte !== 0) ? 5 : -1;
 }
 
-/** What is wrong with a CAN frame at an offset that `wrongCanHeader` returns. */
-function canHeaderFault(bits, data, at) {
+function canHeaderFault(bits, data, at, remote) {
   const size = data.length - 8;
-  if (at === 4 && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
+  const isRemote = isRemoteRequest(data, remote);
+  if (at === 4 && isRemote && size) return `a remote request has no data, but there are ${size} bytes`;
+  if (at === 4 && !isRemote && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
   if (at === 4) return `a CAN frame has at most 8 bytes of data, not ${data[4]}`;
   if (at === 5) return "the three bytes after the data length are not zero";
   return `it is not a CAN frame with an identifier of ${bits} bits`;
 }
 
-/** The bytes of the parts of the identifier of a CAN frame. */
-function canParts(fields, data) {
-  const identifier = numberIn(data.subarray(0, 4), false) % EXTENDED;
-  return fields.flatMap(([size, isLittle, first, width]) => {
-    const number = Math.floor(identifier / 2 ** first) % 2 ** width;
+function canParts(fields, data, remote) {
+  const identifier = numberIn(data.subarray(0, 4), false) % REMOTE;
+  return fields.flatMap(([size, isLittle, first, width], row) => {
+    const number = Math.floor(identifier / 2 ** first) % 2 ** width + (row === remote ? REMOTE : 0);
     const bytes = Array.from({ length: size }, (_, at) => Math.floor(number / 256 ** at) & 0xff);
     return isLittle ? bytes : bytes.reverse();
   });
@@ -422,17 +389,16 @@ function numberIn(bytes, isLittle) {
   return ordered.reduce((number, byte) => number * 256 + byte, 0);
 }
 
-/** The identifier and the data of a frame as encoders return it, for a driver. */
 function canFrame(bytes) {
   const identifier = numberIn(bytes.subarray(0, 4), false);
-  return { identifier: identifier % EXTENDED, data: bytes.slice(8), isExtended: identifier >= EXTENDED };
+  const frame = { identifier: identifier % REMOTE, data: bytes.slice(8), isExtended: identifier >= EXTENDED };
+  return isRemoteRequest(bytes, 0) ? { ...frame, isRemote: true, dlc: bytes[4] } : frame;
 }
 
-/** The frame of an identifier and its data, as a driver gives them, for decoders. */
-function canBytes({ identifier, data, isExtended = false }) {
-  const number = identifier + (isExtended ? EXTENDED : 0);
+function canBytes({ identifier, data = [], isExtended = false, isRemote = false, dlc = data.length }) {
+  const number = identifier + (isExtended ? EXTENDED : 0) + (isRemote ? REMOTE : 0);
   const head = [number / 2 ** 24, number / 2 ** 16, number / 256, number].map((byte) => byte & 0xff);
-  return Uint8Array.from([...head, data.length, 0, 0, 0, ...data]);
+  return Uint8Array.from([...head, dlc, 0, 0, 0, ...(isRemote ? [] : data)]);
 }
 
 const ENCODING_NAMES = { ascii: "ASCII", latin_1: "Latin-1", utf_8: "UTF-8", utf_16: "UTF-16", packed_ascii: "packed ASCII" };
@@ -445,7 +411,6 @@ const unitOf = ({ encoding }) => (encoding === "utf_16" ? 2 : 1);
 
 const isPacked = ({ encoding }) => encoding === "packed_ascii";
 
-/** The characters that three bytes of packed ASCII have, or those of bytes that have one each. */
 function unpackedBytes(form, bytes) {
   if (!isPacked(form)) return bytes;
   return Uint8Array.from({ length: Math.floor(bytes.length / 3) * 4 }, (_, at) => {
@@ -456,7 +421,6 @@ function unpackedBytes(form, bytes) {
   });
 }
 
-/** The bytes of characters: three of four characters in packed ASCII. */
 function packedBytes(form, characters) {
   if (!isPacked(form)) return characters;
   return Uint8Array.from({ length: (characters.length / 4) * 3 }, (_, at) => {
@@ -466,23 +430,19 @@ function packedBytes(form, characters) {
   });
 }
 
-/** The bytes of a text of `size` bytes before it is packed. */
 const wholeSize = (form, size) => (isPacked(form) ? Math.floor(size / 3) * 4 : size);
 
 function characterName(code) {
   return CHARACTER_NAMES[code] ?? `the character 0x${code.toString(16).toUpperCase().padStart(2, "0")}`;
 }
 
-/** Bytes with those of each word of 16 bits exchanged, where a form says so. */
 const turnedBytes = ({ isTurned }, bytes) => (isTurned ? bytes.map((_, at) => bytes[at ^ 1]) : bytes);
 
-/** The codes that a text has at each place: bytes, or numbers of 16 bits. */
 function unitsOf(form, bytes, little) {
   if (unitOf(form) === 1) return bytes;
   return Array.from({ length: bytes.length / 2 }, (_, at) => bytes[2 * at + (little ? 1 : 0)] * 256 + bytes[2 * at + (little ? 0 : 1)]);
 }
 
-/** The characters of units; null for those that the encoding does not have. */
 function textOfUnits({ encoding }, units) {
   if (encoding === "utf_8") {
     try {
@@ -497,7 +457,6 @@ function textOfUnits({ encoding }, units) {
   return encoding === "utf_16" && LONE_SURROGATE.test(text) ? null : text;
 }
 
-/** The units of a text; null for characters that the encoding does not have. */
 function unitsOfText({ encoding }, text) {
   if (LONE_SURROGATE.test(text)) return null;
   if (encoding === "utf_8") return [...new TextEncoder().encode(text)];
@@ -506,10 +465,6 @@ function unitsOfText({ encoding }, text) {
   return units.some((unit) => unit < least || unit > most) ? null : units;
 }
 
-/**
- * The characters of the bytes of a text in a form, in UTF-16 with the low byte first where `little`; null for bytes
- * that are none. Without a form, a text is ASCII that is filled up with zeros after it.
- */
 function decodedText(form, bytes, little) {
   const { padding = 0, isRight = false, terminator } = form ?? USUAL;
   const units = unitsOf(form ?? USUAL, unpackedBytes(form ?? USUAL, turnedBytes(form ?? USUAL, bytes)), little);
@@ -525,7 +480,6 @@ function decodedText(form, bytes, little) {
   return form !== undefined && text !== null && text.includes("\0") ? null : text;
 }
 
-/** Why a text cannot be sent in `size` bytes of a form: a reason and words; null where it can. */
 function textFault(form, size, text) {
   const { encoding, padding = 0, isRight = false, terminator } = form;
   const units = unitsOfText(form, text);
@@ -543,7 +497,6 @@ function textFault(form, size, text) {
   return taken > room ? ["wrong_length", `has ${room} ${counted}, not ${taken}`] : null;
 }
 
-/** The `size` bytes of a text that has no fault. */
 function textBytes(form, size, text, little) {
   const { padding = 0, isRight = false, terminator } = form;
   const units = [...unitsOfText(form, text), ...(terminator === undefined ? [] : [terminator])];
@@ -558,13 +511,12 @@ const LAST_NIBBLES = { true: { c: 1n, d: -1n }, false: { f: 1n } };
 
 const hasNibbles = ({ digits }) => digits === "bcd" || digits === "packed_decimal";
 
-/** Hexadecimal digits with those of the lowest byte first, or back. */
 const turned = (text) => text.match(/../g).reverse().join("");
 
 const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lower_hex";
 
-/** The number of digits, the most significant digit first; undefined for anything but such digits. */
 function digitsNumber(value, bytes) {
+  if (value.codec) return numberOfCodec(value, value.codec.decode(bytes));
   if (hasNibbles(value)) return numberOfNibbles(value, Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(""));
   let text = String.fromCharCode(...bytes);
   if (value.hasBlanks) return numberBehindBlanks(value, text);
@@ -581,10 +533,10 @@ function digitsNumber(value, bytes) {
   return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
 }
 
-/** A number that a double has exactly as a number, any other as it is. */
+const numberOfCodec = ({ low, high }, number) => (Number.isInteger(number) && low <= number && number <= high ? number + 0 : undefined);
+
 const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
 
-/** The number of decimal digits, of which the first or the last one may be a sign; undefined for anything else. */
 function numberOfNibbles({ digits, signed }, text) {
   let [rest, sign] = [text, 1n];
   if (digits === "packed_decimal") [rest, sign] = [text.slice(0, -1), LAST_NIBBLES[Boolean(signed)][text.at(-1)]];
@@ -598,7 +550,6 @@ function nibblesOf({ digits, size, signed }, whole) {
   return whole < 0n ? `f${text.padStart(2 * size - 1, "0")}` : text.padStart(2 * size, "0");
 }
 
-/** The number of ` -1.25`, whose first digit is a zero only before the point; undefined for anything else. */
 function numberBehindBlanks({ places = 0, signed }, text) {
   const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
   if (whole === undefined || fraction.length !== places || (sign && !signed)) return undefined;
@@ -606,8 +557,8 @@ function numberBehindBlanks({ places = 0, signed }, text) {
   return sized(sign ? -number : number);
 }
 
-/** The bytes of the digits of a number, the most significant digit first. */
 function digitsBytes(value, number) {
+  if (value.codec) return Uint8Array.from(value.codec.encode(Number(number)));
   const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
   if (hasNibbles(value)) return Uint8Array.from(nibblesOf(value, whole).match(/../g), (pair) => parseInt(pair, 16));
   const count = value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);
@@ -622,33 +573,24 @@ function digitsBytes(value, number) {
 }
 
 const VIEW = new DataView(new ArrayBuffer(8));
-/** The bits of a NaN by the bytes of a number. Engines choose others at will, also while a program runs. */
 const QUIET_NANS = { __proto__: null, 2: 0x7e00, 4: 0x7fc00000, 8: 0x7ff8000000000000n };
 
-/** The number of half precision of 16 bits, given as a whole number. */
 function halfOf(bits) {
   const exponent = (bits >> 10) & 31;
   const fraction = bits & 0x3ff;
-  // Numbers without an exponent have no implied bit, and the step of the least exponent.
   const finite = (exponent ? fraction + 1024 : fraction) * 2 ** (Math.max(exponent, 1) - 25);
   const size = exponent < 31 ? finite : fraction ? NaN : Infinity;
   return bits >> 15 ? -size : size;
 }
 
-/**
- * The 16 bits of the nearest number of half precision, of two equally near ones of the even one; those of infinity where
- * a number is too great.
- */
 function halfBits(number) {
   VIEW.setFloat64(0, number);
   const sign = (VIEW.getUint8(0) >> 7) << 15;
   const exponent = Math.max(((VIEW.getUint16(0) >> 4) & 0x7ff) - 1023, -14);
-  // No number has places after the point once 2 ** 52 is added to it.
   const steps = Math.abs(number) / 2 ** (exponent - 10) + 2 ** 52 - 2 ** 52;
   return sign | Math.min((exponent + 14) * 1024 + steps, 0x7c00);
 }
 
-/** The nearest floating-point number of `size` bytes; infinite where a number is too great. */
 function roundedReal(number, size) {
   switch (size) {
     case 2: return halfOf(realBits(number, size));
@@ -658,7 +600,6 @@ function roundedReal(number, size) {
   }
 }
 
-/** The floating-point number of `size` bytes whose bits are a whole number, a bigint where there are eight. */
 function realOfBits(bits, size) {
   switch (size) {
     case 2: return halfOf(bits);
@@ -672,7 +613,6 @@ function realOfBits(bits, size) {
   }
 }
 
-/** The bits of the nearest floating-point number of `size` bytes. */
 function realBits(number, size) {
   if (Number.isNaN(number) && size in QUIET_NANS) return QUIET_NANS[size];
   switch (size) {
@@ -687,29 +627,21 @@ function realBits(number, size) {
   }
 }
 
-/** Whether a number is finite and becomes infinite in a floating-point number of `size` bytes. */
 function exceedsReal(number, size) {
   return Number.isFinite(number) && !Number.isFinite(roundedReal(number, size));
 }
 
-/** A power of two, as a bigint where another number is one. */
 const powerBeside = (number, exponent) => (typeof number === "bigint" ? 1n << BigInt(exponent) : 2 ** exponent);
 
-/** The number of `count` bits, given as a whole number, of which the highest one says that it is below zero. */
 function magnitudeOf(bits, count) {
   const highest = powerBeside(bits, count - 1);
   return bits < highest ? bits : highest - bits;
 }
 
-/** The `count` bits of a number, of which the highest one says that it is below zero, as a whole number. */
 function magnitudeBits(number, count) {
   return number < 0 ? powerBeside(number, count - 1) - number : number;
 }
 
-/**
- * The `count` bits of a whole number, as one. `signed` is how it shows that it is below zero: true for two's complement,
- * `magnitude` for the highest bit alone.
- */
 function bitsOfWhole(number, count, signed) {
   switch (signed) {
     case undefined: case false: return number;
@@ -719,7 +651,6 @@ function bitsOfWhole(number, count, signed) {
   }
 }
 
-/** The number of `count` bits, given as a whole number; `signed` as in `bitsOfWhole`. */
 function wholeOfBits(bits, count, signed) {
   switch (signed) {
     case undefined: case false: return bits;
@@ -729,7 +660,6 @@ function wholeOfBits(bits, count, signed) {
   }
 }
 
-/** The least and the greatest whole number of `count` bits, as bigints; `signed` as in `bitsOfWhole`. */
 function wholeBounds(count, signed) {
   const highest = 1n << BigInt(count - 1);
   switch (signed) {
@@ -740,7 +670,6 @@ function wholeBounds(count, signed) {
   }
 }
 
-/** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
 function countedBytes({ at, length, little, unit, plus = 0, most }, bytes) {
   if (!length) return most;
   let number = 0;
@@ -748,9 +677,16 @@ function countedBytes({ at, length, little, unit, plus = 0, most }, bytes) {
   return (number - plus) * unit;
 }
 
+function decidedBytes({ at, length, little, sizes }, bytes) {
+  let number = 0n;
+  for (let place = 0; place < length; place++) {
+    number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
+  }
+  return sizes[String(number)];
+}
+
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
-/** The bytes of an element that some bytes begin with, maybe more than there are, or why they are not known. */
 function elementIn(parts, bytes) {
   const extents = [];
   const fields = [];
@@ -759,9 +695,10 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const size = countedBytes(list, fields);
-    if (!isRight(list, size)) return { fault: { reason: "wrong_measure", at: placeAround(parts, extents, list.at) } };
-    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements: [] };
+    const size = sizeIn(list, fields);
+    if (size === undefined) return { fault: numberFault(parts, extents, list) };
+    const elements = list.decision ? [size] : [];
+    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements };
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -769,13 +706,22 @@ function elementIn(parts, bytes) {
   return { size: parts.fixed + before };
 }
 
-/** The bytes of an element that some bytes begin with, as `parts` tell them; -1 for a wrong count. */
+function sizeIn(list, image) {
+  if (list.decision) return decidedBytes(list.decision, image);
+  const size = countedBytes(list, image);
+  return isRight(list, size) ? size : undefined;
+}
+
+function numberFault(inner, extents, { at, decision }) {
+  const reason = decision ? "unknown_value" : "wrong_measure";
+  return { reason, at: placeAround(inner, extents, decision ? decision.at : at) };
+}
+
 function elementBytes(parts, bytes) {
   const { size, fault } = elementIn(parts, bytes);
   return fault ? -1 : size;
 }
 
-/** The bytes of each element of a list whose elements differ in size, or why they are not known. */
 function elementsIn(list, data, size, start) {
   const elements = [];
   let at = 0;
@@ -791,13 +737,6 @@ function elementsIn(list, data, size, start) {
   return { size: at, elements };
 }
 
-/**
- * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
- * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
- * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
- * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
- * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ.
- */
 function extentsIn({ fixed, lists }, data) {
   const extents = [];
   const image = [];
@@ -807,28 +746,27 @@ function extentsIn({ fixed, lists }, data) {
     const left = data.length - at - fixed + list.first;
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
-    const counted = list === lists.at(-1) ? null : countedBytes(list, image);
-    if (counted !== null && !isRight(list, counted)) {
-      return { extents, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, extents, list.at) } };
-    }
+    const isLast = list === lists.at(-1);
+    const counted = isLast && !list.decision ? null : sizeIn(list, image);
+    if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
-      : { size: counted ?? left, elements: [] };
+      : { size: counted ?? left, elements: list.decision ? [counted] : [] };
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+    if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
     extents.push(extent);
     before += extent.size;
   }
   return { extents, fault: null };
 }
 
-/** The byte in data, whose lists have some extents, for a byte of their image. */
 function placeAround({ lists }, extents, at) {
   let before = 0;
-  for (const [number, { first, room, most, element, parts }] of lists.entries()) {
+  for (const [number, { first, room, most, element, parts, decision }] of lists.entries()) {
     const { size, elements } = extents[number] ?? { size: 0, elements: [] };
     if (at >= room && (number === lists.length - 1 || at < room + most)) {
-      const index = parts ? Math.floor((at - room) / element) : 0;
+      const index = parts || decision ? Math.floor((at - room) / element) : 0;
       return first + before + at - room - index * element + sumOf(elements.slice(0, index));
     }
     if (at < first) return at + before;
@@ -839,17 +777,16 @@ function placeAround({ lists }, extents, at) {
 
 const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
 
-/** The image of data whose lists have some extents. */
 function imageOf({ fixed, lists }, data, extents) {
   const last = extents.at(-1);
-  const { room, element, parts } = lists.at(-1);
-  const image = new Uint8Array(room + (parts ? last.elements.length * element : last.size));
+  const { room, element, parts, decision } = lists.at(-1);
+  const image = new Uint8Array(room + (parts || decision ? last.elements.length * element : last.size));
   let [before, at] = [0, 0];
   for (const [number, list] of lists.entries()) {
     const { size, elements } = extents[number];
     image.set(data.subarray(at + before, list.first + before), at);
     let from = list.first + before;
-    for (const [index, own] of (list.parts ? elements : [size]).entries()) {
+    for (const [index, own] of (elements.length ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
       from += own;
     }
@@ -860,7 +797,6 @@ function imageOf({ fixed, lists }, data, extents) {
   return image;
 }
 
-/** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 function readAround(inner, read, bytes, offset, end) {
   const data = bytes.subarray(offset, end);
   const { extents, fault } = extentsIn(inner, data);
@@ -877,13 +813,13 @@ function readAround(inner, read, bytes, offset, end) {
   }
 }
 
-/** What is sent of an image whose last list has `last` bytes there. */
 function sentOfImage({ fixed, lists }, image, last) {
   const pieces = [];
   let at = 0;
   for (const list of lists) {
     const { first, room, element, parts } = list;
-    const size = list === lists.at(-1) ? last : countedBytes(list, image);
+    const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
+    const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
     pieces.push(...image.subarray(at, first));
     for (let from = room; from < room + size; from += parts ? element : size) {
       const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;
@@ -894,10 +830,6 @@ function sentOfImage({ fixed, lists }, image, last) {
   return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
 }
 
-/**
- * The bytes of the elements of a list, each of which has a codec. Throws CodecError for what is none. An element that
- * cannot be written counts as the longest one: whoever writes the fields before it refuses these first.
- */
 function elementsLength(items, codec) {
   return items.reduce((sum, item) => sum + sizeOrMost(item, codec), 0);
 }
@@ -917,7 +849,6 @@ const DIGITS_OF = { decimal: /^[0-9]*$/, upper_hex: /^[0-9A-F]*$/, lower_hex: /^
 const latinText = (bytes) => Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
 const latinBytes = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0));
 
-/** What is sent of the bytes in the image of a value: no leading zeros, and a sign only below zero. */
 function narrowedBytes({ form, hasSign }, image) {
   const text = latinText(image);
   if (form === "text") return latinBytes(text.replace(/\0+$/, ""));
@@ -926,7 +857,6 @@ function narrowedBytes({ form, hasSign }, image) {
   return latinBytes((isNegative ? "-" : "") + digits);
 }
 
-/** The bytes in the image of a value; null for bytes that are none of it. */
 function widenedBytes(field, bytes) {
   const { form, size, most, places = 0, hasSign = false } = field;
   let text = latinText(bytes);
@@ -948,20 +878,17 @@ function widenedBytes(field, bytes) {
   return narrowedBytes(field, image).length <= most ? image : null;
 }
 
-/** The bytes of a text that another field counts; undefined for a number that the text cannot have. */
 function countedText({ count, plus, little, most }, bytes, extents) {
   const sent = bytes.slice(extents[count].start, extents[count].stop);
   const number = (little ? sent.reverse() : sent).reduce((sum, byte) => 256 * sum + byte, 0) - plus;
   return number >= 0 && number <= most ? number : undefined;
 }
 
-/** A number in one byte or in two. */
 function countBytes(number, size, little) {
   if (size === 1) return Uint8Array.of(number);
   return Uint8Array.from(little ? [number & 255, number >> 8] : [number >> 8, number & 255]);
 }
 
-/** Where a field ends that begins at a byte; undefined where its bytes, or its end, are missing. */
 function stopOf(field, bytes, at, extents) {
   const { size, most, end } = field;
   if (most === undefined) return at + size <= bytes.length ? at + size : undefined;
@@ -974,10 +901,6 @@ function stopOf(field, bytes, at, extents) {
   return stop < 0 ? undefined : stop;
 }
 
-/**
- * The fields of a record whose values vary in width, as far as the data go: where they are, and their bytes in the
- * image, in which each value has all the bytes that it may have; null for bytes that are none of the value.
- */
 function extentsOf(fields, bytes) {
   const extents = [];
   let start = 0;
@@ -995,7 +918,6 @@ function extentsOf(fields, bytes) {
   return extents;
 }
 
-/** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 function readImage(fields, read, bytes, offset, end) {
   const data = bytes.subarray(offset, end);
   const extents = extentsOf(fields, data);
@@ -1017,7 +939,6 @@ function readImage(fields, read, bytes, offset, end) {
   }
 }
 
-/** The byte in the data for a byte of the image. */
 function placeInData(fields, extents, at) {
   let first = 0;
   for (const [number, { size, most }] of fields.entries()) {
@@ -1027,7 +948,6 @@ function placeInData(fields, extents, at) {
   return extents.at(-1).stop;
 }
 
-/** What is sent of an image. Throws CodecError for a text that has the byte which would end it. */
 function narrowedImage(fields, image) {
   const pieces = [];
   const starts = [];
@@ -1049,30 +969,25 @@ function narrowedImage(fields, image) {
   return Uint8Array.from(pieces);
 }
 
-/** Whether a raw value is a whole number; truth values are. A floating-point number is one by its value alone. */
 function isWhole(number) {
   return typeof number === "bigint" || typeof number === "boolean" || Number.isInteger(number);
 }
 
-/** An exact decimal number, coefficient * 10 ** exponent, of a text without an exponent. */
 function decimalOf(text) {
   const [whole, places = ""] = text.split(".");
   return { coefficient: BigInt(whole + places), exponent: -places.length };
 }
 
-/** The exact product of a whole number and a decimal number. */
 function decimalProduct(number, { coefficient, exponent }) {
   return { coefficient: BigInt(number) * coefficient, exponent };
 }
 
-/** The exact sum of two decimal numbers, with the places of the one that has more. */
 function decimalSum(left, right) {
   const exponent = Math.min(left.exponent, right.exponent);
   const at = (decimal) => decimal.coefficient * 10n ** BigInt(decimal.exponent - exponent);
   return { coefficient: at(left) + at(right), exponent };
 }
 
-/** A decimal number with at most so many digits, of two equally near ones the even one. */
 function decimalRounded({ coefficient, exponent }, digits) {
   const negative = coefficient < 0n;
   const size = negative ? -coefficient : coefficient;
@@ -1086,14 +1001,12 @@ function decimalRounded({ coefficient, exponent }, digits) {
   return whole.toString().length > digits ? decimalRounded(rounded, digits) : rounded;
 }
 
-/** A quotient of whole numbers: exact with as few places as it needs, else rounded to so many digits. */
 function decimalQuotient(above, below, digits) {
   const negative = above < 0n !== below < 0n;
   const [top, bottom] = [above < 0n ? -above : above, below < 0n ? -below : below];
   if (top % bottom === 0n) return { coefficient: negative ? -(top / bottom) : top / bottom, exponent: 0 };
   const places = Math.max(0, digits + 2 + bottom.toString().length - top.toString().length);
   const scaled = top * 10n ** BigInt(places);
-  // Two digits more than are wanted, the last one odd where a rest remains, so that rounding sees no tie.
   let coefficient = scaled / bottom;
   const isExact = scaled % bottom === 0n;
   if (!isExact) coefficient = coefficient * 10n + 1n;
@@ -1106,7 +1019,6 @@ function decimalQuotient(above, below, digits) {
   return negative ? { ...result, coefficient: -result.coefficient } : result;
 }
 
-/** A decimal number without zeros at its end. */
 function shortest({ coefficient, exponent }) {
   if (coefficient === 0n) return { coefficient, exponent: 0 };
   while (coefficient % 10n === 0n) {
@@ -1129,7 +1041,6 @@ const MOST_PLACES = 6;
 const MOST_DIGITS = 8;
 const ROUNDED_DIGITS = 6;
 
-/** The fewest places, at least one, whose last digit is worth less than a count: `1/60`, or a decimal number. */
 function resolvingPlaces(count) {
   const [above, below = "1"] = count.split("/");
   const { coefficient, exponent } = decimalOf(above);
@@ -1140,10 +1051,6 @@ function resolvingPlaces(count) {
   return places;
 }
 
-/**
- * A number without an exponent: in full if it is short, else rounded after the point. The last digit is worth less
- * than a count. If the rounded number would look exact, as 25 for 24.9999999 does, more digits are written.
- */
 function decimalText(number, count = "1") {
   if (-number.exponent <= MOST_PLACES) return inFull(number);
   const short = shortest(number);
@@ -1158,7 +1065,6 @@ function decimalText(number, count = "1") {
 
 const MOST_REAL_DIGITS = 17;  // they tell all numbers of eight bytes apart
 
-/** The number with the fewest digits that is nearest to the same floating-point number of `size` bytes. */
 function shortestReal(number, size) {
   for (let digits = 1; digits < MOST_REAL_DIGITS; digits++) {
     const rounded = Number(number.toPrecision(digits));
@@ -1167,7 +1073,6 @@ function shortestReal(number, size) {
   return number;
 }
 
-/** The fewest digits that lead to a floating-point number of `size` bytes, with a point or an exponent: `25.0`, `1e-07`. */
 function floatText(number, size = 8) {
   if (Number.isNaN(number)) return "nan";
   if (!Number.isFinite(number)) return number < 0 ? "-inf" : "inf";
@@ -1187,27 +1092,22 @@ function floatText(number, size = 8) {
 
 const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, "0"));
 
-/** Bytes as hexadecimal digits. */
 function hexOf(bytes, separator = "") {
   return Array.from(bytes, (byte) => DIGITS[byte]).join(separator);
 }
 
-/** The bytes of hexadecimal digits. */
 function bytesOfHex(digits) {
   return Uint8Array.from({ length: digits.length / 2 }, (_, at) => parseInt(digits.slice(2 * at, 2 * at + 2), 16));
 }
 
-/** The characters of bytes, one for each. */
 function latinOf(bytes) {
   return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
 }
 
-/** Whether two series of bytes are the same. */
 function sameBytes(left, right) {
   return left.length === right.length && left.every((byte, at) => byte === right[at]);
 }
 
-/** Whether two raw values are the same; a truth value is the same as its number. */
 function sameValue(left, right) {
   if (left instanceof Uint8Array || right instanceof Uint8Array) {
     return left instanceof Uint8Array && right instanceof Uint8Array && sameBytes(left, right);
@@ -1224,7 +1124,6 @@ function sameValue(left, right) {
   return left == right;  // numbers, bigints and truth values
 }
 
-/** A raw value as a verdict prints it. The number 3 of a field of floats is `3.0`; `floatSize` is their size. */
 function valueText(value, floatSize = 0) {
   if (typeof value === "number" && (floatSize || !Number.isInteger(value))) return floatText(value, floatSize);
   if (value instanceof Uint8Array) return hexOf(value, " ");
@@ -1234,7 +1133,6 @@ function valueText(value, floatSize = 0) {
   return String(value);
 }
 
-/** A raw value for JSON: bytes, and numbers that JSON does not have, as text; bigints stay. */
 function portableValue(value) {
   if (value instanceof Uint8Array) return hexOf(value);
   if (typeof value === "number" && !Number.isFinite(value)) return floatText(value);
@@ -1243,31 +1141,25 @@ function portableValue(value) {
   return value ?? null;
 }
 
-/** Intervals as a spec writes them: `0..127, 200`. */
 function intervalsText(ranges) {
   return ranges.map(([low, high]) => (low == high ? boundText(low) : `${boundText(low)}..${boundText(high)}`)).join(", ");
 }
 
-/** A bound with all its digits, of which a spec has at most 20 after the point, and never with an exponent. */
 function boundText(bound) {
   const text = String(bound);
   return text.includes("e-") ? bound.toFixed(20).replace(/0+$/, "") : text;
 }
 
-/** Whether a number is in one of some intervals. */
 function isWithin(ranges, number) {
   return ranges.some(([low, high]) => low <= number && number <= high);
 }
 
-/** `a, b or c` */
 function enumeration(names, last) {
   return names.length > 1 ? `${names.slice(0, -1).join(", ")} ${last} ${names.at(-1)}` : names.join("");
 }
 
-/** The bytes up to which a whole number is not a bigint. */
 const WIDE = 6;
 
-/** Whether the raw value of a value is a sequence, a text or bytes, and not a number. */
 function isArray({ kind }) {
   switch (kind) {
     case "text": case "bytes": return true;
@@ -1276,7 +1168,6 @@ function isArray({ kind }) {
   }
 }
 
-/** Bytes as an unsigned bigint. */
 function unsignedOf(bytes, order) {
   let number = 0n;
   for (let at = 0; at < bytes.length; at++) {
@@ -1285,7 +1176,6 @@ function unsignedOf(bytes, order) {
   return number;
 }
 
-/** Bytes as a whole number; a bigint if there are more than six of them. `signed` is as in `wholeOfBits`. */
 function wholeOf(bytes, order, signed) {
   if (bytes.length > WIDE) return wholeOfBits(unsignedOf(bytes, order), 8 * bytes.length, signed);
   let bits = 0;
@@ -1293,24 +1183,20 @@ function wholeOf(bytes, order, signed) {
   return wholeOfBits(bits, 8 * bytes.length, signed);
 }
 
-/** The bytes of a whole number; `signed` is as in `bitsOfWhole`. */
 function bytesOfNumber(number, size, order, signed) {
   const bits = BigInt.asUintN(8 * size, bitsOfWhole(BigInt(number), 8 * size, signed));
   const big = Uint8Array.from({ length: size }, (_, at) => Number((bits >> BigInt(8 * (size - 1 - at))) & 255n));
   return order === "big" ? big : big.reverse();
 }
 
-/** The bytes of a value from the most significant one on. */
 function inOrder({ order }, bytes) {
   return order ? Uint8Array.from(order, (place) => bytes[place]) : bytes;
 }
 
-/** The bytes of a value as they are sent, of those from the most significant one on. */
 function inPlaces({ order }, bytes) {
   return order ? Uint8Array.from(bytes, (_, place) => bytes[order.indexOf(place)]) : bytes;
 }
 
-/** The places of the bytes of a value, the most significant first; `isSwapped` words of 16 bits are in the other order. */
 function orderOf({ kind, size, textForm }, order, isSwapped) {
   if (kind === "text" || kind === "bytes") {
     return textForm?.encoding === "utf_16" && order !== "big" ? orderOf({ size }, "little", true) : undefined;
@@ -1319,7 +1205,6 @@ function orderOf({ kind, size, textForm }, order, isSwapped) {
   return Array.from({ length: size }, (_, at) => (isUpward ? at : size - 1 - at) ^ (isSwapped ? 1 : 0));
 }
 
-/** What all bytes of a value are; null for digits, or characters, that are none of its. */
 function contentOf(value, bytes) {
   const ordered = inOrder(value, bytes);
   switch (value.kind) {
@@ -1332,20 +1217,17 @@ function contentOf(value, bytes) {
   }
 }
 
-/** What a reader gets for a content: a truth value as such, and the bytes of what has none. */
 function numberOfContent({ value, reserved }, content, raw, image) {
   if (content === null || (reserved && value.kind === "text")) return image ?? raw;
   return value.kind === "boolean" && !reserved && (content === 0 || content === 1) ? content === 1 : content;
 }
 
-/** What all bytes of a field, or of another `value`, gave; of one that varies in width, the `image` has all its bytes. */
 function loaded(field, raw) {
   const image = field.span ? widenedBytes(field.span, raw) : raw;
   const content = image === null ? null : contentOf(field.value, image);
   return { field, raw, image, content, number: numberOfContent(field, content, raw, image) };
 }
 
-/** The contents that a record gives, by name. Adds what gave them to `rows`. */
 function run(device, record, data, start, stop, path, rows) {
   const values = new Map();
   const beside = new Map();
@@ -1359,7 +1241,6 @@ function run(device, record, data, start, stop, path, rows) {
   return values;
 }
 
-/** The same of a record that differs in size, as `parts` tell; its size has been judged. */
 function runAround(device, record, parts, data, start, stop, path, rows) {
   const { extents } = extentsIn(parts, data.subarray(start, stop));
   const byName = new Map(parts.lists.map(({ name }, number) => [name, extents[number]]));
@@ -1367,7 +1248,7 @@ function runAround(device, record, parts, data, start, stop, path, rows) {
   const beside = new Map();
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
-    const field = record.named.get(name);
+    const field = formOfField(record, record.named.get(name), values);
     const { size, elements } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
     const all = field.isList ? new Array(field.count ?? Math.floor(size / field.size)).fill(field.size) : [size];
     const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
@@ -1377,10 +1258,6 @@ function runAround(device, record, parts, data, start, stop, path, rows) {
   return values;
 }
 
-/**
- * The contents of the elements of a field, which follow each other from `start` on and have some sizes. Adds what gave
- * them to `rows`, and to `beside`, those of the same record by the names of their fields.
- */
 function runEach(device, field, data, start, sizes, path, rows, beside) {
   let stop = start;
   return sizes.map((size, index) => {
@@ -1397,10 +1274,6 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
   });
 }
 
-/**
- * The data of a device, indexed for the explainer. Everything that is looked up by a name or a number which a user or
- * the bytes of a frame decide is in a Map.
- */
 class ExplainedDevice {
   constructor(data) {
     this.data = data;
@@ -1456,18 +1329,15 @@ class ExplainedDevice {
     };
   }
 
-  /** The ids of the errata of a fact and of the facts below it. */
   errataAt(path) {
     return this.errataWithin.get(path) ?? [];
   }
 
-  /** The ids of the errata of enums, members and words that gave a value its meaning, not those of other members. */
   errataOfWords(facts) {
     const rows = new Map(facts.flatMap((path) => this.errataOf.get(path) ?? []));
     return [...rows].sort(([left], [right]) => left - right).map(([, id]) => id);
   }
 
-  /** The parameter set with a name, or all sets of the space with that name. */
   setsNamed(name) {
     const named = this.sets.get(name);
     return named ? [named] : [...this.sets.values()].filter((words) => words.space === name);
@@ -1487,7 +1357,9 @@ function indexedEnum(listing) {
 function indexedRecord(record) {
   const fields = record.fields.map((field, number) => {
     const span = record.spans?.[number];
-    return span?.most === undefined ? field : { ...field, span };
+    const forms = field.forms && new Map(field.forms.flatMap(([numbers, form]) => numbers.map((own) => [BigInt(own), form])));
+    const indexed = forms ? { ...field, forms } : field;
+    return span?.most === undefined ? indexed : { ...indexed, span };
   });
   const indexed = { ...record, fields, named: new Map(fields.map((field) => [field.name, field])), forms: new Map() };
   for (const [numbers, form] of record.chosen ?? []) {
@@ -1511,59 +1383,49 @@ function indexedFrame(frame) {
   };
 }
 
-/** The code of a message in one direction; undefined where there is none. */
 function codeIn(direction, message) {
   return direction === "response" ? message?.responseCode ?? message?.code : message?.code;
 }
 
-/** Whether several messages have a code and nothing in their data tells them apart, so that only the request does. */
 function isAmbiguous({ ambiguous = [] }, direction, code) {
   return direction === "response" && ambiguous.includes(code);
 }
 
-/**
- * The message with a code in one direction, and with some data where several have the code; `asked` names the message
- * of the request, which decides where nothing in the data does. Undefined if there is none, and where all of this leaves
- * open which one it is.
- */
 function messageWithCode(link, direction, code, data, asked) {
   const messages = link.messagesByCode[direction].get(code) ?? [];
   if (messages.length < 2) return messages[0];
   if (isAmbiguous(link, direction, code)) return messages.find(({ name }) => name === asked);
   const shared = link.subcodes[direction].get(code);
   if (!shared || !data) return undefined;
-  // Data that are too short count as those of the first message.
   if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
   return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
 }
 
-/**
- * The message that an exception response with a code refuses. It carries no subcode: of several messages with the code,
- * only the request tells which one it answers.
- */
 function refusedMessage(link, code, asked) {
   const messages = link.refusedByCode.get(code) ?? [];
   return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
 }
 
-/** A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits. */
-function partNumberText({ size, value }, number) {
+function partNumberText({ size, value, numberSize = size }, number) {
   if (value.digits === "decimal") return String(number).padStart(size, "0");
-  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
+  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * numberSize, "0")}`;
 }
 
-/** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
 function isException({ code: own, flag, part, normal }, code, number) {
   if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
   return own === undefined ? Boolean(code & flag) : code === own;
 }
 
-/** The member of an enum with a value. */
 function memberOf(listing, number) {
   return typeof number === "number" && !Number.isInteger(number) ? undefined : listing.numbers.get(BigInt(number));
 }
 
-/** The form of a record for some data: the record itself, or what its selector decides; undefined if it decides none. */
+function formOfField(record, field, values) {
+  if (!field.forms) return field;
+  const number = values.get(field.by) ?? record.named.get(field.by).value.const;
+  return number === undefined ? undefined : field.forms.get(BigInt(number));
+}
+
 function formOfData(record, data) {
   if (record.selector === undefined) return record;
   const { offset, size, value } = record.named.get(record.selector);
@@ -1573,14 +1435,12 @@ function formOfData(record, data) {
 
 const EXACT_DIGITS = 120;
 
-/** The sentinel with a raw value. */
 function sentinelOf(value, number) {
   const isNan = Number.isNaN(number);
   const stands = ({ value: first, last = first }) => (last === first ? first == number : first <= number && number <= last);
   return value.sentinels?.find((sentinel) => (isNan ? sentinel.nan : !sentinel.nan && stands(sentinel)));
 }
 
-/** The exact quantity of a raw count, or 120 digits of it, as a decimal number. */
 function quantityOf(value, number) {
   const { scale = "1", offset = "0" } = value;
   const [above, below] = scale.split("/");
@@ -1589,19 +1449,16 @@ function quantityOf(value, number) {
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
 
-/** A value with the scale that the number of its exponent makes; unchanged for a number that is not an exponent. */
 function exponentApplied(value, exponent, number) {
   const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
   return isExponent ? scaledBy(value, Number(number)) : value;
 }
 
-/** A value with the scale that an exponent makes of it, where `scaleBy` names what has the exponent. */
 function scaledBy({ scaleBy, quantityUnit, unit, ...value }, exponent) {
   const scale = exponent < 0 ? `0.${"1".padStart(-exponent, "0")}` : "1".padEnd(exponent + 1, "0");
   return { ...value, ...(exponent === 0 ? {} : { scale, offset: "0" }), ...(quantityUnit ? { unit: quantityUnit } : {}) };
 }
 
-/** The quantity of a raw value with its unit; empty for a value without unit and scale, and for a sentinel. */
 function inUnit(value, number) {
   if ((value.unit === undefined && value.scale === undefined) || sentinelOf(value, number)) return "";
   return `${decimalText(quantityOf(value, number), value.scale)} ${value.unit ?? ""}`.trim();
@@ -1613,29 +1470,25 @@ function rangeInUnit(value, ranges) {
   return `${text} ${value.unit ?? ""}`.trim();
 }
 
-/** A decoded value: its raw value, its quantity, its names, and its verdict with the reason of a fault. */
 function decoded(number, more) {
   return { number, text: "", meanings: [], verdict: "", reason: "", notes: [], facts: [], ...more };
 }
 
-/** A decoded value with a verdict: right, or wrong with what it should be. */
 function judged(value, right, should, reason) {
   return right
     ? { ...value, verdict: "right", reason: "" }
     : { ...value, verdict: `wrong: should be ${should}`, reason };
 }
 
-/** A name of a value, or of some of its bits: `bits` is empty, `3`, or `9..10`. */
 function meaningOf(name, label, text, bits = "") {
   return { name: name ?? "", label: label ?? "", text: text ?? "", bits };
 }
 
-/** The value with the range of writing as its only range. */
 function forWriting(value) {
-  return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
+  const { ranges, writeRanges = ranges, order, writePlaces = order } = value;
+  return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
-/** The meaning of the bytes of a value that is read: a constant binds only what is written. */
 function decodeAnswer(device, value, ...rest) {
   const read = decodeValue(device, value, ...rest);
   if (read.reason !== "wrong_const") return read;
@@ -1643,12 +1496,10 @@ function decodeAnswer(device, value, ...rest) {
   return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
 }
 
-/** The meaning of all bytes of a value. Never throws. */
 function decodeValue(device, value, bytes, reserved = false) {
   return decodedRow(device, value, loaded({ value, reserved }, bytes));
 }
 
-/** The meaning of what some bytes gave; `value` is that of the field, with a scale that is read. */
 function decodedRow(device, value, { field, image, content, number }) {
   if (field.reserved || value.kind === "bytes") return decoded(number);
   if (content === null) {
@@ -1700,7 +1551,6 @@ function decodedWhole(device, value, number) {
   return result;
 }
 
-/** The meaning of a number that a member of the value's enum names. */
 function namedValue(device, value, number) {
   const listing = device.enums.get(value.enum);
   const member = memberOf(listing, number);
@@ -1712,7 +1562,6 @@ function namedValue(device, value, number) {
   return member && (listing.open || !member.unavailable) ? result : judged(result, false, listing.taken, "unknown_value");
 }
 
-/** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
 function setBitsOf(device, word, number) {
   const raw = BigInt.asUintN(8 * word.size, BigInt(number));
   const meanings = [];
@@ -1733,15 +1582,12 @@ function setBitsOf(device, word, number) {
   return meanings;
 }
 
-/** The adjacent bits of a field of bits: the first one, and as many as there are, the least significant run first. */
 const runsOf = ({ runs, first, width }) => runs ?? [[first, width]];
 
-/** The bits of a field of bits in its word. */
 function bitMask(bit) {
   return bitsPlaced(bit, -1n);
 }
 
-/** The word in which the bits of a field are those of a number, and all others are 0. */
 function bitsPlaced(bit, number) {
   let [word, rest] = [0n, number];
   for (const [first, width] of runsOf(bit)) {
@@ -1751,13 +1597,11 @@ function bitsPlaced(bit, number) {
   return word;
 }
 
-/** The first field of bits whose number in a word is not in its range. */
 function refusedBitOf(word, number) {
   const raw = BigInt.asUintN(8 * word.size, BigInt(number));
   return word.bits?.find((bit) => bit.ranges && !isWithin(bit.ranges, bitsNumber(bit, raw)));
 }
 
-/** The number of a field of bits in a word. */
 function bitsNumber(bit, raw) {
   let [number, weight] = [0n, 0n];
   for (const [first, width] of runsOf(bit)) {
@@ -1780,38 +1624,26 @@ function bitMeaning(device, bit, number) {
   return meaningOf(bit.name, bit.label, bit.text, bits);
 }
 
-/** A decoded value, compared with the one that it repeats. */
 function repeatedValue(value, should, floatSize = 0) {
   return judged(value, sameValue(value.number, should), valueText(should, floatSize), "");
 }
 
-/**
- * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
- * of the bytes, if they have one. In a frame with escapes, `originals` are the bytes before they were escaped, and `places` the offsets after `start` of what is sent
- * for them, and of the end. `gap` is the place of the first byte after an escape of nothing, which is sent between that
- * byte and the one before.
- */
 class Spot {
   constructor(frame, start, width, places = null, originals = null, escape = null, gap = null) {
     Object.assign(this, { frame, start, width, places, originals, escape, gap });
   }
 
-  /** Where the byte `at` of the parts is in a CAN frame; empty in any other frame, and where it cannot be read. */
   canPlace(at) {
     if (this.escape?.method !== "can" || !this.places) return "";
     const size = identifierSize(this.escape);
-    return at < size ? "identifier" : String(at - size);
+    if (at < size) return "identifier";
+    return isRemoteRequest(this.frame.subarray(this.start), this.escape.remote ?? -1) ? "DLC" : String(at - size);
   }
 
-  /** `byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
   byteText(at) {
     return byteText(this.escape, at);
   }
 
-  /**
-   * The offset and the length in the frame of `length` bytes of the parts from `at` on, their characters, and where they
-   * are in a CAN frame.
-   */
   place(at, length) {
     if (this.places) {
       const end = this.places.length - 1;
@@ -1829,26 +1661,22 @@ class Spot {
   }
 }
 
-/** The characters of the bytes of a row, or the identifier of a CAN frame as tools for CAN buses write it: `123`. */
 function sentText({ canPlace, characters }) {
   if (canPlace !== "identifier" || !characters) return characters;
   const number = parseInt(characters.replaceAll(" ", "").slice(0, 8), 16);
   const isLong = number >= 2 ** 31;
-  return (isLong ? number - 2 ** 31 : number).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
+  return (number % 2 ** 30).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
 }
 
-/** Where the bytes of a row begin, as people count: in a CAN frame from the first byte of the data. */
 function placeOf({ canPlace, offset }) {
   return canPlace || String(offset);
 }
 
-/** `speed at byte 4`; in a CAN frame `speed at byte 2 of the data` or `node in the identifier`; without its path elsewhere. */
 function placeText({ canPlace, offset, path }) {
-  const byte = canPlace === "identifier" ? "the identifier" : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
+  const byte = ["identifier", "DLC"].includes(canPlace) ? `the ${canPlace}` : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
   return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byte}` : byte;
 }
 
-/** A row of an explanation: some bytes of a frame and their meaning. */
 function rowOf(more) {
   return {
     kind: "", offset: 0, length: 0, raw: new Uint8Array(), characters: "", canPlace: "", path: "", fact: "",
@@ -1857,7 +1685,6 @@ function rowOf(more) {
   };
 }
 
-/** The row of a fact whose bytes are at `at` in the parts. A fact without sources has those of `outer`. */
 function factRow(device, kind, path, fact, spot, at, raw, read, outer) {
   return rowOf({
     kind,
@@ -1879,22 +1706,20 @@ function factRow(device, kind, path, fact, spot, at, raw, read, outer) {
   });
 }
 
-/** The row of bytes that no fact describes, or of a place where bytes are missing. */
 function wrongRow(spot, at, raw, reason, detail, path = "", fact = "") {
   return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: `wrong: ${detail}`, reason });
 }
 
-/** The row of bytes after the end. */
 function surplusRow(spot, at, raw) {
   return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
 }
 
-/** The row of the start delimiter, if the link has one. */
 function startRows(parts) {
-  return markRows(parts, "start", 0, parts.start, parts.marks[0]);
+  const { link: { preamble }, lead, start } = parts;
+  const rows = preamble ? markRows(parts, "preamble", 0, start.subarray(0, lead), new Uint8Array(lead).fill(preamble.byte)) : [];
+  return [...rows, ...markRows(parts, "start", lead, start.subarray(lead), parts.marks[0])];
 }
 
-/** The rows of surplus characters, and of the end delimiter, if the link has one. */
 function endRows(parts) {
   const at = parts.frame.length - parts.end.length;
   const rows = markRows(parts, "end", at, parts.end, parts.marks[1]);
@@ -1912,10 +1737,6 @@ function endRows(parts) {
   return [rowOf(surplus), ...rows];
 }
 
-/**
- * The row of bytes of an escape that stand for no bytes, as the code of COBS before no data, at `at` in the parts.
- * `raw` are the bytes that are sent.
- */
 function escapeRow(spot, { path, source = "" }, at, raw) {
   return rowOf({
     kind: "mark", offset: spot.start + at, length: raw.length, raw, path: "escape", fact: path, verdict: "right", source,
@@ -1930,7 +1751,7 @@ function markRows({ link }, name, offset, raw, should) {
     offset,
     length: raw.length,
     raw,
-    characters: link.encoding === "hex_ascii" ? latinOf(raw) : "",
+    characters: link.transmission === "hex_ascii" ? latinOf(raw) : "",
     path: name,
     fact: link.path,
     verdict: right ? "right" : `wrong: should be ${hexOf(should, " ")}`,
@@ -1939,10 +1760,8 @@ function markRows({ link }, name, offset, raw, should) {
   })];
 }
 
-/** Data with null for empty texts. */
 const emptied = (data) => Object.fromEntries(Object.entries(data).map(([key, value]) => [key, value === "" ? null : value]));
 
-/** A row as data: what is empty is null, bytes are hexadecimal digits. */
 function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ...row }) {
   return {
     ...emptied({ ...row, can_place: canPlace, printed_name: printedName }),
@@ -1955,29 +1774,30 @@ function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ..
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
 
-/**
- * A frame of a link without its delimiters, which are `marks`, and its encoding. `start` and `end` are the bytes in the
- * places of the delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
- * cannot be read if the reason is `not_hex`; `whole` is then false.
- */
+function leadOf(preamble, frame) {
+  if (preamble === undefined) return 0;
+  const other = frame.findIndex((byte) => byte !== preamble.byte);
+  return Math.max(preamble.least, Math.min(other < 0 ? frame.length : other, preamble.most));
+}
+
 function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
-  const start = markOf(frame, marks[0], link.encoding);
+  const lead = leadOf(link.preamble, frame);
+  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.transmission);
   const after = frame.subarray(start.length);
-  const end = markOf(after.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
+  const end = markOf(after.toReversed(), marks[1].toReversed(), link.transmission).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
-  if (link.encoding === "binary") {
-    return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
+  if (link.transmission === "binary") {
+    return { link, marks, lead, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
   }
   const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
   const good = bad < 0 ? inner.length : bad;
   const pairs = good - (good % 2);
   const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
   const data = bytesOfHex(latinOf(inner.subarray(0, pairs)));
-  return { link, marks, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
+  return { link, marks, lead, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
 }
 
-/** The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else. */
 function markOf(frame, mark, encoding) {
   const place = frame.subarray(0, mark.length);
   if (encoding === "binary" || (place.length === mark.length && mark.every((byte, at) => byte === place[at]))) return place;
@@ -1985,12 +1805,10 @@ function markOf(frame, mark, encoding) {
   return frame.subarray(0, at < 0 ? mark.length : at);
 }
 
-/** Where a part is if all parts together have `length` bytes. */
 function partOffset(part, length) {
   return part.offset >= 0 ? part.offset : length + part.offset;
 }
 
-/** The bytes of the parts that `part` covers or is. Bounds are those of a slice: negative ones count from the end. */
 function sliceOf(data, start, stop) {
   const bound = (at) => Math.max(0, at < 0 ? data.length + at : Math.min(at, data.length));
   const [first, last] = [bound(start), stop === undefined ? data.length : bound(stop)];
@@ -2000,6 +1818,7 @@ function sliceOf(data, start, stop) {
 const FUNCTIONS = new WeakMap();
 
 function functionOf(algorithm) {
+  if (algorithm.codec) return algorithm.codec;
   if (!FUNCTIONS.has(algorithm)) {
     const initial = BigInt(algorithm.initial);
     let compute = algorithm.method === "crc"
@@ -2016,21 +1835,18 @@ function functionOf(algorithm) {
   return FUNCTIONS.get(algorithm);
 }
 
-/** The bytes of a checksum over its part of all parts. */
 function checksumOf(part, data) {
   const covered = sliceOf(data, part.start ?? 0, part.stop);
   const algorithm = functionOf(part.algorithm);
   return Uint8Array.from(checksumBytes({ ...part, algorithm }, covered, 0, covered.length));
 }
 
-/** The value of a length part if all parts together have `length` bytes; undefined if it cannot express that. */
 function lengthNumber(part, length) {
   const units = (length - (part.base ?? 0)) / (part.unitSize ?? 1);
   const [low, high] = typeBounds(part.value);
   return Number.isInteger(units) && low <= units && units <= high ? units : undefined;
 }
 
-/** The least and the greatest whole number of a value's type; bigints for more than six bytes. */
 function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   if (digits) return [least, most];
   switch (kind) {
@@ -2040,10 +1856,9 @@ function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   }
 }
 
-/** How bytes are escaped. */
-function escaping({ method, pairs, pattern, inserted, bits, fields }) {
+function escaping({ method, pairs, pattern, inserted, bits, fields, remote }) {
   switch (method) {
-    case "can": return canIdentifier(bits, fields);
+    case "can": return canIdentifier(bits, fields, remote);
     case "cobs": return cobs;
     case "add": return adding(inserted);
     case "replace": return replacing(pairs);
@@ -2052,29 +1867,24 @@ function escaping({ method, pairs, pattern, inserted, bits, fields }) {
   }
 }
 
-/** The original bytes, each with the place of the byte that is sent for it. Throws CodecError with the place of a wrong one. */
 function originalPlaces(escape, data) {
   const places = [];
   escaping(escape).walk(data, (byte, at) => places.push([byte, at]));
   return places;
 }
 
-/** The bytes of the parts that a CAN frame has in its identifier. */
 function identifierSize({ fields }) {
   return fields.reduce((sum, [own]) => sum + own, 0);
 }
 
-/** `byte 4`, or `byte 2 of the data` of a CAN frame, for the place `at` among the bytes of all parts. */
 function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
 }
 
-/** What is sent for some bytes. */
 function escapedBytes(escape, data) {
   return escaping(escape).escaped(data);
 }
 
-/** The most bytes that are sent for `size` bytes. */
 function mostEscaped({ method, pattern, fields }, size) {
   if (method === "can") return size + 8 - identifierSize({ fields });
   if (method === "add") return size;
@@ -2082,12 +1892,10 @@ function mostEscaped({ method, pattern, fields }, size) {
   return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
 }
 
-/** The parameter with a number of a set. */
 function parameterNumbered(words, number) {
   return words.parameters.find((row) => row.number <= number && number < row.number + (row.count ?? 1));
 }
 
-/** A number as the manual writes it. */
 function numberText(words, number) {
   if (!words.digits) return String(number);
   const [least, base, upper, after] = words.digits;
@@ -2095,7 +1903,6 @@ function numberText(words, number) {
   return `${words.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${after}`;
 }
 
-/** The set, named or in a space, that has a number on the wire, and the number in it. */
 function parameterAt(device, name, wireNumber) {
   for (const words of device.setsNamed(name)) {
     const number = Number(wireNumber) - words.base;
@@ -2104,7 +1911,6 @@ function parameterAt(device, name, wireNumber) {
   return undefined;
 }
 
-/** A parameter of a set, or one of its elements. `parameter` is undefined for a number that the spec does not list. */
 class ParameterElement {
   constructor(words, number, parameter, index = null, subindex = undefined) {
     Object.assign(this, { words, number, parameter, index, subindex });
@@ -2133,7 +1939,6 @@ function elementOf(words, number, parameter, at) {
   return new ParameterElement(words, number, parameter, at, subindex);
 }
 
-/** The parameter and its number at a place among the values of all numbers of a set; nothing after the last. */
 function placedParameter({ parameters }, place) {
   let rest = place;
   for (const parameter of parameters) {
@@ -2144,10 +1949,6 @@ function placedParameter({ parameters }, place) {
   return [];
 }
 
-/**
- * The row of element `index` of a field, with the name and the meaning that its parameter gives it. `known` are the
- * values of the frame so far and those of the request that it answers. `outer` is the message.
- */
 function withParameter(device, row, field, index, known, outer, isRequest) {
   if (!field.value?.parameter) return row;
   const [name, part, numberField] = field.value.parameter;
@@ -2171,7 +1972,6 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
   const element = elementOf(words, number, parameterNumbered(words, number), at);
   if (part === "value") {
     const size = statedSize(field, known);
-    // Its bytes are not a value.
     if (size === undefined) return { ...row, meanings: [element.meaning, ...row.meanings] };
     return readAs(device, row, field, element, isRequest, size);
   }
@@ -2179,7 +1979,6 @@ function withParameter(device, row, field, index, known, outer, isRequest) {
   return { ...row, meanings: [...row.meanings, element.meaning] };
 }
 
-/** How many bytes of a field are the value of a parameter: 0 where what should say so does not; undefined for none. */
 function statedSize(field, known) {
   const [, , by, sizes] = field.valueBytes ?? [];
   if (!by) return field.size;
@@ -2188,7 +1987,6 @@ function statedSize(field, known) {
   return sizes.find(([number]) => BigInt(stated) === BigInt(number))?.[1];
 }
 
-/** The row with its first bytes read as the value of a parameter. No codec refuses a frame for what is wrong with that. */
 function readAs(device, row, field, element, isRequest, size = field.size) {
   const { fact, parameter, meaning } = element;
   if (!fact || !parameter) return { ...row, meanings: [meaning, ...row.meanings] };
@@ -2197,13 +1995,11 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     const named = { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
     if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
     const stated = fact.value.size;
-    // A text may come without the zeros that fill it up.
     if (fact.value.kind === "text" && size < stated) return named;
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
   const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
   let read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved);
-  // What starts something does not answer what was written.
   if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
   return {
@@ -2221,7 +2017,6 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
   };
 }
 
-/** The bytes of a parameter's value in a field of bytes, with their order; undefined where they are not as many. */
 function parameterBytes({ value, byteOrder }, field, row, size) {
   if (size !== value.size) return undefined;
   const [own, words] = field.valueBytes;
@@ -2232,7 +2027,6 @@ function parameterBytes({ value, byteOrder }, field, row, size) {
 
 const COUNTS = ["integer", "boolean"];
 
-/** The bytes of a row as bytes of another value, with their order; undefined if they cannot be read as it. */
 function bytesAgain(value, field, row) {
   const own = field.value;
   const areCounts = COUNTS.includes(own.kind) && COUNTS.includes(value.kind);
@@ -2249,17 +2043,11 @@ function partialText(unit, isAtomic) {
   return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
 }
 
-/** Why an access forbids an operation; empty if it does not. */
 function forbiddenText(operation, access) {
   if (operation === "write" && access === "ro") return "can only be read";
   return operation === "read" && access === "wo" ? "can only be written" : "";
 }
 
-/**
- * `words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty. In a space
- * of bits, `words` counts these, and `bits` has those that the frame carries; in other spaces it is null. In a space of bytes, `words` counts
- * these, and an address has a `unitSize` of 1.
- */
 class AddressSpan {
   constructor(space, address, words, at, data, bits = null, unitSize = 2) {
     Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, end: address + words });
@@ -2270,10 +2058,6 @@ class AddressSpan {
     return this.unitSize === 2 ? "word" : "byte";
   }
 
-  /**
-   * The bytes in the parts that are `skip` bytes after an address, and those of the value that they carry; undefined
-   * unless all are there.
-   */
   piece(address, size, skip = 0) {
     if (this.bits !== null) return this.bitPiece(address - this.address);
     const start = this.unitSize * (address - this.address) + skip;
@@ -2290,10 +2074,6 @@ class AddressSpan {
   }
 }
 
-/**
- * The words or bits that a message accesses, by its own values or those of the request that it answers; null if
- * unknown. `value` returns a value by its name, `data` are the bytes of the words, at `at` in the parts.
- */
 function accessedSpan(access, isBits, values, asked, at, data) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
@@ -2315,7 +2095,6 @@ function accessedSpan(access, isBits, values, asked, at, data) {
   return new AddressSpan(access.space, Number(start), words, at, data, bits);
 }
 
-/** The rows of all registers that share words with a span, by address, and of words that no register has. */
 function registerRows(device, span, spot, operation) {
   const present = occupantsOf(device, span).sort((left, right) => left.address - right.address);
   const rows = [];
@@ -2331,13 +2110,11 @@ function registerRows(device, span, spot, operation) {
   return rows;
 }
 
-/** The register or the field of a table's element that begins at an address of a space; undefined if there is none. */
 function occupantAt(device, space, address) {
   const occupants = occupantsOf(device, new AddressSpan(space, address, 1, 0, new Uint8Array()));
   return occupants.find((occupant) => occupant.address === address);
 }
 
-/** The registers, and the fields of tables, that share words with a span, in the order of the spec. */
 function occupantsOf(device, span) {
   const occupants = [];
   for (const register of device.data.registers) {
@@ -2352,7 +2129,6 @@ function occupantsOf(device, span) {
   return occupants;
 }
 
-/** Where a table begins; null if only a register says where, and the span does not have it. */
 function baseOf(device, table, span) {
   if (!table.baseBy) return table.base;
   const register = device.data.registers.find(({ name }) => name === table.baseBy);
@@ -2363,7 +2139,6 @@ function baseOf(device, table, span) {
   return isWhole(number ?? "") && value.ranges.some(([low, high]) => low <= number && number <= high) ? Number(number) : null;
 }
 
-/** What may be at addresses: elements of tables of which the frame does not say where they begin. */
 function unknownBases(device, span, first, end) {
   return device.data.tables.flatMap((table) => {
     if (!table.baseBy || (table.space ?? "") !== span.space || baseOf(device, table, span) !== null) return [];
@@ -2422,7 +2197,6 @@ function addFields(occupants, device, table, span) {
   }
 }
 
-/** The numbers of the first element that may share words with a span, and of the one after the last. */
 function nearElements(base, { stride, words, count }, span) {
   const first = Math.max(0, Math.floor((span.address - base - words) / stride) + 1);
   return [first, Math.max(first, Math.min(count, Math.ceil((span.end - base) / stride)))];
@@ -2436,7 +2210,6 @@ function registerRow(device, span, occupant, spot, operation) {
     const value = byExponent(device, span, occupant, own);
     const decode = operation === "write" ? decodeValue : decodeAnswer;
     read = decode(device, value, piece.content, occupant.reserved);
-    // What starts something does not answer what was written.
     if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
@@ -2449,7 +2222,6 @@ function registerRow(device, span, occupant, spot, operation) {
   return { ...row, ...place, notes, ...(piece ? {} : { offset: 0, canPlace: "" }) };
 }
 
-/** The note of a field in an element that the device has not got, where the span has the count, too. */
 function absence(device, span, { outer, element }) {
   const count = outer.countBy && device.data.registers.find(({ name }) => name === outer.countBy);
   const piece = count && span.piece(count.address, count.value.size);
@@ -2458,7 +2230,6 @@ function absence(device, span, { outer, element }) {
   return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
 }
 
-/** A value with its scale, where a field of the same element or a register has the exponent, and the span has that one, too. */
 function byExponent(device, span, occupant, value) {
   if (!value.scaleBy) return value;
   const exponent = occupant.exponent ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
@@ -2466,11 +2237,9 @@ function byExponent(device, span, occupant, value) {
   return piece ? exponentApplied(value, exponent.value, contentOf(exponent.value, piece.content)) : value;
 }
 
-/** The row of words that no register has, with the reasons of the gaps there. */
 function unlistedRow(device, span, first, end, spot) {
   const gaps = device.data.gaps.filter(({ space, addresses }) =>
     space === span.space && addresses.some(([low, high]) => low < end && first <= high));
-  // Bits share bytes with others, so that theirs are not printed.
   const piece = span.bits === null ? span.piece(first, span.unitSize * (end - first)) : undefined;
   return rowOf({
     kind: "register",
@@ -2483,7 +2252,6 @@ function unlistedRow(device, span, first, end, spot) {
   });
 }
 
-/** The row of a field that carries a signal, with the percentages that its conversions give. */
 function withPercentages(device, row, field, number) {
   if (!field.signal || field.value.kind === "float" || !isWhole(number)) return row;
   const conversions = device.data.conversions.filter(({ signals }) => signals.includes(field.signal));
@@ -2496,11 +2264,6 @@ function withPercentages(device, row, field, number) {
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
 
-/**
- * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
- * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
- * record; its sources stand in for fields without their own.
- */
 class ExplainedBody {
   constructor(device, record, outer, isRequest, data, start, end, spot, asked) {
     Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
@@ -2509,7 +2272,6 @@ class ExplainedBody {
     this.beside = new Map();
     const { inner, spans } = this.record;
     Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    // A scale may be after the value that it applies to, so all bytes are read before any row is written.
     const traced = [...(spans ? this.tracedVarying() : inner ? this.tracedAround(inner) : this.traced())];
     this.rows = this.explained(traced);
   }
@@ -2543,7 +2305,6 @@ class ExplainedBody {
     if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  /** The parts of a record with fields after a list, in the order of the wire. */
   *tracedAround(inner) {
     const sent = inner.sent.map((name) => this.record.named.get(name));
     let at = this.start;
@@ -2566,7 +2327,7 @@ class ExplainedBody {
       const { size, elements } = this.extents[numberOfList++];
       const stop = at + size;
       const count = this.itemsOf(field);
-      yield this.tracedField(field, at, elements.length ? elements : new Array(count).fill(field.size));
+      yield this.tracedField(formOfField(this.record, field, this.values), at, elements.length ? elements : new Array(count).fill(field.size));
       at = elements.length ? stop : at + count * field.size;
       if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
       else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
@@ -2574,12 +2335,24 @@ class ExplainedBody {
     }
   }
 
-  /** The row from a list on whose bytes nobody knows. */
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
     if (this.hasWrongCount(list)) {
       const text = `${list.countName} is not a number of ${name}, so it is unknown where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
+    }
+    if (list.decision) {
+      const [by, size] = [list.decision.name, this.end - this.start];
+      const { reason } = this.fault;
+      if (reason === "unknown_value") {
+        const text = `${by} ${valueText(this.values.get(by))} does not decide the type of ${name}`;
+        return this.wrongRow(fields[0], at, reason, text);
+      }
+      if (reason === "wrong_length") {
+        return this.wrongRow(fields[0], at, reason, `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`);
+      }
+      if (size < this.record.least) return this.missingRow(fields, at);
+      return this.wrongRow(fields[0], at, reason, `${by} decides that ${name} has more bytes than there are`);
     }
     if (list.parts) {
       const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
@@ -2589,20 +2362,17 @@ class ExplainedBody {
     return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
   }
 
-  /** How many elements of a list of a record with fields after a list there are. */
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
     const { size, elements } = this.extents[number];
-    return this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+    return elements.length || this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
   }
 
-  /** Whether the first list whose bytes nobody knows has a count that cannot be right. */
   hasWrongCount(list) {
     if (!list.length || this.fault?.reason !== "wrong_measure") return false;
     return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
   }
 
-  /** The parts of a record whose values vary in width. */
   *tracedVarying() {
     const { fields, spans } = this.record;
     const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
@@ -2618,7 +2388,6 @@ class ExplainedBody {
     else if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  /** Why nobody knows where a field ends that begins at a byte, as a reason and in words. */
   endless(span, at) {
     if (span.count === undefined) return ["incomplete", `${span.name} has no end`];
     const { name } = this.record.spans[span.count];
@@ -2629,14 +2398,12 @@ class ExplainedBody {
     return ["wrong_measure", `${name} is not a number of bytes of ${span.name}`];
   }
 
-  /** How many elements a field should have: as many as fit if their number is free. */
   countOf(field) {
     if (!field.repeat) return field.count ?? 0;
     const [low, high] = field.repeat;
     return Math.min(Math.max(Math.floor((this.end - this.start - field.offset) / field.size), low), high);
   }
 
-  /** The row of the place where the body, or the bytes up to `stop`, are not enough for fields. */
   missingRow(fields, at, stop = this.end) {
     const missing = this.record.least - (this.end - this.start);
     const later = fields.map(({ name }) => name).join(", ");
@@ -2644,7 +2411,6 @@ class ExplainedBody {
     return this.wrongRow(fields[0], at, "incomplete", text, stop);
   }
 
-  /** The row of a field whose type is open, because the field that decides it has a value without a case. */
   undecidedRow(field, at) {
     const size = this.end - this.start;
     const { least, most, selector } = this.record;
@@ -2654,13 +2420,11 @@ class ExplainedBody {
     return this.wrongRow(field, at, "wrong_length", `${text}, which is ${size - most} bytes too long`);
   }
 
-  /** The row of the rest of the body, or of the bytes up to `stop`, where a field is expected. */
   wrongRow(field, at, reason, text, stop = this.end) {
     const row = wrongRow(this.spot, at, this.data.subarray(at, stop), reason, text, field.name, field.path);
     return { ...row, errata: this.device.errataAt(field.path) };
   }
 
-  /** What the elements of one field gave, which have some sizes. Adds their values to `values`. */
   tracedField(field, start, sizes) {
     const traced = [];
     const values = runEach(this.device, field, this.data, start, sizes, "", traced, this.beside);
@@ -2669,7 +2433,6 @@ class ExplainedBody {
     return { name: field.name, traced };
   }
 
-  /** The row of what some bytes gave; `known` are the values of the fields before it, and those of the request. */
   fieldRow(traced, known) {
     const { field, path, index, offset, raw, number, beside } = traced;
     const exponent = beside.get(field.exponent);
@@ -2681,7 +2444,6 @@ class ExplainedBody {
     return withPercentages(this.device, row, field, number);
   }
 
-  /** The value of a field that measures another one, judged by the size of that field. */
   measured(field, read) {
     if (field.bitsOf) return this.bitCount(field, read);
     const [of, name, plus = 0] = field.measures ?? [];
@@ -2700,7 +2462,6 @@ class ExplainedBody {
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
   }
 
-  /** The number of bits in a list of bytes, judged by how many there are. */
   bitCount(field, read) {
     const packed = this.record.named.get(field.bitsOf);
     const size = Math.max(0, Math.min(this.countOf(packed), this.end - this.start - packed.offset));
@@ -2708,7 +2469,6 @@ class ExplainedBody {
     return judged(read, Math.ceil(Number(read.number) / 8) === size, should, "wrong_measure");
   }
 
-  /** The value of a field that measures a list of a record with fields after a list. */
   measuredList(field, other, read) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
     if (number < this.extents.length) {
@@ -2722,7 +2482,6 @@ class ExplainedBody {
     return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 
-  /** The value of a field that repeats one of the request, judged by the value there. */
   repeated(field, read) {
     const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
     return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
@@ -2731,27 +2490,21 @@ class ExplainedBody {
 
 const NOTHING = new Map();
 
-/** The explanation of a whole frame as the answer to `request`, the explanation of another one, or null. Never throws. */
 function explained(device, link, direction, frame, message = "", request = null) {
   return new ExplainedFrame(device, link, direction, frame, message, request).explanation();
 }
 
-/** The reasons for which a codec refuses a frame; none if it accepts the frame. */
 function reasonsOf({ rows }) {
   return rows.map(({ reason }) => reason).filter((reason) => reason && reason !== "out_of_range");
 }
 
-/**
- * A frame while it is being explained. `data` are the bytes of its parts, `surplus` are those after them, and
- * `emptyEscape` those that an escape sends for no bytes at all.
- */
 class ExplainedFrame {
   constructor(device, link, direction, frame, message, asked) {
     Object.assign(this, { device, direction, frame, asked });
     this.link = device.links.get(link);
     this.shape = this.link[direction];
     this.wrapped = unwrapped(this.link, direction, frame);
-    this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
+    this.spot = new Spot(frame, this.wrapped.start.length, this.link.transmission === "hex_ascii" ? 2 : 1);
     this.unreadable = null;
     this.emptyEscape = new Uint8Array();
     [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
@@ -2763,7 +2516,6 @@ class ExplainedFrame {
     this.values = new Map();
   }
 
-  /** The whole explanation. The header comes first, as its code tells what the body is. */
   explanation() {
     if (this.unreadable !== null) return this.unreadableFrame(this.unreadable);
     const rows = [...startRows(this.wrapped), ...this.headRows()];
@@ -2784,7 +2536,6 @@ class ExplainedFrame {
     return this.result(this.message?.name ?? "", rows, registers, errata);
   }
 
-  /** Whether a part or the data say that a frame without a code is an exception response. */
   isMarked() {
     const { exception } = this.link;
     if (!exception || this.direction === "request" || this.shape.code) return false;
@@ -2799,7 +2550,6 @@ class ExplainedFrame {
     return { link: link.name, direction, message, error, frame, rows, registers, values, errata };
   }
 
-  /** The bytes of the parts before they were escaped; finds out where they are in the frame. */
   original(sent) {
     const { escape, escapeStart: start, escapeStop } = this.shape;
     if (sent.length < this.shape.headerSize + this.shape.trailerSize) return sent;
@@ -2828,7 +2578,6 @@ class ExplainedFrame {
     return data;
   }
 
-  /** The explanation of a frame with bytes that are the escape of nothing, from the byte `at` on. */
   unreadableFrame({ at, detail }) {
     const [start, stop] = [this.shape.escapeStart, this.data.length + this.shape.escapeStop];
     const { escape } = this.shape;
@@ -2845,7 +2594,6 @@ class ExplainedFrame {
     return this.result(this.named, rows, [], []);
   }
 
-  /** The rows of parts that are not escaped. */
   outsideRows(parts) {
     return parts.filter(({ escaped }) => !escaped).map((part) => {
       const at = partOffset(part, this.data.length);
@@ -2858,12 +2606,10 @@ class ExplainedFrame {
     return factRow(this.device, "part", part.name, part, this.spot, at, data, this.partValue(part, data), this.link);
   }
 
-  /** The bytes whose length or checksum a part has: those that are sent, or those before they are escaped. */
   measuredBytes(part) {
     return this.shape.escape && !part.beforeEscape ? this.sentData : this.data;
   }
 
-  /** The bytes of the parts and those after them: length and checksum may show that the frame ends earlier. */
   withoutSurplus(data) {
     const nothing = data.subarray(data.length);
     const ofSent = (part) => !this.shape.escape || !part.beforeEscape;
@@ -2900,7 +2646,6 @@ class ExplainedFrame {
     return wrongRow(this.spot, at, data, "incomplete", text, part.name, part.path);
   }
 
-  /** The value of a part, judged by its role. */
   partValue(part, raw) {
     if (part.role === "checksum") return this.checkedValue(part, raw);
     const read = decodeValue(this.device, part.value, raw, part.reserved);
@@ -2914,24 +2659,25 @@ class ExplainedFrame {
     return read.reason || should === undefined ? read : repeatedValue(read, should);
   }
 
-  /** A length, compared with the bytes that it counts. */
   judgedLength(part, read) {
     if (!this.wrapped.whole) return read;
     const should = lengthNumber(part, this.measuredBytes(part).length);
     return judged(read, should !== undefined && read.number == should, should ?? "for another number of bytes", "wrong_length");
   }
 
-  /** A checksum, compared with the one that the bytes have. */
   checkedValue(part, raw) {
     const read = decoded(part.digits ? latinOf(raw) : wholeOf(raw, part.order ?? "big", false));
     if (!this.wrapped.whole) return read;
     const should = checksumOf(part, this.measuredBytes(part));
-    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_check");
+    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_checksum");
   }
 
-  /** The message that a code names. An exception response marks the code. */
   codeValue(part, read) {
     let code = Number(read.number);
+    if (this.shape.escape?.remote !== undefined) {
+      read = { ...read, number: code % 2 ** 30 };
+      this.values.set(part.name, read.number);
+    }
     const { link, direction } = this;
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
@@ -2964,7 +2710,6 @@ class ExplainedFrame {
     return judged(meaning, false, link.codes[direction][this.named], "unknown_code");
   }
 
-  /** The code of all exception responses, which does not say what it answers: only the request does. */
   refusingCode(read) {
     this.message = this.link.carriedMessages.request.get(this.named);
     if (!this.message) return { ...read, meanings: [meaningOf("", "", "a request is refused")] };
@@ -2972,7 +2717,6 @@ class ExplainedFrame {
     return { ...read, meanings: [meaningOf("", "", `${title || label || name} is refused`)], notes, facts: [path] };
   }
 
-  /** The number of a part before the body, as far as the bytes reach. */
   partNumber(name) {
     return numberOf(this.shape.header.find((part) => part.name === name), this.data);
   }
@@ -2987,7 +2731,6 @@ class ExplainedFrame {
     return judged(read, false, intervalsText(addresses.ranges), "out_of_range");
   }
 
-  /** The rows of the body, and those of the registers that it reads or writes. */
   body() {
     const start = this.shape.headerSize;
     const end = this.wrapped.whole ? Math.max(start, this.data.length - this.shape.trailerSize) : this.data.length;
@@ -3012,7 +2755,6 @@ class ExplainedFrame {
     return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
   }
 
-  /** The rows of the registers of a message that accesses them in several steps; a response has those that read. */
   stepRows(record, values, start, end) {
     const isRequest = this.direction === "request";
     const known = isRequest ? values : this.asked?.values ?? NOTHING;
@@ -3029,7 +2771,6 @@ class ExplainedFrame {
     return rows;
   }
 
-  /** The row of a body that nothing describes. */
   unknownRows(start, end) {
     const data = this.data.subarray(start, end);
     if (!this.shape.code) {
@@ -3057,21 +2798,18 @@ class ExplainedFrame {
   }
 }
 
-/** The number of a part before the body, as far as the bytes reach; NaN for what are not its digits. */
 function numberOf({ offset, size, order, value }, data) {
   const bytes = data.subarray(offset, offset + size);
   if (value.digits) return (bytes.length === size ? digitsNumber(value, bytes) : undefined) ?? NaN;
   return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
 }
 
-/** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
 function lengthsOf(link, direction, message) {
   const { headerSize, trailerSize } = link[direction];
   const record = message[direction];
   return [record.least + headerSize + trailerSize, (record.most ?? Infinity) + headerSize + trailerSize];
 }
 
-/** The names of the messages whose body can be as long as that of a frame. */
 function namesOfLength(link, direction, frame) {
   const { length } = unwrapped(link, direction, frame).data;
   const { escape } = link[direction];
@@ -3083,12 +2821,10 @@ function namesOfLength(link, direction, frame) {
   return fitting.map(({ name }) => name);
 }
 
-/** Readings as data: link, direction, message and whether it is an exception response. */
 function readingData([link, direction, message, error]) {
   return { link, direction, message: message || null, error };
 }
 
-/** An explanation as data, with the readings that fit, how one of them was chosen, and remarks on the input. */
 function explanationData(device, explanation, readings, chosen, remarks, wrong) {
   const rows = [...explanation.rows, ...explanation.registers];
   const errata = new Set([...explanation.errata, ...rows.flatMap((row) => row.errata)]);
@@ -3116,20 +2852,14 @@ function explanationData(device, explanation, readings, chosen, remarks, wrong) 
 const DIRECTIONS = ["request", "response"];
 
 const OF_VALUES = ["unknown_value", "wrong_const", "wrong_measure"];
-// The frame carries no code, so its message is a guess. That is not a fault, but a broken frame needs better evidence.
 const GUESSED = "guessed";
-// The faults that a reading may have. The readings of the first step that any of them passes are the result.
 const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));
 const CLOSE = [
   ...FITTING,
-  new Set([...OF_VALUES, "wrong_check", GUESSED]),
-  new Set([...OF_VALUES, "wrong_check", "wrong_length", "incomplete"]),
+  new Set([...OF_VALUES, "wrong_checksum", GUESSED]),
+  new Set([...OF_VALUES, "wrong_checksum", "wrong_length", "incomplete"]),
 ];
 
-/**
- * The readings of a frame that fit, in the order of the spec: link, direction, message, and whether it is an exception
- * response. With `close`, else those with a wrong checksum, else those with a wrong length too.
- */
 function readingsOf(device, frame, close = false) {
   const faults = new Map();
   for (const link of device.links.values()) {
@@ -3151,23 +2881,19 @@ function readingsOf(device, frame, close = false) {
   return [];
 }
 
-/** The names of the messages that a frame may be; the empty one leaves it to the code in the frame. */
 function candidatesOf(link, direction, frame, close) {
   const coded = Boolean(link[direction].code);
   if (coded && (direction === "request" || !link.ambiguous)) return [""];
   const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
-  // An exception response says what it is, and not which message it answers.
   if (!coded) return direction === "response" && link.exception ? [...names, ""] : names;
   const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
   return ["", ...several.filter((name) => names.includes(name))];
 }
 
-/** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
 function isGuessed(device, link, direction, message) {
   return !link[direction].code || isAmbiguous(link, direction, codeIn(direction, device.messages.get(message)));
 }
 
-/** The reading of an explanation. */
 function readingOf({ link, direction, message, error }) {
   return [link, direction, message, error];
 }
@@ -3176,7 +2902,6 @@ function explainedReading(device, frame, [link, direction, message]) {
   return explained(device, link, direction, frame, message);
 }
 
-/** What the user says about the frames: `places` are links and directions; what is empty is open. */
 class FrameOptions {
   constructor(places = [], message = "") {
     Object.assign(this, { places, message });
@@ -3195,12 +2920,6 @@ class FrameOptions {
   }
 }
 
-/**
- * The explanation of a frame under the reading that is chosen, and all readings that fit. `mark` is the direction that
- * a log tells, which may be wrong. `asked` has the explanation of the request that a response answers, and is `sure` if
- * the user has named it. `chosen` says why: it is the `only` one that fits; the `request` before it or a `mark` decided
- * between several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
- */
 function readFrame(device, frame, options, mark = "", asked = null) {
   const answer = asked && options.allowsDirection("response") ? answerOf(device, frame, asked.request) : null;
   if (answer) {
@@ -3212,7 +2931,6 @@ function readFrame(device, frame, options, mark = "", asked = null) {
     .filter((reading) => options.allows(reading));
   if (!fitting.length) {
     const near = closestReading(device, frame, options, mark);
-    // What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
     return answer && mark === "response" && near.explanation.direction !== mark ? answer : near;
   }
   const examples = exampleKeys(device, frame);
@@ -3224,19 +2942,16 @@ function readFrame(device, frame, options, mark = "", asked = null) {
   return { explanation: explainedReading(device, frame, fitting[0]), readings: fitting, chosen, mismatches };
 }
 
-/** What a response does not repeat of the request before it, where nothing else shows that it answers another. */
 function unrepeated({ explanation, mismatches }, reading) {
   const own = readingOf(explanation);
   if (reasonsOf(explanation).length || reading.some((value, at) => value !== own[at])) return [];
   return mismatches.every((text) => text.includes(NOT_REPEATED)) ? mismatches : [];
 }
 
-/** Whether a codec refuses the frame, or a response does not fit its request. */
 function isWrong({ explanation, readings, mismatches }) {
   return Boolean(reasonsOf(explanation).length || mismatches.length || !readings.length);
 }
 
-/** The readings of the examples that have exactly these bytes. */
 function exampleReadings(device, frame) {
   return device.readingsOf.get(hexOf(frame)) ?? [];
 }
@@ -3245,7 +2960,6 @@ function exampleKeys(device, frame) {
   return new Set(exampleReadings(device, frame).map((reading) => JSON.stringify(reading)));
 }
 
-/** A reading, with the message of an example where it is an exception response to one of several messages. */
 function namedByExample(reading, examples) {
   const [link, direction, message, error] = reading;
   if (message || !error) return reading;
@@ -3253,7 +2967,6 @@ function namedByExample(reading, examples) {
   return example ?? reading;
 }
 
-/** A reading, with the message of the options where it is an exception response that does not say what it answers. */
 function namedByOption(device, frame, reading, options) {
   const [link, direction, message, error] = reading;
   if (message || !error || !options.message) return reading;
@@ -3261,10 +2974,6 @@ function namedByOption(device, frame, reading, options) {
   return named[2] === options.message && named[3] ? named : reading;
 }
 
-/**
- * What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
- * message is a guess, and that its length may be any.
- */
 function doubtsOf(device, reading, mark, examples) {
   const [link, direction, message, error] = reading;
   const guessed = !error && isGuessed(device, device.links.get(link), direction, message);
@@ -3277,7 +2986,6 @@ function comparedLists(left, right) {
   return at < 0 ? 0 : left[at] - right[at];
 }
 
-/** The reading with the fewest faults. */
 function closestReading(device, frame, options, mark) {
   let near = readingsOf(device, frame, true)
     .map((reading) => namedByOption(device, frame, reading, options))
@@ -3286,7 +2994,6 @@ function closestReading(device, frame, options, mark) {
     const places = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction]))
       .filter(([link, direction]) => options.goes(link, direction));
     const carrying = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].has(options.message));
-    // Nobody sends a request on a link whose messages come from the device alone.
     const sending = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].size);
     near = [carrying, sending, places].find((some) => some.length).map((place) => [...place, options.message, false]);
   }
@@ -3301,7 +3008,6 @@ function closestReading(device, frame, options, mark) {
   return { explanation: explainedReading(device, frame, ranked[0].reading), readings: [], chosen: "closest", mismatches: [] };
 }
 
-/** The explanation of a frame as the response to a request. */
 function answerOf(device, frame, request) {
   const response = explained(device, request.link, "response", frame, request.message, request);
   const fits = !reasonsOf(response).length;
@@ -3315,7 +3021,6 @@ function answerOf(device, frame, request) {
 
 const NOT_REPEATED = "does not repeat the request";
 
-/** The places where a response does not fit its request. */
 function mismatchesOf(device, request, response) {
   const link = device.links.get(request.link);
   const texts = [];
@@ -3323,7 +3028,6 @@ function mismatchesOf(device, request, response) {
     const [ours, theirs] = [link.request[role], link.response[role]];
     const want = ours && request.values.get(ours.name);
     const have = theirs && response.values.get(theirs.name);
-    // A code of its own marks the exception responses to all requests.
     if (role === "code" && response.error && link.exception?.code !== undefined) continue;
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
@@ -3364,7 +3068,6 @@ function mismatchesOf(device, request, response) {
 
 const NAMED = 3;
 
-/** The remarks on a frame. `askedIn` is the line of the request before it, 0 if there is none. */
 function remarksOn(device, chosen, askedIn, options) {
   const texts = [];
   if (chosen.chosen === "closest") {
@@ -3377,17 +3080,14 @@ function remarksOn(device, chosen, askedIn, options) {
   return [...texts, ...chosen.mismatches];
 }
 
-/** Whether a frame is one that the device sends of its own accord, so that it answers nothing. */
 function isUnrequested(device, chosen) {
   return Boolean(device.messages.get(chosen.explanation.message)?.unrequested);
 }
 
-/** Whether frames of a link carry the code of their message. */
 function isCoded(link) {
   return DIRECTIONS.some((direction) => link[direction].code);
 }
 
-/** The remark that other readings fit, and what tells them apart. */
 function ambiguityText(device, chosen) {
   const own = chosen.explanation;
   const ownKey = JSON.stringify(readingOf(own));
@@ -3409,7 +3109,6 @@ function ambiguityText(device, chosen) {
   return `ambiguous: explained as ${first}, it may also be ${others.join(" or ")}; ${telling}`;
 }
 
-/** The options that tell the readings apart: those that are each enough, else all that help. */
 function optionsText(device, own, alternatives) {
   const words = new Set([own.link, ...alternatives.map(([link]) => link)].map((link) => device.links.get(link).messageName));
   const word = words.size === 1 ? [...words][0].replaceAll("_", "-") : "message";
@@ -3426,7 +3125,6 @@ function optionsText(device, own, alternatives) {
   return `${telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option).join(" and ")} tell`;
 }
 
-/** Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`. */
 function namedReading(device, own, link, direction, error, messages) {
   const place = link === own.link ? "" : ` on ${link}`;
   const names = (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", ");
@@ -3434,7 +3132,6 @@ function namedReading(device, own, link, direction, error, messages) {
   if (!DIRECTIONS.includes(name) && !error) {
     return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
   }
-  // What the device sends of its own accord answers nothing.
   const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
   const kind = error ? "refusal" : isAnswer || direction === "request" ? direction : "frame";
   const joint = isAnswer ? "to" : "of";
@@ -3442,12 +3139,10 @@ function namedReading(device, own, link, direction, error, messages) {
   return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
 }
 
-/** `telegram_3 sent` */
 function messageText(link, direction, message) {
   return `${message} ${link.directionNames[direction]}`;
 }
 
-/** The lengths of the messages, if only the length could tell which one the frame is, and it tells none. */
 function otherLengths(device, chosen, options) {
   const own = chosen.explanation;
   const link = device.links.get(own.link);
@@ -3467,14 +3162,14 @@ function otherLengths(device, chosen, options) {
   return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];
 }
 
-/** The size of a frame, counted as those of messages are: `without its delimiters, the frame has 4 bytes`. */
 function ownSize(link, { direction, frame, rows }) {
   const { escape } = link[direction];
   if (escape?.method === "can") return `the data of the frame have ${byteCount(frame.length - 8)}`;
   const inner = rows.filter(({ kind }) => kind !== "mark");
-  const isHex = link.encoding === "hex_ascii";
+  const isHex = link.transmission === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
-  const without = [...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
+  const preamble = link.preamble ? ["preamble"] : [];
+  const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
   const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
   return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
 }
@@ -3483,7 +3178,6 @@ function byteCount(count) {
   return count === 1 ? "1 byte" : `${count} bytes`;
 }
 
-// Patterns of bytes in a text, in the spellings of terminals, sniffers and programming languages.
 const EACH_ENCLOSED = /^(?:(?:\[[0-9A-Fa-f]{2}\]\s*)+|(?:<[0-9A-Fa-f]{2}>\s*)+)$/;
 const QUOTED = /^(?:b?(["'])(.*)\1[,;]?|\[(.*)\]|\{(.*)\}|\((.*)\))$/s;
 const SEPARATOR = /[\s,;:+_|-]+|(?<=[0-9A-Fa-f])(?=\\x)/;
@@ -3492,7 +3186,6 @@ const LAST = /(?:\\x(?<code>[0-9a-f]{2})|[<[]?(?<name>crlf|cr|lf|\\r|\\n)[>\]]?|
 const CHARACTERS = { "\\r": "\r", "\\n": "\n", cr: "\r", lf: "\n", crlf: "\r\n" };
 const CONTROLS = { 0x02: "STX", 0x03: "ETX", 0x0a: "LF", 0x0d: "CR" };
 
-// Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment after them.
 const WORDS = {
   request: ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"],
   response: ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"],
@@ -3515,11 +3208,11 @@ const BEFORE = new RegExp(
 );
 const CANDUMP = new RegExp(
   "(?:^|\\s)(?<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
-  + "(?:#(?<data>(?:[0-9A-Fa-f]{2}){0,8})(?:\\s+[RT])?|\\s+\\[(?<count>[0-8])\\](?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8}))\\s*$",
+  + "(?:#(?:(?<remote>R)(?<dlc>[0-8])?|(?<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\\s+[RT])?"
+  + "|\\s+\\[(?<count>[0-8])\\](?:(?<words>\\s+remote request)|(?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8})))\\s*$",
 );
 const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
 
-/** A text that is not bytes. The message says why; `isEmpty` if there is nothing in it that may be bytes. */
 class Unreadable extends Error {
   constructor(message, isEmpty = false) {
     super(message);
@@ -3528,30 +3221,25 @@ class Unreadable extends Error {
   }
 }
 
-/** Whether every byte has its own brackets. */
 function isEachEnclosed(text) {
   return EACH_ENCLOSED.test(text.trim());
 }
 
-/** A text without the quotes, brackets or braces around it. Brackets around each byte stay. */
 function unquoted(text) {
   const match = isEachEnclosed(text) ? null : QUOTED.exec(text.trim());
   return match ? match.slice(2).find((inner) => inner !== undefined) : text;
 }
 
-/** Whether a word can be read as bytes. */
 function isHexWord(word) {
   const pieces = word.split(SEPARATOR).filter(Boolean);
   return pieces.length > 0 && pieces.every((piece) => PIECE.test(piece));
 }
 
-/** The bytes of a text. Throws Unreadable. */
 function bytesOfText(text) {
   let inner = unquoted(text);
   if (isEachEnclosed(inner)) inner = inner.replace(/[[\]<>]+/g, " ");
   let digits = "";
   const pieces = inner.split(SEPARATOR).filter(Boolean);
-  // Programs that print a byte as one digit where they can print no other byte as 0 and a digit.
   const isPadded = pieces.some((piece) => /^0[0-9A-Fa-f]/.test(piece));
   for (const piece of pieces) {
     const match = PIECE.exec(piece);
@@ -3565,10 +3253,6 @@ function bytesOfText(text) {
   return bytesOfHex(digits);
 }
 
-/**
- * A frame that the text shows as characters, with a remark on what is missing at its end. Null if the text does not
- * begin like a frame of one of the links that send characters.
- */
 function inCharacters(text, links) {
   const inner = unquoted(text).trimStart();
   for (const link of links) {
@@ -3576,7 +3260,7 @@ function inCharacters(text, links) {
       if (!inner.startsWith(mark)) continue;
       const [, close] = link.delimiters[direction];
       const [text, end] = ended(inner);
-      const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
+      const body = link.transmission === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
       const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
       return withEnd(bytes, Array.from(end, (char) => char.charCodeAt(0)), [...close]);
     }
@@ -3584,7 +3268,6 @@ function inCharacters(text, links) {
   return null;
 }
 
-/** The text without the control characters at its end, which may be spelled as words, and these characters. */
 function ended(text) {
   let rest = text;
   let end = "";
@@ -3598,7 +3281,6 @@ function ended(text) {
   }
 }
 
-/** A frame with its whole end delimiter, and a remark if the text has only a part of the delimiter. */
 function withEnd(body, end, mark) {
   const endsWith = (bytes, last) => last.every((byte, at) => bytes[bytes.length - last.length + at] === byte);
   let size = mark.length;
@@ -3611,20 +3293,17 @@ function withEnd(body, end, mark) {
   return { frame: Uint8Array.from([...body, ...rest]), remarks: [remark] };
 }
 
-/** The frame in a line of candump, `605#4041` or `605 [2] 40 41`; null for any other text. */
 function canFrameOf(text) {
   const match = CANDUMP.exec(text);
   if (!match) return null;
-  const { identifier, count } = match.groups;
-  const data = bytesOfHex((match.groups.data ?? match.groups.bytes).replace(/\s+/g, ""));
-  if (count !== undefined && Number(count) !== data.length) return null;
-  return canBytes({ identifier: parseInt(identifier, 16), data, isExtended: identifier.length > 3 });
+  const { identifier, count, dlc, remote, words } = match.groups;
+  const data = bytesOfHex((match.groups.data ?? match.groups.bytes ?? "").replace(/\s+/g, ""));
+  const isRemote = Boolean(remote ?? words);
+  const size = Number(dlc ?? count ?? data.length);
+  if (!isRemote && size !== data.length) return null;
+  return canBytes({ identifier: parseInt(identifier, 16), data, isExtended: identifier.length > 3, isRemote, dlc: size });
 }
 
-/**
- * The frame in a line of a log: its bytes, empty if the line only announces the next one; the direction of the mark in
- * the line, or empty; remarks on what is missing. Null for a blank line or a comment. Throws Unreadable.
- */
 function logLine(text, links) {
   if (/^(?:[ \t\n\r\f\v]*[0-9a-f]{2})+[ \t\n\r\f\v]*$/i.test(text)) {
     return { frame: bytesOfHex(text.replace(/\s+/g, "")), direction: "", remarks: [] };
@@ -3657,11 +3336,6 @@ function logLine(text, links) {
   }
 }
 
-/**
- * The direction that marks tell; empty if they tell none. Words count more than arrows, and an arrow after a name tells
- * nothing, as it may point either way. A word that a link uses for the other direction tells nothing either: the log may
- * take either side's view.
- */
 function directionOf(text, marks, links) {
   const words = marks.map(({ groups }) => groups.word?.toLowerCase()).filter(Boolean);
   if (words.length) {
@@ -3675,7 +3349,6 @@ function directionOf(text, marks, links) {
   return last.groups.arrow.includes(">") ? "request" : "response";
 }
 
-/** The frame of a line without marks; brackets around each byte tell its direction. */
 function unmarked(text, links) {
   const read = frameBehind(text, links);
   const start = text.trim()[0];
@@ -3683,7 +3356,6 @@ function unmarked(text, links) {
   return { ...read, direction: (enclosed && { "[": "request", "<": "response" }[start]) || "" };
 }
 
-/** The frame after times, labels and words, and remarks on what the text lacks of it. */
 function frameBehind(text, links) {
   let rest = text.replace(/^[ \t]+/, "");
   while (rest) {
@@ -3699,33 +3371,20 @@ function frameBehind(text, links) {
   throw new Unreadable("there are no bytes in it", true);
 }
 
-/** The characters of a line from which on it is too long for a frame. */
 const LONGEST_LINE = 8192;
 
-/** The lines of a text, with their ends. */
 function linesOf(text) {
   return text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
 }
 
-/** The requests without an answer that are remembered. */
 const MOST_OPEN = 64;
 
-/**
- * Explains the lines of a log, one after the other. A response is read as the answer to a request before it; `asked` is
- * a request that the user names, which every line answers. `open` are the requests that may still be answered, the
- * newest last: one for each of the values that responses repeat. `mark` is the direction that a line without bytes
- * announces for the next one.
- */
 class LogReader {
   constructor(device, options = new FrameOptions(), asked = null) {
     Object.assign(this, { device, options, asked, open: [], mark: "", number: 0 });
     this.links = [...device.links.values()];
   }
 
-  /**
-   * The reading of the next line, with its number, its remarks, and the request that it answers; null for a blank line,
-   * a comment, and a line that only announces the next one. Throws Unreadable for a line without a frame.
-   */
   read(text) {
     this.number += 1;
     if (text.length >= LONGEST_LINE) throw new Unreadable(`it has ${LONGEST_LINE} characters or more`);
@@ -3745,7 +3404,6 @@ class LogReader {
     return { ...reading, line: this.number, remarks, request, wrong: isWrong(reading) };
   }
 
-  /** The reading of a frame, and the request before it that counts; null where there is none. */
   readingOf(frame) {
     const readAs = (asked) => ({ reading: readFrame(this.device, frame, this.options, this.mark, asked), asked });
     if (this.asked || !this.open.length) return readAs(this.asked);
@@ -3758,7 +3416,6 @@ class LogReader {
     return nearest;
   }
 
-  /** Closes the requests that a frame answers, or leaves without an answer. */
   close(frame) {
     if (this.device.messages.get(frame.message)?.unrequested) return; // the device sends it of its own accord
     const own = this.numbersOf(frame);
@@ -3768,12 +3425,10 @@ class LogReader {
     );
   }
 
-  /** What responses repeat of their requests, in a request or in a response; undefined where a frame lacks it. */
   numbersOf({ link, direction, values }) {
     return this.device.links.get(link).repeated.map(([asked, answer]) => values.get(direction === "request" ? asked : answer));
   }
 
-  /** The frame as the request that the next response answers; null for what nobody answers. */
   requestOf(reading) {
     const request = reading.explanation;
     const faults = reasonsOf(request);
@@ -3781,7 +3436,6 @@ class LogReader {
     if (request.direction !== "request" || (isWrong(reading) && !isUnknown)) return null;
     const link = this.device.links.get(request.link);
     if (link.carriedMessages.request.has(request.message) && !link.carriedMessages.response.has(request.message)) return null;
-    // Without codes, nothing shows that it is a request.
     if (reading.chosen === "likeliest" && !link.response.code && !link.request.code) return null;
     const { unitAddress } = link.request;
     const { broadcast } = link.addresses ?? {};
@@ -3795,7 +3449,6 @@ const NUMBER = /^[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,30})?(?:[eE][-+]?[0-9]{
 const QUANTITY = /^([-+]?(?:0|[1-9][0-9]{0,29})(?:\.[0-9]{1,30})?)(?: (?=.)|(?=[^0-9 ]))(.*)$/s;
 const LETTERS = { float: { nan: NaN, inf: Infinity, "-inf": -Infinity } };
 
-/** The whole number that a text is, in decimal or hexadecimal; undefined where it is none. */
 function countOf(text) {
   if (!COUNT.test(text)) return undefined;
   const count = BigInt(text.replace(/^[-+]/, ""));
@@ -3806,14 +3459,12 @@ function narrowed(count) {
   return count >= -(2n ** 53n) && count <= 2n ** 53n ? Number(count) : count;
 }
 
-/** A decimal number, or a fraction of two whole numbers, as an exact fraction of bigints. */
 function fractionOf(text) {
   const [above, below = "1"] = text.split("/");
   const [whole, places = ""] = above.replace(/^\+/, "").split(".");
   return [BigInt(whole + places), BigInt(below) * 10n ** BigInt(places.length)];
 }
 
-/** The exact count of a quantity as a fraction: (quantity - offset) / scale. */
 function exactCount(value, text) {
   const [above, below] = fractionOf(text);
   const [shift, under] = fractionOf(value.offset ?? "0");
@@ -3829,7 +3480,6 @@ function nearestCount([above, below]) {
   return twice > below || (twice === below && whole % 2n !== 0n) ? whole + 1n : whole;
 }
 
-/** A raw value as a person enters it: a member, a quantity, digits. */
 function entryOf(device, value, raw, inDigits = false) {
   if (raw instanceof Uint8Array) return value.kind === "text" ? latinOf(raw).replace(/\0+$/, "") : hexOf(raw, " ");
   if (typeof raw === "string") return raw;
@@ -3853,7 +3503,6 @@ function countText(device, value, raw, inDigits) {
   return quantityText(value, raw) || String(raw);
 }
 
-/** The quantity of a raw value, if it leads back to the raw value: a rounded one may not. */
 function quantityText(value, raw) {
   const text = inUnit(value, raw);
   const [, quantity] = QUANTITY.exec(text) ?? [];
@@ -3863,7 +3512,6 @@ function quantityText(value, raw) {
   return isCount && nearestCount(exact) === BigInt(raw) ? text : "";
 }
 
-/** The raw value of an entered text. Throws CodecError, which calls the value `name`. */
 function rawOf(device, name, value, text) {
   const entered = text.trim();
   if (value.flags && COUNT.test(entered) === false) return wordOf(device, name, value, entered);
@@ -3905,7 +3553,6 @@ function meantBy({ name }) {
   return `which stands for ${name}; write \`${name}\` if you mean that`;
 }
 
-/** The raw value of a count, a member's name, a sentinel's name, or a quantity with its unit. */
 function countEntry(device, name, value, text) {
   const count = countOf(text);
   if (count !== undefined) return count;
@@ -3935,10 +3582,6 @@ function quantityEntry(name, value, text, quantity) {
   return count;
 }
 
-/**
- * The word with the named bits set. `name=member` or `name=number` sets a field of several bits. Fields that are not
- * named have their defaults, else 0; throws CodecError where 0 would mean something.
- */
 function wordOf(device, name, value, text) {
   const special = value.sentinels?.find((other) => other.name === text);
   if (special) return special.value;
@@ -3978,7 +3621,6 @@ function padded(bytes, size) {
   return joinedBytes([bytes, new Uint8Array(size - bytes.length)]);
 }
 
-/** The bytes of one value. Throws CodecError where no codec takes it. */
 function bytesOfValue(device, name, value, raw) {
   const { kind, size } = value;
   if (value.textForm && typeof raw === "string") {
@@ -4040,24 +3682,23 @@ function inRange(name, value, number) {
   return number;
 }
 
-/** The form of a record for the values of its fields: the record itself, or what its selector decides. */
 function formOfValues(record, values) {
   if (record.selector === undefined) return record;
   const number = values.get(record.selector);
   return isWhole(number ?? "") ? record.forms.get(BigInt(number)) : undefined;
 }
 
-/** The bytes of a record. Throws CodecError for values that are missing or that no codec takes. */
 function encodeRecord(device, record, values) {
   const form = formOfValues(record, values);
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
-  for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
-  const bytes = joinedBytes(form.fields.map((field) => {
+  const fields = form.fields.map((field) => decidedField(form, field, values));
+  for (const field of fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
+  const bytes = joinedBytes(fields.map((field) => {
     if (!field.measures) {
       const list = form.inner?.lists.find(({ name }) => name === field.name);
       const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
-      const own = joinedBytes(list?.parts ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      const own = joinedBytes(list?.parts || list?.decision ? elements.map((bytes) => padded(bytes, list.element)) : elements);
       return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
@@ -4073,7 +3714,13 @@ function encodeRecord(device, record, values) {
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
 }
 
-/** The values of the elements of a field: those entered, or its constant or zeros where nobody enters them. */
+function decidedField(record, field, values) {
+  const number = field.forms && elementsOf(record.named.get(field.by), values)[0];
+  const decided = number === undefined || isWhole(number) ? formOfField(record, field, values) : undefined;
+  if (!decided) throw new CodecError("unknown_value", `${field.by} is ${number}, which chooses nothing that may follow`);
+  return decided;
+}
+
 function elementsOf(field, values) {
   const value = values.get(field.name);
   if (value === undefined) {
@@ -4100,15 +3747,10 @@ function bytesOfElement(device, field, item) {
   return bytesOfValue(device, field.name, field.value, item);
 }
 
-/** Whether users supply the value of a part. */
 function isArgument({ role, constant, reserved }) {
   return (role === "unit_address" || role === "plain") && constant === undefined && !reserved;
 }
 
-/**
- * The frame of a message; `values` has the values of the parts of its header and of the fields of its body, by name.
- * With `error`, it is the exception response. Throws CodecError.
- */
 function encodeFrame(device, { link: linkName, direction, message: messageName, error = false }, values) {
   const link = device.links.get(linkName);
   const shape = link[direction];
@@ -4121,7 +3763,6 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
   const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
   const sent = () => sentBytes(shape, original());
-  // What is escaped comes first: how many bytes are sent depends on all of its bytes.
   for (const bytes of [original, sent]) {
     const isOwn = (part) => (shape.escape && !part.beforeEscape ? sent : original) === bytes;
     for (const length of shape.lengths.filter(isOwn)) {
@@ -4133,9 +3774,10 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
     for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
-  const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
+  const encoded = link.transmission === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
-  return joinedBytes([start, encoded, end]);
+  const { byte, sent: count } = link.preamble ?? { byte: 0, sent: 0 };
+  return joinedBytes([new Uint8Array(count).fill(byte), start, encoded, end]);
 }
 
 function refuseBroadcast({ addresses }, shape, values, message) {
@@ -4178,7 +3820,6 @@ function partNumber(link, direction, part, values, message, error) {
   return inRange(part.name, { ...part.value, ranges: addresses?.ranges ?? part.value.ranges, writeRanges: undefined }, number);
 }
 
-/** The options of frames by the names that a device uses. Throws RangeError for names that it does not have. */
 function frameOptions(device, { link, direction, message } = {}) {
   if (!link && !direction && !message) return new FrameOptions();
   let links = [...device.links.values()];
@@ -4200,7 +3841,6 @@ function isName(directionNames, direction) {
   return Object.values(directionNames).includes(direction);
 }
 
-/** The frame of bytes or of a text. Throws Unreadable. */
 function inputFrame(device, input) {
   if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
   const line = logLine(String(input), [...device.links.values()]);
@@ -4208,10 +3848,6 @@ function inputFrame(device, input) {
   return line;
 }
 
-/**
- * The request that a user names, null without one. Throws Unreadable for a text that is not a frame, and RangeError for a
- * frame that is not a request.
- */
 function namedRequest(device, input, options) {
   if (!input) return null;
   const places = [...device.links.keys()].map((link) => [link, "request"]).filter(([link]) => options.goes(link, "response"));
@@ -4223,14 +3859,9 @@ function namedRequest(device, input, options) {
   return { request: request.explanation, sure: true };
 }
 
-/** The functions that explain frames of a device, whose data they take. */
 function explainer(data) {
   const device = new ExplainedDevice(data);
 
-  /**
-   * The explanation of a frame: bytes, or a text with its bytes in any usual spelling. Throws Unreadable for a text that
-   * is not a frame, and RangeError for options that the device does not have; no bytes make it throw.
-   */
   function explain(input, options = {}) {
     const allowed = frameOptions(device, options);
     const asked = namedRequest(device, options.request, allowed);
@@ -4240,7 +3871,6 @@ function explainer(data) {
     return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, isWrong(reading));
   }
 
-  /** The explanations of the lines of a log; `error` says why a line is not a frame. Throws like `explain` for options. */
   function* explainLog(text, options = {}) {
     const allowed = frameOptions(device, options);
     const reader = new LogReader(device, allowed, namedRequest(device, options.request, allowed));
@@ -4261,7 +3891,6 @@ function explainer(data) {
   return Object.freeze({ explain, explainLog });
 }
 
-// Elements of the page. Texts of specs and of users only ever become text nodes and values.
 
 const MOST_CHARACTERS = 400;  // of a text that somebody pastes, within a message
 
@@ -4284,12 +3913,10 @@ function option(value, text) {
   return element("option", { value, textContent: text });
 }
 
-// A name of a spec at the beginning of a label.
 function titled(name) {
   return name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
-// A text of the manual, in its language.
 function labelText(device, text) {
   return text ? element("i", { lang: device.data.language, textContent: text }) : "";
 }
@@ -4302,7 +3929,6 @@ async function copyText(text, button) {
     button.textContent = "Copied";
     setTimeout(() => { button.textContent = before; }, 2000);
   } catch {
-    // The browser has no clipboard here, or forbids it: the text is there to be copied by hand.
     const field = byId("copy-text");
     field.hidden = false;
     field.value = text;
@@ -4311,7 +3937,6 @@ async function copyText(text, button) {
   }
 }
 
-// The explanation of a frame: its bytes, its fields, its registers, and what there is to say about them.
 
 const COLUMNS = ["At", "Bytes", "Field", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
 const REGISTER_COLUMNS = ["Address", "Bytes", "Register", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
@@ -4332,7 +3957,6 @@ class FrameTable {
     });
   }
 
-  // Highlights a row and its bytes, from either; those of the row with the focus if the pointer is on none.
   light(target) {
     const origin = target?.closest("[data-from]") ?? document.activeElement?.closest("[data-from]");
     const [from, to] = origin ? [Number(origin.dataset.from), Number(origin.dataset.to)] : [0, 0];
@@ -4346,7 +3970,6 @@ class FrameTable {
     }
   }
 
-  // The arrow keys move from row to row.
   move(event) {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (!step || event.target.tagName !== "TR") return;
@@ -4393,7 +4016,7 @@ class FrameTable {
   }
 
   showBytes({ frame, rows, link }) {
-    const isText = this.lab.device.links.get(link).encoding === "hex_ascii";
+    const isText = this.lab.device.links.get(link).transmission === "hex_ascii";
     const rowAt = new Map();
     for (const [number, { offset, length }] of rows.entries()) {
       for (let at = offset; at < offset + length; at++) rowAt.set(at, number);
@@ -4411,7 +4034,6 @@ class FrameTable {
     }));
   }
 
-  // How the command line prints raw values: codes, addresses and wire numbers of parameters in hexadecimal.
   rawForms({ link, direction, message, error, rows }) {
     const { device } = this.lab;
     const { code, checks } = device.links.get(link)[direction];
@@ -4468,7 +4090,6 @@ class FrameTable {
     return [place, words[0] ?? "", words[1] ? " " : "", words[1] ?? "", shown && words.length ? ": " : "", shown].filter(Boolean);
   }
 
-  // A link to a fact on the page of the version; a fact that has no place of its own is found by the search there.
   factLink(path, content) {
     if (!path) return content;
     return element("a", { href: `${this.lab.page}.html#${path.split("/").map(encodeURIComponent).join("/")}` }, content);
@@ -4514,7 +4135,6 @@ function visibleCharacters(text) {
   return Array.from(text, (char) => characterOf(char.charCodeAt(0))).join("");
 }
 
-// The raw value; bit fields are always hexadecimal.
 function rawText({ number, meanings, raw }, isHexadecimal) {
   if (number === null) return "";
   if (number instanceof Uint8Array) return hexOf(number, " ");
@@ -4526,7 +4146,6 @@ function rawText({ number, meanings, raw }, isHexadecimal) {
   return typeof number === "number" && !Number.isInteger(number) ? floatText(number, raw.length) : String(number);
 }
 
-// A line for each wrong or doubtful value.
 function faultTexts({ rows, registers }) {
   return [...rows, ...registers].filter(({ verdict }) => verdict.startsWith("wrong")).map((row) => {
     const kind = row.kind === "register" || row.reason === "out_of_range" ? "doubtful" : "wrong";
@@ -4534,7 +4153,6 @@ function faultTexts({ rows, registers }) {
   });
 }
 
-// The frames of a log. Only the rows on the screen are in the page, so that a long log is as quick as a short one.
 
 const ROW_HEIGHT = 26;  // pixels, as in the style sheet
 const SLICE = 12;  // milliseconds of work before the browser may draw
@@ -4559,7 +4177,6 @@ class LogList {
     byId("faults-only").addEventListener("change", () => this.filter());
   }
 
-  // Reads a text line by line, in slices. A later text ends an earlier run.
   read(text, options, asked) {
     const run = ++this.run;
     const lines = linesOf(text.replace(/^\ufeff/, ""));
@@ -4597,7 +4214,6 @@ class LogList {
     try {
       const reading = reader.read(line);
       if (!reading) return;
-      // Rows are made again when they are wanted: those of a long log would not fit into memory.
       const { explanation, remarks, wrong, request } = reading;
       this.faults += Number(wrong);
       this.entries.push({
@@ -4678,9 +4294,7 @@ class LogList {
   }
 }
 
-// Words of bits in the form: what an entry begins with, and what it becomes when a box is ticked.
 
-// The number of an entered word; undefined while the entry has no meaning.
 const wordNumber = (device, value, text) => {
   try {
     return BigInt(rawOf(device, value.flags, value, text));
@@ -4690,7 +4304,6 @@ const wordNumber = (device, value, text) => {
   }
 };
 
-// The defaults of the bits of a word; nothing where one has to be entered.
 const initialWord = (device, value) => {
   const raw = wordNumber(device, value, "");
   return raw === undefined ? "" : entryOf(device, value, raw);
@@ -4698,10 +4311,8 @@ const initialWord = (device, value) => {
 
 const namesInWord = (text) => text.split(/[, ]+/).filter(Boolean);
 
-// Whether a bit is set in an entry: in its number, or by its name while the entry has no meaning yet.
 const isBitSet = (raw, text, bit) => (raw === undefined ? namesInWord(text).includes(bit.name) : Boolean(raw & bitMask(bit)));
 
-// The entry of a word with one bit changed: a number, or names while it has no meaning yet.
 const wordWithBit = (device, value, text, { bit, name }, isSet) => {
   const raw = wordNumber(device, value, text);
   if (raw === undefined) {
@@ -4712,7 +4323,6 @@ const wordWithBit = (device, value, text, { bit, name }, isSet) => {
   return entryOf(device, value, isSet ? raw | mask : raw & ~mask);
 };
 
-// The form of a message: a frame is made of what is entered, with its lengths and checksums.
 
 const messageOption = ({ name, title, label }) => option(name, [name, title || label].filter(Boolean).join(": "));
 
@@ -4723,6 +4333,7 @@ class MessageForm {
     this.choice = null;
     this.entries = new Map();
     this.counts = new Map();
+    this.deciding = new Set();
     this.fields.addEventListener("input", (event) => this.entered(event.target));
     for (const id of ["build-link", "build-direction", "build-message"]) {
       byId(id).addEventListener("change", () => {
@@ -4732,7 +4343,6 @@ class MessageForm {
     }
   }
 
-  // ---- what is built ----
 
   fill() {
     const { device } = this.lab;
@@ -4740,7 +4350,6 @@ class MessageForm {
     this.choose("build-link");
   }
 
-  // Fills the choices that depend on the one that has changed, and begins an empty message.
   choose(id) {
     const link = this.lab.device.links.get(byId("build-link").value);
     const direction = byId("build-direction");
@@ -4764,7 +4373,6 @@ class MessageForm {
     this.begin({ link: link.name, direction: direction.value, message: message.value, error: false });
   }
 
-  // Nothing is built, and the text says why.
   leave(text) {
     this.choice = null;
     this.fields.replaceChildren();
@@ -4778,7 +4386,6 @@ class MessageForm {
     this.draw();
   }
 
-  // Takes over the values of a frame that is explained.
   take(explanation) {
     const { device } = this.lab;
     const { link, direction, message, error, values } = explanation;
@@ -4808,7 +4415,7 @@ class MessageForm {
   }
 
   takeValues(fields, values, prefix) {
-    for (const field of fields) {
+    for (const field of fields.map((own) => own.forms?.get(BigInt(values.get(own.by) ?? -1)) ?? own)) {
       const raw = values.get(field.name);
       const path = prefix + field.name;
       if (raw === undefined || (!field.value && !field.record)) continue;
@@ -4824,7 +4431,6 @@ class MessageForm {
     }
   }
 
-  // ---- the fields ----
 
   record() {
     const { link, direction, message, error } = this.choice;
@@ -4850,10 +4456,9 @@ class MessageForm {
     return this.access()?.start === field.name;
   }
 
-  // The fields that people enter, with their paths; elements of lists of records one by one.
   leaves(fields, prefix = "") {
     const leaves = [];
-    for (const field of fields) {
+    for (const field of fields.map((own) => this.decided(fields, own, prefix)).filter(Boolean)) {
       const path = prefix + field.name;
       if (field.measures || field.reserved || field.value?.const !== undefined || field.cases) continue;
       if (!field.record) {
@@ -4866,6 +4471,18 @@ class MessageForm {
       for (let at = 0; at < count; at++) leaves.push(...this.leaves(inner, `${field.isList ? `${path}[${at}]` : path}.`));
     }
     return leaves;
+  }
+
+  decided(fields, field, prefix) {
+    if (!field.forms) return field;
+    const by = fields.find(({ name }) => name === field.by);
+    this.deciding.add(prefix + by.name);
+    try {
+      return field.forms.get(BigInt(by.value.const ?? this.rawValue({ path: prefix + by.name, field: by })));
+    } catch (error) {
+      if (!(error instanceof CodecError)) throw error;
+      return undefined;
+    }
   }
 
   countOf(field, path) {
@@ -4961,7 +4578,6 @@ class MessageForm {
     return element("details", {}, element("summary", { textContent: "Bits" }), element("div", { className: "bit-boxes" }, ...boxes));
   }
 
-  // ---- what is entered ----
 
   entered(target) {
     const { path, count, bit } = target.dataset;
@@ -4980,7 +4596,7 @@ class MessageForm {
       input.value = this.entries.get(path);
     } else {
       this.entries.set(path, target.value);
-      if (this.record().selector === path) this.draw();
+      if (this.record().selector === path || this.deciding.has(path)) this.draw();
     }
     this.build();
   }
@@ -4997,7 +4613,6 @@ class MessageForm {
     return text.split(/\s*,\s*|\s+(?=[-+]?(?:0x)?[0-9])/).filter(Boolean).map((item) => rawOf(device, path, field.value, item));
   }
 
-  // The quantity or the name of a register's value, as the words that are written to it.
   words(leaf, address) {
     const { device } = this.lab;
     const access = this.access();
@@ -5012,9 +4627,9 @@ class MessageForm {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
-      const { path, value } = occupant;
+      const { path } = occupant;
+      const value = forWriting(occupant.value);
       if (isWord) {
-        // A word is written as it is, but not if the register cannot have it.
         const bytes = Uint8Array.of(count >> 8, count & 0xFF);
         const number = contentOf({ ...value, order: undefined }, bytes) ?? bytes;
         encodeRecord(device, { fields: [{ name: path, value, count: 1 }] }, new Map([[path, number]]));
@@ -5050,7 +4665,6 @@ class MessageForm {
     throw new CodecError("wrong_length", `${path}: this takes ${words.length} words, and the message writes one`);
   }
 
-  // `items[0].size` becomes a Map in a list in a Map.
   put(values, path, raw) {
     const steps = path.split(".");
     let place = values;
@@ -5081,7 +4695,6 @@ class MessageForm {
     }
   }
 
-  // What is entered makes no frame, and the frame before it is not what somebody wants to send.
   refuse(text) {
     this.message(text);
     byId("built").textContent = "";
@@ -5094,8 +4707,6 @@ class MessageForm {
   }
 }
 
-// What carries bytes to a device and back: a serial port of the browser, or the WebSocket of a simulated device.
-// `received` is called with bytes, `faulted` with what was wrong on the line, `ended` with the reason of the end.
 
 const OWN_MACHINE = /^ws:\/\/(?:localhost|127\.0\.0\.1)(?::\d{1,5})?\//;
 const OPENING = 5000;  // milliseconds
@@ -5161,7 +4772,6 @@ class SerialCarrier {
     this.reading = this.read();
   }
 
-  // A wrong parity or a break ends the reader, and the port has a new one; a port that is gone has none.
   async read() {
     while (this.isOpen && this.port.readable) {
       this.reader = this.port.readable.getReader();
@@ -5205,7 +4815,6 @@ class SerialCarrier {
   }
 }
 
-// A request and what comes as its answer, over one carrier.
 
 const QUIET = 30;  // milliseconds without a byte after which a valid answer is whole
 
@@ -5216,7 +4825,6 @@ class Exchange {
     this.stray = 0;
   }
 
-  // Bytes that nobody has asked for are counted, and no answer.
   received(bytes) {
     if (!this.waiting) {
       this.stray += bytes.length;
@@ -5236,7 +4844,6 @@ class Exchange {
     waiting.resolve({ data: waiting.data, milliseconds: performance.now() - waiting.start, lost });
   }
 
-  // Sends a request and returns the bytes that answer it: when they are a valid answer, else after the time-out.
   async ask(request, isWhole, milliseconds) {
     this.stray = 0;
     const answer = new Promise((resolve) => {
@@ -5252,7 +4859,6 @@ class Exchange {
   }
 }
 
-// The panel of a device that is connected: it sends the request of the page, and explains what comes.
 
 const MOST_TRAFFIC = 200;  // lines
 const BAUD = [1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600];
@@ -5275,7 +4881,6 @@ class DevicePanel {
     byId("traffic-log").addEventListener("click", () => this.explainTraffic());
   }
 
-  // ---- the connection ----
 
   async toggle() {
     const { carrier } = this.exchange;
@@ -5330,9 +4935,7 @@ class DevicePanel {
     byId("exchange-fault").textContent = text;
   }
 
-  // ---- the request ----
 
-  // The request of the page; null where what is there is none.
   request() {
     const { current } = this.lab;
     if (!current || this.lab.isEntryRefused || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
@@ -5343,7 +4946,6 @@ class DevicePanel {
     return this.lab.requests.reads[link].includes(message) && !this.hazards("read").length;
   }
 
-  // What the spec says of an operation on the facts of the request, one text for each hazard.
   hazards(operation) {
     const { rows, registers, message } = this.request();
     const names = new Map([...rows, ...registers].map((row) => [row.fact, row.path]));
@@ -5401,7 +5003,6 @@ class DevicePanel {
     fill("stop-bits", serial.stopBits?.length ? serial.stopBits : [1, 2]);
   }
 
-  // Whether the device answers a request: not one to all stations, and not one without a response.
   isAnswered(request) {
     const link = this.lab.device.links.get(request.link);
     const broadcast = link.addresses?.broadcast;
@@ -5437,7 +5038,6 @@ class DevicePanel {
     byId("send").dataset.count = Number(byId("send").dataset.count ?? 0) + 1;
   }
 
-  // Explains an answer, and says what is wrong with it.
   show(reading, data, patience) {
     const { explanation } = reading;
     const remarks = remarksOn(this.lab.device, reading, 0, new FrameOptions());
@@ -5447,7 +5047,6 @@ class DevicePanel {
     return explanation.error ? "The device refuses the request." : "";
   }
 
-  // ---- the traffic ----
 
   note(direction, data) {
     this.lines.push(`${direction}: ${hexOf(data, " ")}`);
@@ -5466,7 +5065,6 @@ class DevicePanel {
   }
 }
 
-// The lab of a device: the frames that somebody enters, what is known of them, and the address that says it all.
 
 const MOST_IN_ADDRESS = 2000;  // characters of frames in the address of the page
 const TYPING = 200;  // milliseconds after the last key
@@ -5504,9 +5102,7 @@ class Lab {
     window.addEventListener("hashchange", () => this.restore());
   }
 
-  // ---- the data of a version ----
 
-  // Called by the data file of a version; `requests` is what there is to know before a request is sent.
   add(data, requests) {
     this.loads.get(data.version)?.({ device: new ExplainedDevice(data), requests });
   }
@@ -5562,7 +5158,6 @@ class Lab {
     byId("example").disabled = !examples.length;
   }
 
-  // ---- the frames ----
 
   soon() {
     clearTimeout(this.timer);
@@ -5570,7 +5165,6 @@ class Lab {
   }
 
 
-  // Reads what is entered. Whatever is wrong with it is said beside it.
   read() {
     clearTimeout(this.timer);
     if (!this.device) return;
@@ -5597,7 +5191,6 @@ class Lab {
     byId("lab").dataset.frames = count;
   }
 
-  // Explains an entry of the list, and fills the form with its values.
   showEntry(entry) {
     if (!entry.frame) {
       byId("explanation").hidden = true;
@@ -5617,7 +5210,6 @@ class Lab {
     this.panel.update();
   }
 
-  // A frame that the form makes. In a log it is shown beside the frames of the log, else it takes their place.
   edited(frame, { link, direction, message, error }) {
     const own = this.device.links.get(link);
     const isCoded = Boolean(own[direction].code);
@@ -5640,7 +5232,6 @@ class Lab {
     this.remember(byId("frames").value);
   }
 
-  // What the form says of its own frame is not known of another one.
   forgetKnown() {
     for (const name of KNOWN) byId(`known-${name}`).value = "";
     this.isKnownFromForm = false;
@@ -5649,7 +5240,7 @@ class Lab {
   frameText() {
     const { frame, explanation } = this.current ?? { frame: new Uint8Array() };
     const link = explanation && this.device.links.get(explanation.link);
-    if (link?.encoding !== "hex_ascii") return hexOf(frame, " ");
+    if (link?.transmission !== "hex_ascii") return hexOf(frame, " ");
     return latinOf(frame).replace("\r", "\\r").replace("\n", "\\n");
   }
 
@@ -5680,7 +5271,6 @@ class Lab {
     byId("frames").focus();
   }
 
-  // ---- the address of the page ----
 
   remember(text) {
     const state = new URLSearchParams({ version: this.page });

@@ -17,7 +17,7 @@ messages:
     source: L1
     request: [{name: address, type: u16}, {name: word_count, type: u16, range: 1..%s}]
     response: [{name: values, type: u16, repeat: 1..%s}]
-    accesses: {operation: read, start: address, count: word_count, values: values}
+    accesses: [{operation: read, start: address, count: word_count, values: values}]
 """
 LINK = """
 links:

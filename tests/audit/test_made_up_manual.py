@@ -30,7 +30,7 @@ MISPRINTS = [
     ("an enum beyond its range", 30, "registers.yaml", 20, {"enum_within_range"}),
     ("a text too long for its words", 22, "registers.yaml", 13, {"words_match_type"}),
     ("a span and a word count that differ", 69, "registers.yaml", 73, {"elements_match_table"}),
-    ("a checksum off by a digit", 83, "examples.yaml", 3, {"check_code_correct"}),
+    ("a checksum off by a digit", 83, "examples.yaml", 3, {"checksum_correct"}),
     ("a record one byte short", 56, "registers.yaml", 57, {"record_size_matches"}),
     ("a frame one byte short", 86, "examples.yaml", 4, {"length_byte_correct"}),
     ("a row of characters unlike its bytes", 92, "examples.yaml", 6, {"characters_match_bytes"}),

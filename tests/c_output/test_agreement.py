@@ -184,7 +184,7 @@ def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout,
         inside = of_values and (offset is None or (offset >= shape.header_size and offset not in behind))
         if reason == "" or inside:
             assert status == 0, (example.id, frame.hex(), reason, status)
-        elif reason in ("wrong_mark", "not_hex", "wrong_check", "wrong_const"):
+        elif reason in ("wrong_mark", "not_hex", "wrong_checksum", "wrong_const"):
             assert status == NUMBERS[reason], (example.id, frame.hex(), reason, status)
 
 

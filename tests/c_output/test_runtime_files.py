@@ -78,10 +78,10 @@ PROGRAMS = {
     ),
     "inner_lists.h": (
         ["machine.h", "status.h"],
-        "const device_inner_list lists[2] = {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, NULL},"
-        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, NULL}}; uint8_t image[11], out[8]; size_t length = 0;"
+        "const device_inner_list lists[2] = {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, NULL, NULL},"
+        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, NULL, NULL}}; uint8_t image[11], out[8]; size_t length = 0;"
         ' const uint8_t *data = (const uint8_t *)"a\\1LIyTSz", *longer = (const uint8_t *)"a\\3yz";'
-        " const device_inner_list tags = {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, tag_size};"
+        " const device_inner_list tags = {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, tag_size, NULL};"
         ' const uint8_t *sent = (const uint8_t *)"x\\2AB\\1C";'
         " if (device_take_lists(lists, 2, 4, data, 8, image, &length) != DEVICE_OK || length != 10) return 1;"
         ' if (memcmp(image, "a\\1yzLI", 6) != 0 || memcmp(image + 8, "TS", 2) != 0) return 1;'
@@ -154,7 +154,7 @@ BEHIND = {
     "inner_lists.h": """
 static size_t tag_size(const uint8_t *in, size_t left)
 {
-    static const device_inner_list value = {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, NULL};
+    static const device_inner_list value = {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, NULL, NULL};
     uint8_t fields[1];
     return device_sent_size(&value, 1, 1, fields, in, left);
 }

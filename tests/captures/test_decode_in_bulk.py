@@ -87,18 +87,19 @@ def test_frames_of_a_can_bus_are_read_as_socketcan_records_them(tmp_path: Path, 
         "00000705 01000000 0500000000000000",  # a heartbeat, filled up to eight bytes
         "00000605 08000000 4041600000000000",
         "00000585 08000000 8041600000000206",
-        "40000605 08000000 0000000000000000",  # a remote request
+        "40000605 08000000 0000000000000000",  # a remote request, which the device does not have
+        "20000605 08000000 0000000000000000",  # an error
         "00000605 0C040000 404160000000000000000000",  # CAN FD
     ]
     content = form(map(bytes.fromhex, packets), SOCKETCAN)
     _, text, frames, values = decode(tmp_path, content, "--link", "sdo", device="axis")
-    assert [frame["verdict"] for frame in frames] == ["ok", "ok", "wrong_const", "ok", "ok"]
+    assert [frame["verdict"] for frame in frames] == ["ok", "ok", "wrong_const", "ok", "ok", "wrong_mark"]
     assert [frame["request"] for frame in frames if frame["verdict"] == "ok"] == [None, 1, None, 4]
     assert [frame["unit_address"] for frame in frames if frame["verdict"] == "ok"] == 4 * [5]
     assert frames[2]["bytes"].hex() == "000007050100000005"
     assert frames[4]["exception"] == "unknown_object"
     assert ("upload.data", "37 02 00 00") in [(value["register"], value["text"]) for value in values]
-    assert "remote requests and errors of CAN buses: 1" in text
+    assert "errors of CAN buses: 1" in text
     assert "frames of CAN FD: 1" in text
 
 

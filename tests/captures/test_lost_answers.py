@@ -28,7 +28,7 @@ device:
   manual: {title: The manual of a twin, file: twin.txt, sha256: "%s", lines: 99}
 links:
   - name: addressed
-    encoding: binary
+    transmission: binary
     byte_order: big
     start: "02"
     source: 1 L1
@@ -42,7 +42,7 @@ links:
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
   - name: numbered
-    encoding: binary
+    transmission: binary
     byte_order: big
     start: "03"
     source: 1 L2
@@ -58,7 +58,7 @@ links:
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
   - name: bus
-    encoding: binary
+    transmission: binary
     byte_order: big
     start: "04"
     source: 1 L3
@@ -71,7 +71,7 @@ links:
       - {name: body, role: body}
       - {name: sum, role: checksum, algorithm: sum8}
   - name: talking
-    encoding: binary
+    transmission: binary
     byte_order: big
     start: "05"
     source: 1 L4

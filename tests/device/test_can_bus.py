@@ -132,15 +132,17 @@ def test_a_place_that_is_none_for_a_link_is_refused(
     assert text in capsys.readouterr().err
 
 
-def test_frames_of_others_on_a_bus_are_left_out_where_they_carry_no_data() -> None:
+def test_remote_requests_and_data_of_others_on_a_bus_are_told_apart_and_errors_left_out() -> None:
     import can
 
     carrier = CanBus("can://virtual/remote")
     with can.Bus(interface="virtual", channel="remote") as other:
         other.send(can.Message(arbitration_id=0x123, is_remote_frame=True))
         other.send(can.Message(arbitration_id=0x123, is_extended_id=True, data=b"\x01"))
-        assert carrier.read(1.0) == b""
+        other.send(can.Message(is_error_frame=True))
+        assert carrier.read(1.0) == bytes.fromhex("C0 00 01 23 00 00 00 00")
         assert carrier.read(1.0) == bytes.fromhex("80 00 01 23 01 00 00 00 01")
+        assert carrier.read(1.0) == b""
     carrier.close()
     with pytest.raises(CarrierError, match="is closed"):
         carrier.read(0.1)

@@ -21,13 +21,13 @@ device:
 links:
   - name: bus
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: little
     unit_addresses: {range: 1..9, source: 1 L1}
     request: &parts
       - {name: header, type: u16, const: 0x55AA}
       - {name: id, role: unit_address, type: u8}
-      - {name: length, role: length, type: u16, counts: {from: instruction, to: crc}}
+      - {name: length, role: length, type: u16, measures: {from: instruction, to: crc}}
       - {name: instruction, role: code, type: u8}
       - {name: body, role: body}
       - {name: pad, type: u8, reserved: true}

@@ -25,14 +25,14 @@ device:
   manual: {title: The manual of a sounder, file: sounder.txt, sha256: "%s", lines: 99}
 links:
   - name: text
-    encoding: binary
+    transmission: binary
     byte_order: big
     end: "0A"
     source: 1 L1
     request: [{name: body, role: body}]
     response: [{name: body, role: body}]
   - name: line
-    encoding: binary
+    transmission: binary
     byte_order: big
     source: 1 L2
     request: &line

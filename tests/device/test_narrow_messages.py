@@ -26,7 +26,7 @@ device:
 links:
   - name: line
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     word_order: big
     unit_addresses: {range: 1..9, source: 1 L1}
@@ -42,7 +42,7 @@ messages:
     source: 1 L2
     request: [{name: address, type: u8}]
     response: [{name: value, type: u16, repeat: 1}]
-    accesses: {operation: read, start: address, values: value}
+    accesses: [{operation: read, start: address, values: value}]
 registers:
   - group: levels
     source: 2 L1

@@ -29,7 +29,7 @@ versions:
 links:
   - name: bus
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     request: &parts [{name: code, role: code, type: u8}, {name: body, role: body}]
     response: *parts

@@ -169,7 +169,7 @@ def test_nothing_is_sent_while_an_entry_is_refused(
     ("fault", "text"),
     [
         ("no_answer", "No answer within 2000 ms."),
-        ("wrong_checksum", "No valid answer within 2000 ms, but 7 bytes: wrong_check."),
+        ("wrong_checksum", "No valid answer within 2000 ms, but 7 bytes: wrong_checksum."),
         ("truncated", "No valid answer within 2000 ms"),
         ("wrong_unit", "The answer does not fit the request."),
         ("exception", "The device refuses the request."),

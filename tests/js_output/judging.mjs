@@ -41,7 +41,7 @@ export function judge(exports, job) {
   const result = { value: { kind, message: have.value.message?.name ?? null, header: portable(header), data: portable(data) } };
   const again = outcome(() =>
     kind === "exception"
-      ? link.encodeException(header, job.coded ? have.value.code : null, data)
+      ? link.encodeExceptionResponse(header, job.coded ? have.value.code : null, data)
       : kind === "request"
         ? link.encodeRequest(header, have.value.message, data)
         : link.encodeResponse(header, have.value.message, data),

@@ -58,7 +58,7 @@ async function serving() {
         const request = tcp.decodeRequest(frame);
         const data = answer(request);
         socket.write(data === null
-          ? tcp.encodeException(request.header, request.message.code, { exceptionCode: 2 })
+          ? tcp.encodeExceptionResponse(request.header, request.message.code, { exceptionCode: 2 })
           : tcp.encodeResponse(request.header, request.message, data));
       }
     });

@@ -61,7 +61,7 @@ try {
   rtu.decodeRequest(frame.slice(0, 7));
   expect(false, "not refused");
 } catch (error) {
-  expect(error instanceof CodecError && error.reason === "wrong_check" && error.offset === 5, String(error));
+  expect(error instanceof CodecError && error.reason === "wrong_checksum" && error.offset === 5, String(error));
 }
 // @ts-expect-error a request needs all of its fields
 expect(throws(() => rtu.encodeRequest({ unitAddress: 1 }, ReadRegisters, { address: 0x1000 })) === "missing_value", "fields");

@@ -55,7 +55,7 @@ def checked_again(layout: DeviceLayout, example: Example, frame: bytes) -> bytes
     """A damaged frame with a right checksum, so that what follows that test is tried too."""
     shape = layout.links[example.link].frame(example.direction)
     link = layout.links[example.link].link
-    if link.start or link.end or link.encoding != "binary" or len(frame) < shape.header_size + shape.trailer_size:
+    if link.start or link.end or link.transmission != "binary" or len(frame) < shape.header_size + shape.trailer_size:
         return frame
     data = bytearray(frame)
     for part in shape.checksums:

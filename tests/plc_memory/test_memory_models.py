@@ -53,7 +53,7 @@ def body(layout: DeviceLayout, example: Example) -> bytes:
     link = layout.links[example.link]
     shape = link.frame(example.direction)
     data = example.frame[len(shape.start) : len(example.frame) - len(shape.end)]
-    if link.link.encoding == "hex_ascii":
+    if link.link.transmission == "hex_ascii":
         data = bytes.fromhex(data.decode("ascii"))
     data = original_parts(shape, data)
     return data[shape.header_size : len(data) - shape.trailer_size]

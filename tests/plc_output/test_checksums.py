@@ -66,7 +66,7 @@ def judge(prover: Proof) -> None:
     dice = random.Random(1)
     compare_requests(prover, dice, 8)
     refusals = compare_responses(prover, dice, 24)
-    assert "wrong_check" in refusals
+    assert "wrong_checksum" in refusals
 
 
 NAMED = [f"algorithm: {name}" for name in named()]

@@ -238,8 +238,7 @@ class Access(Python):
         except CodecError:
             return
         own = record_class(self.module, record).decode(query.data)
-        chosen = record if record.selector is None else record.of_number(values[record.selector.name]) or record
-        for field in stored_fields(record, chosen):
+        for field in stored_fields(record, record.decided_by(values)):
             value = field.value
             if value is None or not (is_count(value.encoding) or is_real(value.encoding)) or value.const is not None:
                 continue

@@ -151,8 +151,8 @@ class Driver:
         return f"static void show_{kind}(const {kind} *in)\n{{\n    {' '.join(lines)}\n}}\n"
 
     def _show_cases(self, record: RecordLayout, field: FieldLayout) -> str:
-        assert record.selector is not None
-        selector = record.selector
+        selector = field.selector or record.selector
+        assert selector is not None
         constant = selector.value.const if selector.value is not None else None
         chosen = str(constant) if constant is not None else f"in->{member(selector.name)}"
         branches = []
@@ -267,7 +267,7 @@ class Driver:
                     test += " && !opened.error"
                 bodies.append(f"if ({test}) {{ {self._body(record, encode, heads)} }}")
         if error is not None:
-            encode = self.naming.function("link", link.name, "encode", "error")
+            encode = self.naming.function("link", link.name, "encode", "exception_response")
             body = self._body(self.layout.records[error.record], encode, f"{heads}opened.code, " if coded else heads)
             bodies.append(f"if (opened.error) {{ {body} }}")
         if link.ambiguous_codes(direction):

@@ -10,6 +10,9 @@ from random_devices.drawn_values import size_of
 DATA = 8
 """The most bytes of the data of a frame."""
 
+_OF_DATA = {"accesses", "access_steps", "segments", "frame_length", "data_words"}
+"""The keys of messages that need data in their requests."""
+
 
 def add_bus(draft: Draft) -> None:
     """Adds one or two CAN buses with messages to a device, whose numbered parameters some of them carry."""
@@ -38,6 +41,29 @@ def add_bus(draft: Draft) -> None:
         drawn_messages.mark_exceptions(draft)
     drawn_messages.draw_response_codes(draft)
     drawn_messages.leave_unrequested(draft)
+    if all(_has_room_for_remote_requests(own) for own, _ in drawn):
+        _ask_remotely(draft, codes)
+
+
+def _has_room_for_remote_requests(link: Spec) -> bool:
+    """Whether requests have all their parts in the identifier, with a code that can have four bytes."""
+    identifier = [part for part in link["request"] if "bits" in part]
+    sizes = [4 if part.get("role") == "code" else int(part["type"][1:]) // 8 for part in identifier]
+    is_coded = any(part.get("role") == "code" for part in identifier)
+    return is_coded and len(identifier) == len(link["request"]) - 1 and sum(sizes) <= 7
+
+
+def _ask_remotely(draft: Draft, codes: set[int]) -> None:
+    """Makes some requests without data remote ones, and adds one that has the code of a data frame."""
+    requests = [own for own in draft.spec["messages"] if own.get("request") and not _OF_DATA & {*own}]
+    if requests and draft.chance(80):
+        code = draft.pick(requests)["code"] if draft.chance(50) else drawn_messages.free_code(draft, codes)
+        keys = {"response_code": drawn_messages.free_code(draft, codes), "response": _body(draft, 4)}
+        draft.spec["messages"].append(draft.fact(code=code, remote=draft.number(0, DATA), **keys))
+    for message in draft.spec["messages"]:
+        if message.get("request") == [] and not _OF_DATA & {*message} and draft.chance(60):
+            message["remote"] = draft.number(0, DATA)
+            del message["request"]
 
 
 def _add_parameters(draft: Draft, codes: set[int], room: int) -> None:
@@ -58,19 +84,20 @@ def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:
         link["word_order"] = draft.word_order
     in_identifier = coded and (bits == 29 or draft.code_bits == 8) and draft.chance(50)
     identifier = _identifier(draft, bits, draft.code_bits if in_identifier else 0)
+    is_bare = in_identifier and draft.chance(60)
     room = {}
     has_code = {"request": coded, "response": coded and (in_identifier or draft.chance(70))}
     for direction in ("request", "response"):
         behind: list[Spec] = []
         if has_code[direction] and not in_identifier:
             behind.append(_part(draft, "code", f"u{draft.code_bits}"))
-        if draft.chance(30):
+        if not is_bare and draft.chance(30):
             behind.append(_part(draft, "plain", "u8", **({"const": draft.number(0, 255)} if draft.chance(50) else {})))
         behind.append(draft.fact(role="body"))
-        checked = draft.chance(30)
+        checked = not is_bare and draft.chance(30)
         if checked:
             behind.insert(draft.pick((0, len(behind) - 1, len(behind))), _checksum(draft))
-        if draft.chance(15):
+        if not is_bare and draft.chance(15):
             first = next(at for at, part in enumerate(behind) if part.get("role") == "body")
             behind.insert(draft.number(0, first), _part(draft, "length", "u8", counts={"from": behind[0]["name"]}))
         for part in behind:

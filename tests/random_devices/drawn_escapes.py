@@ -42,13 +42,39 @@ def add_escape(draft: Draft, line: Spec) -> None:
         _before_escape(draft, line, escape)
 
 
+def add_preamble(draft: Draft, line: Spec) -> None:
+    """Adds a preamble to a link whose frames have a length, and mostly a start delimiter behind it."""
+    directions = ("request", "response")
+    if not all(any(part.get("role") == "length" for part in line[direction]) for direction in directions):
+        return
+    if "escape" in line and "from" not in line["escape"]:
+        return
+    openings = [_opening(line, direction) for direction in directions]
+    if None in openings:
+        line.pop("delimiters", None)
+        line["start"], openings = "AA 55", [0xAA]
+    byte = draft.pick(tuple({0xFF, 0xFE, 0x55, 0} - set(openings)))
+    least = draft.number(0, 5)
+    most = least + draft.number(0, 9)
+    line["preamble"] = {"byte": byte, "count": f"{least}..{most}", "sent": draft.number(least, most)}
+
+
+def _opening(line: Spec, direction: str) -> int | None:
+    """The byte with which the frames of a direction begin, None where they differ."""
+    start, first = line.get("delimiters", {}).get(direction, line).get("start", ""), line[direction][0]
+    if start:
+        return int(start[:2], 16)
+    is_constant = first.get("type") == "u8" and "const" in first and not {"reserved", "digits"} & set(first)
+    return first["const"] if is_constant else None
+
+
 def _before_escape(draft: Draft, line: Spec, escape: Spec) -> None:
     """Some lengths and checksums that are not escaped are those of the bytes before they are."""
     names = [part["name"] for part in line["request"]]
     first = names.index(escape["from"]) if "from" in escape else 0
     last = names.index(escape["to"]) if "to" in escape else len(names) - 1
     for at, part in enumerate(line["request"]):
-        key = {"length": "counts", "checksum": "covers"}.get(part.get("role", ""))
+        key = {"length": "measures", "checksum": "covers"}.get(part.get("role", ""))
         if key is not None and not first <= at <= last and draft.chance(60 if key == "covers" else 90):
             part[key] = {**part.get(key, {}), "before_escape": True}
 

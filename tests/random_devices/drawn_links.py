@@ -6,7 +6,7 @@ import re
 
 from fieldspec.language.schema import schema
 from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, range_text
-from random_devices.drawn_escapes import add_escape
+from random_devices.drawn_escapes import add_escape, add_preamble
 from random_devices.drawn_values import value
 
 USUAL_CHECKSUMS = ("sum8", "crc16_modbus", "lrc")
@@ -15,8 +15,8 @@ ALGORITHMS = tuple(schema()["$defs"]["algorithm"]["enum"])
 
 def link(draft: Draft, coded: bool) -> Spec:
     """A link whose frames carry a code, or whose messages are known otherwise."""
-    encoding = draft.pick(("binary", "hex_ascii")) if draft.sends_characters else "binary"
-    line = draft.fact(encoding=encoding, byte_order=draft.byte_order)
+    transmission = draft.pick(("binary", "hex_ascii")) if draft.sends_characters else "binary"
+    line = draft.fact(transmission=transmission, byte_order=draft.byte_order)
     if draft.word_order:
         line["word_order"] = draft.word_order
     if draft.chance(15):
@@ -27,8 +27,10 @@ def link(draft: Draft, coded: bool) -> Spec:
     code = next((part for part in line["request"] if part.get("role") == "code"), None)
     same = draft.chance(50)
     line["response"] = line["request"] if same else parts(draft, line, coded and draft.chance(85), code or {})
-    if encoding == "binary" and draft.chance(18):
+    if transmission == "binary" and draft.chance(18):
         add_escape(draft, line)
+    if transmission == "binary" and draft.chance(15):
+        add_preamble(draft, line)
     roles = {part.get("role") for part in (*line["request"], *line["response"])}
     if "unit_address" in roles and draft.chance(60):
         _unit_addresses(draft, line)
@@ -105,7 +107,7 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     middle = next(at for at, part in enumerate(line_of_parts) if part["role"] == "body")
     for at, part in enumerate(line_of_parts):
         if part["role"] == "length" and draft.chance(60):
-            part["counts"] = _counts(draft, names, middle)
+            part["measures"] = _counts(draft, names, middle)
         if part["role"] == "checksum" and (draft.chance(40) or at < middle):
             part["covers"] = _covers(draft, names, at)
     return [{key: v for key, v in part.items() if (key, v) != ("role", "plain")} for part in line_of_parts]

@@ -38,8 +38,8 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
             message["broadcast"] = False
         elif "broadcast" not in message and draft.chance(5):
             message["broadcast"] = True
-            accesses = [message.get("accesses", {}), *message.get("access_steps", [])]
-            if "code" in message and not any(access.get("operation") == "read" for access in accesses):
+            accesses = message.get("accesses", [])
+            if "code" in message and not any(access["operation"] == "read" for access in accesses):
                 _leave_unanswered(draft, message, message.get("links", coded_links))
     return drawn
 
@@ -93,7 +93,7 @@ def leave_unrequested(draft: Draft) -> None:
     """Only the device sends some messages."""
     if not draft.chance(25):
         return
-    of_requests = {"accesses", "access_steps", "segments", "broadcast", "response_code", "supplements"}
+    of_requests = {"accesses", "segments", "broadcast", "response_code", "supplements"}
     pieces = {message["segments"]["message"] for message in draft.spec["messages"] if "segments" in message}
     for message in draft.spec["messages"]:
         if message["name"] in pieces:
@@ -220,7 +220,7 @@ def _access_steps(draft: Draft, spaces: list[tuple[str, str]]) -> Spec:
     for name in lists:
         count = next(field for field in request if field.get("measures") == {"items": name})
         request.append(draft.fact(type=_element(spaces, steps, name), repeat=count["range"]) | {"name": name})
-    return draft.fact(request=request, response=response, access_steps=steps)
+    return draft.fact(request=request, response=response, accesses=steps)
 
 
 def _element(spaces: list[tuple[str, str]], steps: list[Spec], name: str) -> str:
@@ -238,7 +238,7 @@ def _bit_access(draft: Draft, operation: str, space: str) -> Spec:
         bit = draft.fact(type="u16", range=f"{numbers[0]}, {numbers[1]}")
         access |= {"values": bit["name"], "set": numbers[0]} | ({"clear": numbers[1]} if numbers[1] else {})
         asked, answered = ([address], [bit]) if operation == "read" else ([address, bit], [])
-        return draft.fact(request=asked, response=answered, accesses=access)
+        return draft.fact(request=asked, response=answered, accesses=[access])
     most = draft.number(1, 30)
     count = draft.fact(type="u16", range=f"1..{8 * most}")
     bits = draft.fact(type="u8", repeat=f"1..{most}")
@@ -246,7 +246,7 @@ def _bit_access(draft: Draft, operation: str, space: str) -> Spec:
     sized = [size, bits] if draft.chance(60) else [bits]
     access |= {"count": count["name"], "values": bits["name"]}
     asked, answered = ([address, count], sized) if operation == "read" else ([address, count, *sized], [])
-    return draft.fact(request=asked, response=answered, accesses=access)
+    return draft.fact(request=asked, response=answered, accesses=[access])
 
 
 def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> Spec:
@@ -260,15 +260,15 @@ def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> S
         access["space"] = space
     if operation == "read":
         access["count"] = count["name"]
-        return draft.fact(request=[address, count], response=sized, accesses=access)
+        return draft.fact(request=[address, count], response=sized, accesses=[access])
     if draft.chance(30):
         single = {key: v for key, v in words.items() if key != "repeat"}
-        return draft.fact(request=[address, single], response=[], accesses=access)
+        return draft.fact(request=[address, single], response=[], accesses=[access])
     if draft.chance(50):
         access["count"] = count["name"]
         count["measures"] = {"items": words["name"]}
-        return draft.fact(request=[address, count, *sized], response=[], accesses=access)
-    return draft.fact(request=[address, *sized], response=[], accesses=access)
+        return draft.fact(request=[address, count, *sized], response=[], accesses=[access])
+    return draft.fact(request=[address, *sized], response=[], accesses=[access])
 
 
 _PARAMETER_DIGITS: dict[str, tuple[Spec, ...]] = {

@@ -25,6 +25,9 @@ def _differing_record(draft: Draft) -> Spec:
             if draft.differing and draft.chance(30):
                 fields = [*fields, _differing(draft), *_behind(draft)]
                 continue
+            if draft.chance(30):
+                fields = _choice_between(draft, fields)
+                continue
             inner = draft.differing and draft.chance(25)
             repeated = _differing(draft, "0..2") if inner else _repeated(draft, fields, low_limits=True)
             measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
@@ -271,11 +274,11 @@ def _inserted(draft: Draft, fields: list[Spec], field: Spec) -> list[Spec]:
     return [*fields[:at], field, *fields[at:]]
 
 
-def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
-    """A last field whose type an enum decides."""
+def _deciding(draft: Draft) -> tuple[Spec, Spec] | None:
+    """A field with an enum, and one whose type it decides; None where no enum can."""
     closed = [e for e in draft.enums if len(e.members) > 1 and all(0 <= n <= 0xFFFF for n in e.members.values())]
     if not closed:
-        return fields
+        return None
     enum = draft.pick(closed)
     wide = any(n > 0xFF for n in enum.members.values())
     kind = draft.pick(("u16", "u32")) if wide else draft.pick(("u8", "u16"))
@@ -286,7 +289,29 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
         width = draft.number(1, 2)
         cases.append(draft.fact(when=left[:width], **value(draft, "case")))
         left = left[width:]
-    last: Spec = draft.fact(choice={"by": selector["name"], "cases": cases})
+    return selector, draft.fact(choice={"by": selector["name"], "cases": cases})
+
+
+def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """Fields with one behind them whose type another one decides, and some behind that, now and then."""
+    decided = _deciding(draft)
+    if decided is None:
+        return fields
+    selector, choice = decided
+    return [*_inserted(draft, fields, selector), choice, *_behind(draft)]
+
+
+def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """A last field whose type an enum decides, or one with others behind it."""
+    if draft.chance(40):
+        repeated = _repeated(draft, fields)
+        lists = [draft.fact(type="u8", measures=_measure(draft, repeated)), repeated] if draft.chance(30) else []
+        return _choice_between(draft, [*fields, *lists])
+    decided = _deciding(draft)
+    if decided is None:
+        return fields
+    selector, last = decided
+    cases = last["choice"]["cases"]
     # How often a constant is repeated is not a value of C's self-test.
     if draft.chance(50) and not any("const" in case for case in cases):
         last["repeat"] = _limits(draft)

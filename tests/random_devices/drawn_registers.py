@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from random_devices.draft import ODD_INTEGERS, Draft, Spec
 from random_devices.drawn_records import exponent_keys, may_be_scaled
-from random_devices.drawn_values import size_of, value
+from random_devices.drawn_values import has_words, size_of, value
 
 ACCESSES = ("rw", "ro", "rw", "wo")
 
@@ -107,14 +107,26 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
     elif draft.chance(30) and "scale_by" not in {key for row in group["rows"] for key in row}:
         _repeat_block(draft, group, at)
         at += at - group["rows"][0]["at"]
+    row = group["rows"][0]
+    if len(group["rows"]) == 1 and "copies" not in group and row["access"] != "ro" and has_words(row):
+        order = row.pop("write_word_order", _other_order(draft, row))
+        group["defaults"] = {**group.get("defaults", {}), "write_word_order": order}
     free[space] = at
     return group
+
+
+def _other_order(draft: Draft, row: Spec) -> str:
+    """The order of words that a value has not got when it is read."""
+    order = row.get("word_order") or draft.word_order or row.get("byte_order", draft.byte_order)
+    return "little" if order == "big" else "big"
 
 
 def _repeat_block(draft: Draft, group: Spec, at: int) -> None:
     """Adds a block to a group that repeats all of its registers after it."""
     stated: Spec = {"group": draft.name(), "prefix": f"stored_{draft.names}", "base": at, "source": draft.source()}
-    if draft.chance(50) and not any({"write_range", "const", "trigger"} & set(row) for row in group["rows"]):
+    if draft.chance(50) and not any(
+        {"write_range", "write_word_order", "const", "trigger"} & set(row) for row in group["rows"]
+    ):
         stated["access"] = "ro"
     if draft.chance(50):
         offset = at - group["rows"][0]["at"]
@@ -135,6 +147,8 @@ def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
         row["trigger"] = True
     if draft.chance(8) and words > 1:
         row["atomic"] = True
+    if draft.chance(30) and access != "ro" and has_words(keys):
+        row["write_word_order"] = _other_order(draft, row)
     if draft.chance(6) and set(row) <= {"at", "name", "source", "type", "access", "words", "length"}:
         row["reserved"] = True
     if draft.chance(4):

@@ -58,6 +58,12 @@ def _fills_words(draft: Draft, place: str) -> bool:
     return place == "table" or (place == "register" and draft.chance(70))
 
 
+def has_words(keys: Spec) -> bool:
+    """Whether a value is a number of several words of 16 bits."""
+    is_number = keys["type"] not in ("text", "bytes") and keys.get("digits", "bcd") in ("bcd", "packed_decimal")
+    return is_number and size_of(keys) > 2 and size_of(keys) % 2 == 0
+
+
 def size_of(keys: Spec) -> int:
     """The bytes of a value."""
     return int(keys.get("length") or SIZES[keys["type"]])

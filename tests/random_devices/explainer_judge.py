@@ -6,6 +6,7 @@ from pathlib import Path
 
 from fieldspec.codec.explain.explanation import explained
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.language.model.escape import CAN_REMOTE
 from random_devices.queries import Answer, Query, flat
 
 
@@ -37,6 +38,9 @@ class Explainer:
         code = shape.role("code")
         head = "".join(f"{explanation.values[part.name]};" for part in shape.header if part.is_argument)
         number = explanation.values[code.name] if code is not None else None
+        if shape.escape is not None and shape.escape.is_remote(query.data):
+            assert isinstance(number, int)
+            number |= CAN_REMOTE
         if explanation.error:
             error = self.layout.links[link].link.exception_response
             assert error is not None

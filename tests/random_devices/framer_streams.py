@@ -69,7 +69,7 @@ class Line:
         """What ends frames, as the table of `docs/python.md` has it; empty where a link has no framer."""
         frame = self.frame
         is_whole = frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None)
-        if self.link.link.encoding == "hex_ascii" or is_whole:
+        if self.link.link.transmission == "hex_ascii" or is_whole:
             return "delimiters" if frame.end and (frame.start or is_whole) else ""
         length = frame.role("length")
         if frame.escape is not None and (length is None or length.before_escape):
@@ -254,7 +254,10 @@ def _expected(line: Line, frames: list[bytes]) -> tuple[list[bytes], bool]:
 
 def _noise(line: Line) -> list[bytes]:
     """Noise with which no frame begins, and after which frames are recognized; empty where there is none."""
-    frame = line.frame
+    frame, preamble = line.frame, line.link.link.preamble
+    if preamble is not None:
+        others = {preamble.byte, *frame.start, *line.link.link.opening(line.direction)}
+        return [bytes([byte]) for byte in range(256) if byte not in others]
     if frame.start:
         return [bytes([byte]) for byte in range(256) if byte != frame.start[0]]
     if line.ending == "delimiters":

@@ -46,9 +46,9 @@ def is_computed(field: FieldLayout) -> bool:
 
 
 def stored_fields(record: RecordLayout, chosen: RecordLayout) -> list[FieldLayout]:
-    """The fields that have values: of the record that a selector has chosen, the last one too, if it is a constant."""
-    decided = chosen.fields[-1] if record.selector is not None else None
-    return [field for field in chosen.fields if field is decided or not is_computed(field)]
+    """The fields that have values: those of the record that selectors chose, also constants of cases."""
+    decided = {field.name for field in record.fields if field.cases}
+    return [field for field in chosen.fields if field.name in decided or not is_computed(field)]
 
 
 def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Random) -> dict[str, Any]:
@@ -58,7 +58,20 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
         fields = stored_fields(record, record.chosen[number])
         values = {field.name: _field(layout, field, dice) for field in fields}
         return values | ({} if is_computed(record.selector) else {record.selector.name: number})
-    values = {field.name: _field(layout, field, dice) for field in record.fields if not is_computed(field)}
+    values: dict[str, Any] = {}
+    for field in record.fields:
+        forms = [
+            form
+            for own in record.fields
+            if own.selector is not None and own.selector.name == field.name
+            for form in own.forms
+        ]
+        if forms and not is_computed(field) and dice.random() < 0.9:
+            values[field.name] = dice.choice(forms)
+        elif field.cases:
+            values[field.name] = _field(layout, record.decided_by(values).named(field.name), dice)
+        elif not is_computed(field):
+            values[field.name] = _field(layout, field, dice)
     for field in record.fields:
         if field.bits_of and dice.random() < 0.85:
             values[field.name] = max(0, 8 * len(values[field.bits_of]) - dice.choice((0, 0, 1, 3, 7)))
@@ -69,6 +82,8 @@ def _field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any
     def element() -> Any:
         if field.record is not None:
             return record_values(layout, field.record, dice)
+        if field.cases:  # its selector decides nothing
+            return 0
         return number_or_text(layout, field.value, dice)
 
     if not field.is_list:
@@ -185,6 +200,8 @@ def record_bytes(record: RecordLayout, dice: random.Random) -> bytes:
         elif field.bits_of and dice.random() < 0.8:
             packed = len(data) - form.sent_fields[-1].offset
             put(data, field.offset, field.size, field.order, max(0, 8 * packed - dice.choice((0, 1, 7, 8))))
+        elif field.selector is not None and dice.random() < 0.8:
+            put(data, field.selector.offset, field.selector.size, field.selector.order, dice.choice(list(field.forms)))
         elif field.value is not None and field.value.const is not None and dice.random() < 0.8 and not field.is_list:
             put(data, field.offset, field.size, field.order, field.value.const)
     return bytes(data)
@@ -284,9 +301,12 @@ def delimited(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> 
 def _marked(layout: DeviceLayout, link: str, direction: str, parts: bytes) -> bytes:
     """What is sent between the delimiters of a direction."""
     model = layout.links[link].link
-    inner = parts.hex().upper().encode() if model.encoding == "hex_ascii" else parts
+    inner = parts.hex().upper().encode() if model.transmission == "hex_ascii" else parts
     start, end = model.delimiters(direction)
-    return start + inner + end
+    own = model.preamble
+    # A preamble is longer than the least one by what the parts happen to have, up to one byte too many.
+    further = bytes((own.byte,)) * (sum(parts) % (own.spare + 2)) if own is not None else b""
+    return further + start + inner + end
 
 
 def _put_part(parts: bytearray, part: PartLayout, number: int) -> None:

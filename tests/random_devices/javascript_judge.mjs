@@ -52,7 +52,7 @@ function frame({ path: [linkName, direction, messageName], data, encodes, header
   const link = find(linkName, "encodeRequest");
   const message = link.messages.find((entry) => entry.name === messageName);
   const encode = (parts, entry, content, isError, number) => {
-    if (isError) return link.encodeException(parts, number, content);
+    if (isError) return link.encodeExceptionResponse(parts, number, content);
     return direction === "request" ? link.encodeRequest(parts, entry, content) : link.encodeResponse(parts, entry, content);
   };
   if (encodes) return { again: hex(encode(fromJson(header), message, fromJson(values), error, code)) };

@@ -168,9 +168,7 @@ class JavaScript:
 def object_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:
     """The object of some values of a record, as JSON of the judge."""
     keys = {member.field.name: member for member in members_of(record)}
-    chosen = record
-    if record.selector is not None and record.selector.name in values:
-        chosen = record.of_number(values[record.selector.name]) or record
+    chosen = record.decided_by(values)
     result: dict[str, Any] = {}
     for name, value in values.items():
         field = chosen.named(name) or record.named(name)
@@ -192,15 +190,15 @@ def object_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]
 
 def values_of(record: RecordLayout, data: Mapping[str, Any]) -> dict[str, Any]:
     """The values of a record from the object that the judge prints."""
-    chosen = record
-    if record.selector is not None:
-        key = next(member.key for member in members_of(record) if member.field.name == record.selector.name)
-        chosen = record.of_number(_scalar(data[key])) or record
+    selectors = {own.name for own in (record.selector, *(field.selector for field in record.fields)) if own is not None}
+    keys = {member.field.name: member.key for member in members_of(record) if member.key}
+    chosen = record.decided_by({name: _scalar(data[keys[name]]) for name in selectors & keys.keys()})
+    decided = {field.name for field in record.fields if field.cases}
     result = {}
     for member in members_of(chosen):
         field = member.field
         if not member.key:
-            if record.selector is not None and field is chosen.fields[-1] and field.value is not None:
+            if field.name in decided and field.value is not None:
                 # Objects do not have the constant that a selector has chosen.
                 result[field.name] = field.value.const
             continue

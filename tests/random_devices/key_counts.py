@@ -18,7 +18,7 @@ from fieldspec.language.schema import resolved
 from fieldspec.tools.proofs.running import outcome
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
-from random_devices.schema_keys import ANYWHERE, WORDS, Key, key_path, known_keys, nodes_in, reason
+from random_devices.schema_keys import ANYWHERE, FORMS, WORDS, Key, key_path, known_keys, nodes_in, reason
 
 BATCH = 20
 SELDOM = 10
@@ -99,7 +99,8 @@ def _words() -> Iterator[str]:
     """All words of all keys that need no reason."""
     for (owner, key), shape in known_keys().items():
         if not reason((owner, key)) and (owner, key) not in WORDS:
-            yield from (f"{owner}.{key}: {word}" for word in _choices(shape) if isinstance(word, str))
+            forms = (f"{owner}.{key}: {word}" for word in _choices(shape) if isinstance(word, str))
+            yield from (form for form in forms if form not in FORMS)
 
 
 def drawn(seed: int, count: int = BATCH) -> list[Spec]:

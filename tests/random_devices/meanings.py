@@ -35,9 +35,7 @@ class Leaf:
 
 def leaves(record: RecordLayout, values: Mapping[str, Any], before: str = "") -> Iterator[Leaf]:
     """The values of a record, and of the records in it, as the reference has decoded them."""
-    chosen = record
-    if record.selector is not None:
-        chosen = record.of_number(values[record.selector.name]) or record
+    chosen = record.decided_by(values)
     for field in chosen.fields:
         items = list(enumerate(values[field.name])) if field.is_list else [(None, values[field.name])]
         for number, item in items:

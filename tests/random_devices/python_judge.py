@@ -15,7 +15,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.value import Value
-from fieldspec.targets.python.backend import PACKAGE, files
+from fieldspec.targets.python.backend import files
 from python_package import built, class_of, codec_error, link_of, raw, raws, record_class
 from random_devices.queries import EXPONENT, Answer, Query, flat, flat_value, has_quantity, quantity_text, refused
 
@@ -33,14 +33,14 @@ def module_of_device(layout: DeviceLayout, number: int) -> ModuleType:
     package = python_package.package().__name__
     for name in [name for name in sys.modules if name.startswith(f"{package}.chance_")]:
         del sys.modules[name]
-    text = next(
-        text for path, text in files([layout]).items() if path.startswith(f"{PACKAGE}/") and "__init__" not in path
-    )
+    texts = [text for path, text in files([layout]).items() if "__init__" not in path]
+    codecs = [text for path, text in files([layout]).items() if "/_codec_" in path]
     name = f"{package}.chance_{number}.device"
     module = ModuleType(name)
     module.__package__ = f"{package}.chance_{number}"
     sys.modules[name] = module
-    exec(compile(text, f"chance_{number}.py", "exec"), module.__dict__)
+    for text in (*codecs, texts[0]):
+        exec(compile(text, f"chance_{number}.py", "exec"), module.__dict__)
     return module
 
 
@@ -127,7 +127,7 @@ class Python:
         line = link_of(self.module, link)
         if error:
             codes = () if code is None else (code,)
-            return bytes(line.encode_error(*first, *codes, content, **named))
+            return bytes(line.encode_exception_response(*first, *codes, content, **named))
         return bytes(getattr(line, f"encode_{direction}")(*first, content, **named))
 
     def _encoded(self, query: Query) -> Answer:

@@ -92,14 +92,7 @@ def refused(error: Any) -> Answer:
 
 def flat(record: RecordLayout, values: Mapping[str, Any]) -> str:
     """The stored values of a record: numbers in decimal, floats as their bits, texts and bytes in hexadecimal."""
-    chosen = record
-    if record.selector is not None:
-        chosen = record.of_number(values.get(record.selector.name, _constant(record.selector))) or record
-    return "".join(_flat_field(f, values[f.name]) for f in stored_fields(record, chosen))
-
-
-def _constant(selector: FieldLayout) -> Any:
-    return selector.value.const if selector.value is not None else None
+    return "".join(_flat_field(f, values[f.name]) for f in stored_fields(record, record.decided_by(values)))
 
 
 def _flat_field(field: FieldLayout, value: Any) -> str:
@@ -157,11 +150,8 @@ def is_stable(values: Any) -> bool:
 
 def to_encode(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]:
     """The values that an encoder takes: those that it fills itself are left out."""
-    chosen = record
-    if record.selector is not None:
-        chosen = record.of_number(values[record.selector.name]) or record
     result = {}
-    for inner in stored_fields(record, chosen):
+    for inner in stored_fields(record, record.decided_by(values)):
         value = values[inner.name]
         if inner.record is not None:
             of = inner.record

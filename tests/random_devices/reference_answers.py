@@ -92,5 +92,6 @@ class Reference:
             raise CodecError("out_of_range", f"{name} is {raw}, and may not be written")
         # Writing a trigger takes what its enum lists, as writing anything does.
         number = encoded_value(name, value, raw, self.layout.device)
-        data: bytes = value_construct(value, order, swapped).build(number)
+        is_swapped = swapped != bool(value.write_word_order)
+        data: bytes = value_construct(value, order, is_swapped).build(number)
         return data.ljust(size, b"\0").hex()

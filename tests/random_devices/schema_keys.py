@@ -15,6 +15,7 @@ EXPANDED = "Reading a spec gives it to the copied registers, which state it them
 COMPARED = "It is compared with another fact by a check, which has its own cases."
 HANDLING = "It says how to handle a value and is in no codec."
 FILES = "It is in a second file: a judge splits devices so, and compares the outputs of both forms."
+PACKAGES = "A package gives it, and printed frames prove it; `cases/codecs.yaml` has each, for all judges."
 SIMULATED = "It is what a simulator does, and is in no codec."
 ANYWHERE = {
     "allow": "It permits a finding; one place is enough.",
@@ -128,6 +129,7 @@ KEYS = {
     ("table", "words"): COMPARED,
     ("table", "elements"): COMPARED,
     ("parameter", "wire_number"): COMPARED,
+    ("value", "codec"): PACKAGES,
     ("parameter", "applies_to"): DOCUMENTATION,
     ("parameter", "messages"): DOCUMENTATION,
     ("version_line", "like"): "Lines beside the built one share its outputs; the tests of versions cover them.",
@@ -151,6 +153,8 @@ WORDS = {
     ("flags", "bit_0"): "`least` is the default: words without the key have it.",
 }
 """Keys of which random devices need not have every word."""
+FORMS = {"part.checksum.method: codec": PACKAGES}
+"""Single words that random devices need not have."""
 
 
 def reason(key: Key) -> str:

@@ -60,7 +60,7 @@ def with_examples(spec: Spec, layout: DeviceLayout, queries: list[Query], most: 
         )
         if layout.device.version != "1":
             examples[-1]["only"] = [layout.device.version]
-    return {**spec, "examples": examples}
+    return {**spec, "examples": [*spec.get("examples", ()), *examples]}
 
 
 def _addresses(layout: DeviceLayout, query: Query) -> bool:
@@ -181,7 +181,7 @@ def _other_algorithm(fact: Spec) -> bool:
 
 
 def _other_mark(fact: Spec) -> bool:
-    if "start" not in fact or "encoding" not in fact:
+    if "start" not in fact or "transmission" not in fact:
         return False
     fact["start"] = "7E"
     return True

@@ -17,7 +17,7 @@ device:
 links:
   - name: line
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: big
     word_order: big
     end: "0D"

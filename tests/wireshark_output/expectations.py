@@ -14,7 +14,7 @@ NUMBER = re.compile(r"-?\d+|0x[0-9a-f]+")
 _ESCAPED = re.compile(r"\\x([0-9a-f]{2})|\\(.)")
 _HEXADECIMAL = re.compile(r"\\x([0-9a-f]{2})()")
 _ESCAPES = {"t": "\t", "n": "\n", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v"}
-FINDINGS = {"wrong_check", "wrong_length", "wrong_const", "wrong_measure", "out_of_range", "unknown_value"}
+FINDINGS = {"wrong_checksum", "wrong_length", "wrong_const", "wrong_measure", "out_of_range", "unknown_value"}
 FINDINGS |= {"unknown_code", "incomplete"}
 
 
@@ -84,7 +84,7 @@ def places_of(case: Case, row: ExplanationRow) -> tuple[tuple[int, int], ...]:
     For the latter, PDML adds the offset of the parent where that is greater than the one of the child.
     """
     link = case.layout.links[case.link].link
-    if link.encoding == "hex_ascii":
+    if link.transmission == "hex_ascii":
         start, _ = link.delimiters(case.direction)
         at, size = (row.offset - len(start)) // 2, row.length // 2
         return (at, size), (HEADERS + at, size)

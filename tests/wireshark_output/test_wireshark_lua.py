@@ -26,7 +26,7 @@ def frames(device: str) -> list[tuple[str, str, bytes, bool]]:
     rows = []
     for example in DEVICES[device].device.examples.values():
         link = DEVICES[device].links[example.link]
-        frame, is_binary = example.frame, link.link.encoding == "binary"
+        frame, is_binary = example.frame, link.link.transmission == "binary"
         if example.direction != "request" or example.refused or link.request.role("code") is None:
             continue
         rows.append((example.link, "request", frame, True))

@@ -16,7 +16,7 @@ SPEC = """
 uses: [{{protocol: modbus, links: [tcp], messages: [read_registers]}}]
 links:
   - {{name: tcp, source: 1 L1, word_order: big, unit_addresses: {{range: 1..247, source: 1 L1}}}}
-  - {{name: line, encoding: binary, byte_order: big, source: 1 L1, request: {frame}, response: {frame}}}
+  - {{name: line, transmission: binary, byte_order: big, source: 1 L1, request: {frame}, response: {frame}}}
 messages:
   - {{name: read_registers, source: 1 L2, links: [tcp]}}
   - {{name: big, code: 1, links: [line], source: 1 L2, request: [{big}], response: []}}

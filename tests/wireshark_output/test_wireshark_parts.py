@@ -22,7 +22,7 @@ SPEC = f"""
 links:
   - name: line
     source: 1 L1
-    encoding: binary
+    transmission: binary
     byte_order: {{order}}
     request: {PARTS}
     response: {PARTS}

@@ -11,6 +11,15 @@ Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Fix: Do without the omitted facts, or state the digits as a text.
 """,
+    "output_has_codec": """The package that gives a codec has a text of it for the output.
+
+Why: the language does not say what the bytes are, so an output can only print what the package has.
+
+Example: a field with `codec: acme_float` whose package has Python and C, in JavaScript.
+
+Fix: Do without what is left out, or add the text to the package. Outputs for controllers, dissectors, queries and word
+maps print none.
+""",
     "wireshark_parameters_typed": """The value of a parameter is a number or a text, for dissectors.
 
 Why: the dissector reads the value of a parameter in the type of its field. A field of `bytes` has no such type.
@@ -38,8 +47,8 @@ Example: a field with `type: text, length: 8, padding: space`.
 
 Fix: Do without the omitted facts, or state the text as `bytes`.
 """,
-    "output_lists_last": """In dissectors, queries and word maps, a list of free length comes last in its message, and
-its elements have one size.
+    "output_lists_last": """In dissectors, queries and word maps, a list of free length, or a choice, comes last in its
+message, and elements have one size.
 
 Why: after such a list, and in a list whose elements differ in size, the offset of a field differs from frame to frame,
 and these outputs state one offset.
@@ -50,8 +59,9 @@ Fix: Do without the omitted facts, or use another output.
 """,
     "output_frames_words": """The frames of a link are the bytes of their parts, between the delimiters, in word maps.
 
-Why: the map states the byte offset of each value in a frame. If bytes are escaped, sent as two characters or part of a
-CAN identifier, a program that fills the words and sends them would send wrong bytes.
+Why: the map states the byte offset of each value in a frame. If bytes are escaped, sent as two characters, sent after a
+preamble of varying length or part of a CAN identifier, a program that fills the words and sends them would send wrong
+bytes.
 
 Example: a link with `escape: {method: slip}`.
 
@@ -59,7 +69,8 @@ Fix: Do without the frames, or use another output: Python, JavaScript and C esca
 """,
     "output_registers_words": """Every register occupies whole words, in word maps.
 
-Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them.
+Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them. A register
+whose words are read in one order and written in the other has two places for each of its bits.
 
 Example: the control table of a servo, in a space with `unit: byte`.
 

@@ -10,6 +10,7 @@ const isHexadecimal = ({ digits }) => digits === "upper_hex" || digits === "lowe
 
 /** The number of digits, the most significant digit first; undefined for anything but such digits. */
 export function digitsNumber(value, bytes) {
+  if (value.codec) return numberOfCodec(value, value.codec.decode(bytes));
   if (hasNibbles(value)) return numberOfNibbles(value, Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(""));
   let text = String.fromCharCode(...bytes);
   if (value.hasBlanks) return numberBehindBlanks(value, text);
@@ -25,6 +26,9 @@ export function digitsNumber(value, bytes) {
   const whole = BigInt(isHexadecimal(value) ? `0x${value.isLowFirst ? turned(text) : text}` : text);
   return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
 }
+
+/** What a codec has read, without the sign of a zero; undefined for what is no number of it. */
+const numberOfCodec = ({ low, high }, number) => (Number.isInteger(number) && low <= number && number <= high ? number + 0 : undefined);
 
 /** A number that a double has exactly as a number, any other as it is. */
 const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
@@ -53,6 +57,7 @@ function numberBehindBlanks({ places = 0, signed }, text) {
 
 /** The bytes of the digits of a number, the most significant digit first. */
 export function digitsBytes(value, number) {
+  if (value.codec) return Uint8Array.from(value.codec.encode(Number(number)));
   const whole = value.bits ? BigInt.asUintN(value.bits, BigInt(number)) : BigInt(number);
   if (hasNibbles(value)) return Uint8Array.from(nibblesOf(value, whole).match(/../g), (pair) => parseInt(pair, 16));
   const count = value.size - (value.hasSign ? 1 : 0) - (value.places ? 1 : 0);

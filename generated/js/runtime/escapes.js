@@ -134,32 +134,44 @@ export function find(bytes, from, mark) {
   return -1;
 }
 
-const EXTENDED = 2 ** 31;
+const [EXTENDED, REMOTE] = [2 ** 31, 2 ** 30];
 
 /**
  * The first parts as the identifier of a CAN frame, which has `bits` bits: the size, whether the byte order is little,
  * the first bit and the bits of each part. A frame is the identifier in four bytes, the number of data, zeros, the data.
+ * `remote` is the place of the code where remote requests are sent: it has a bit for these, which have no data, and the
+ * number of the data in place of data.
  */
-export function canIdentifier(bits, fields) {
+export function canIdentifier(bits, fields, remote = -1) {
   const flags = bits > 11 ? EXTENDED : 0;
   return {
     escaped(data) {
       let [identifier, at] = [flags, 0];
-      for (const [size, isLittle, first, width] of fields) {
-        const number = numberIn(data.subarray(at, at + size), isLittle);
+      let isRemote = false;
+      for (const [row, [size, isLittle, first, width]] of fields.entries()) {
+        let number = numberIn(data.subarray(at, at + size), isLittle);
+        if (row === remote && number >= REMOTE && number < EXTENDED) {
+          isRemote = true;
+          identifier += REMOTE;
+          number -= REMOTE;
+        }
         if (number >= 2 ** width) throw new CodecError("out_of_range", `${number} has more than ${width} bits`);
         identifier += number * 2 ** first;
         at += size;
       }
-      const size = data.length - at;
+      const content = isRemote ? [] : data.subarray(at);
+      const size = isRemote && data.length - at === 1 ? data[at] : data.length - at;
       if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
-      return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...data.subarray(at)].map((byte) => byte & 0xff));
+      return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...content].map((byte) => byte & 0xff));
     },
-    // The first part is in the place of the whole header, and the others of the identifier are after it.
+    // The first part is in the place of the whole header, and the others of the identifier are behind it. In a remote
+    // request the number of the data has the second half of the header.
     walk(data, give) {
-      const wrong = wrongCanHeader(bits, data);
-      if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong), wrong);
-      canParts(fields, data).forEach((byte, at) => give(byte, at < fields[0][0] ? 0 : 8));
+      const wrong = wrongCanHeader(bits, data, remote);
+      if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong, remote), wrong);
+      const isRemote = isRemoteRequest(data, remote);
+      canParts(fields, data, isRemote ? remote : -1).forEach((byte, at) => give(byte, at < fields[0][0] ? 0 : isRemote ? 4 : 8));
+      if (isRemote) give(data[4], 4);
       data.subarray(8).forEach((byte, at) => give(byte, at + 8));
     },
     original,
@@ -167,29 +179,37 @@ export function canIdentifier(bits, fields) {
   };
 }
 
+/** Whether a frame is a remote request, on a bus where these have codes at the place `remote` of the identifier. */
+export function isRemoteRequest(data, remote) {
+  return remote >= 0 && (data[0] & 0x40) !== 0;
+}
+
 /** The offset at which bytes are not a CAN frame with an identifier of some bits; -1 where they are. */
-function wrongCanHeader(bits, data) {
-  const flags = bits > 11 ? EXTENDED : 0;
+function wrongCanHeader(bits, data, remote) {
+  const isRemote = isRemoteRequest(data, remote);
+  const flags = (bits > 11 ? EXTENDED : 0) + (isRemote ? REMOTE : 0);
   const identifier = numberIn(data.subarray(0, 4), false);
   if (data.length < 8 || identifier < flags || identifier >= flags + 2 ** bits) return 0;
-  if (data[4] !== data.length - 8 || data[4] > 8) return 4;
+  if (data.length !== 8 + (isRemote ? 0 : data[4]) || data[4] > 8) return 4;
   return data.subarray(5, 8).some((byte) => byte !== 0) ? 5 : -1;
 }
 
 /** What is wrong with a CAN frame at an offset that `wrongCanHeader` returns. */
-function canHeaderFault(bits, data, at) {
+function canHeaderFault(bits, data, at, remote) {
   const size = data.length - 8;
-  if (at === 4 && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
+  const isRemote = isRemoteRequest(data, remote);
+  if (at === 4 && isRemote && size) return `a remote request has no data, but there are ${size} bytes`;
+  if (at === 4 && !isRemote && data[4] !== size) return `byte 4 says ${data[4]} bytes of data, but there are ${size}`;
   if (at === 4) return `a CAN frame has at most 8 bytes of data, not ${data[4]}`;
   if (at === 5) return "the three bytes after the data length are not zero";
   return `it is not a CAN frame with an identifier of ${bits} bits`;
 }
 
-/** The bytes of the parts of the identifier of a CAN frame. */
-function canParts(fields, data) {
-  const identifier = numberIn(data.subarray(0, 4), false) % EXTENDED;
-  return fields.flatMap(([size, isLittle, first, width]) => {
-    const number = Math.floor(identifier / 2 ** first) % 2 ** width;
+/** The bytes of the parts of the identifier of a CAN frame; the code at the place `remote` is that of a remote request. */
+function canParts(fields, data, remote) {
+  const identifier = numberIn(data.subarray(0, 4), false) % REMOTE;
+  return fields.flatMap(([size, isLittle, first, width], row) => {
+    const number = Math.floor(identifier / 2 ** first) % 2 ** width + (row === remote ? REMOTE : 0);
     const bytes = Array.from({ length: size }, (_, at) => Math.floor(number / 256 ** at) & 0xff);
     return isLittle ? bytes : bytes.reverse();
   });
@@ -200,15 +220,16 @@ function numberIn(bytes, isLittle) {
   return ordered.reduce((number, byte) => number * 256 + byte, 0);
 }
 
-/** The identifier and the data of a frame as encoders return it, for a driver. */
+/** The identifier and the data of a frame as encoders return it, for a driver; a remote request has a number of data. */
 export function canFrame(bytes) {
   const identifier = numberIn(bytes.subarray(0, 4), false);
-  return { identifier: identifier % EXTENDED, data: bytes.slice(8), isExtended: identifier >= EXTENDED };
+  const frame = { identifier: identifier % REMOTE, data: bytes.slice(8), isExtended: identifier >= EXTENDED };
+  return isRemoteRequest(bytes, 0) ? { ...frame, isRemote: true, dlc: bytes[4] } : frame;
 }
 
 /** The frame of an identifier and its data, as a driver gives them, for decoders. */
-export function canBytes({ identifier, data, isExtended = false }) {
-  const number = identifier + (isExtended ? EXTENDED : 0);
+export function canBytes({ identifier, data = [], isExtended = false, isRemote = false, dlc = data.length }) {
+  const number = identifier + (isExtended ? EXTENDED : 0) + (isRemote ? REMOTE : 0);
   const head = [number / 2 ** 24, number / 2 ** 16, number / 256, number].map((byte) => byte & 0xff);
-  return Uint8Array.from([...head, data.length, 0, 0, 0, ...data]);
+  return Uint8Array.from([...head, dlc, 0, 0, 0, ...(isRemote ? [] : data)]);
 }

@@ -16,7 +16,27 @@ export class Framer {
     this.extent = extent;
     /** The number of bytes that belong to no frame. */
     this.dropped = 0;
+    /** The bytes dropped last that may belong to a preamble. */
+    this.lead = 0;
     this.bytes = new Uint8Array(0);
+  }
+
+  /** Counts a byte that belongs to no frame, but not the last ones that may belong to a preamble. */
+  drop(byte) {
+    this.dropped++;
+    const { preamble } = this.shape.parts;
+    if (preamble === undefined) return;
+    const before = this.lead;
+    this.lead = byte === preamble.byte ? Math.min(before + 1, preamble.spare) : 0;
+    this.dropped += before - this.lead;
+  }
+
+  /** A frame with the bytes of its preamble that were dropped. */
+  led(frame) {
+    if (this.lead === 0) return frame;
+    const lead = new Uint8Array(this.lead).fill(this.shape.parts.preamble.byte);
+    this.lead = 0;
+    return joined(lead, frame);
   }
 
   /** The frames that these bytes complete, each with its delimiters and checksum. */
@@ -33,12 +53,12 @@ export class Framer {
       } else if (extent > 0) {
         const frame = bytes.slice(at, at + extent);
         if (this.holds(frame)) {
-          frames.push(frame);
+          frames.push(this.led(frame));
           at += extent;
           continue;
         }
       }
-      this.dropped++;
+      this.drop(bytes[at]);
       at++;
     }
     this.bytes = bytes.slice(at);
@@ -56,15 +76,18 @@ export class Framer {
         break;
       }
       this.bytes = whole.slice(1);
-      this.dropped++;
+      this.drop(whole[0]);
       frames.push(...this.feed(new Uint8Array(0)));
     }
+    this.dropped += this.lead;
+    this.lead = 0;
     return frames;
   }
 
   /** Drops all bytes so far. */
   reset() {
     this.bytes = new Uint8Array(0);
+    this.lead = 0;
   }
 
   /** Whether delimiters, checksums and constants of a frame are right. */
@@ -98,9 +121,9 @@ export function foreign({ address, addresses }, bytes, at) {
 /** The framer of frames whose length part decides where they end. */
 export function lengthFramer(shape) {
   const { length, shortest, longest } = shape;
-  const { start, end } = shape.parts;
+  const { start, end, preamble } = shape.parts;
   return new Framer(shape, (bytes, at) => {
-    if (!begins(bytes, at, start)) return 0;
+    if (!begins(bytes, at, start) || (preamble !== undefined && bytes[at + preamble.least] === preamble.byte)) return 0;
     at += start.length;
     if (foreign(shape, bytes, at)) return 0;
     const extent = readPart(bytes, at + length.offset, length) * length.unitSize + length.base + start.length + end.length;
@@ -217,20 +240,20 @@ class EscapeFramer extends Framer {
     const bytes = joined(this.bytes, piece);
     const frames = [];
     let at = 0;
-    const drop = (next) => {
+    const dropTo = (next) => {
       this.dropped += next - at;
       at = next;
     };
     while (at < bytes.length) {
       if (!begins(bytes, at, start)) {
         const next = find(bytes, at, start);
-        drop(next < 0 ? Math.max(at, bytes.length - start.length + 1) : next);
+        dropTo(next < 0 ? Math.max(at, bytes.length - start.length + 1) : next);
         if (next < 0) break;
       }
       const close = parts.escape.end(bytes, at + start.length, end);
       if (close < 0) {
         if (bytes.length - at <= most) break;
-        drop(at + 1);
+        dropTo(at + 1);
         continue;
       }
       const frame = bytes.slice(at, close + end.length);
@@ -239,7 +262,7 @@ class EscapeFramer extends Framer {
         at = close + end.length;
       } else {
         // What ends bytes that are not a frame may begin one, or the frame may begin later.
-        drop(start.length > 0 ? at + 1 : close + end.length);
+        dropTo(start.length > 0 ? at + 1 : close + end.length);
       }
     }
     this.bytes = bytes.slice(at);

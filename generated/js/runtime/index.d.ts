@@ -3,7 +3,7 @@ export type Reason =
   | "incomplete"
   | "wrong_length"
   | "wrong_mark"
-  | "wrong_check"
+  | "wrong_checksum"
   | "not_hex"
   | "unknown_code"
   | "unknown_value"
@@ -30,15 +30,20 @@ export declare class UnknownFirmwareError extends RangeError {
   readonly known: readonly string[];
 }
 
-/** The identifier and the data of a CAN frame, as drivers take and give them; `isExtended` means 29 bits. */
+/**
+ * The identifier and the data of a CAN frame, as drivers take and give them; `isExtended` means 29 bits. A remote
+ * request has no data, and asks for `dlc` bytes.
+ */
 export interface CanFrame {
   readonly identifier: number;
-  readonly data: Uint8Array;
+  readonly data?: Uint8Array;
   readonly isExtended?: boolean;
+  readonly isRemote?: boolean;
+  readonly dlc?: number;
 }
 
 /** The identifier and the data of a frame as encoders of a CAN bus return it. */
-export declare function canFrame(bytes: Uint8Array): CanFrame;
+export declare function canFrame(bytes: Uint8Array): CanFrame & { readonly data: Uint8Array };
 
 /** The frame of an identifier and its data, as decoders of a CAN bus take it. */
 export declare function canBytes(frame: CanFrame): Uint8Array;
@@ -145,7 +150,7 @@ export interface Link<Q, R, M, E, A = number> {
   encodeRequest<K extends M>(header: Q, message: K, data: DataOf<K, "request">): Uint8Array;
   encodeResponse<K extends M>(header: R, message: K, data: DataOf<K, "response">): Uint8Array;
   /** The exception response in place of the usual response with a code; null where frames carry none. Throws CodecError. */
-  encodeException(header: R, code: number | null, data: E): Uint8Array;
+  encodeExceptionResponse(header: R, code: number | null, data: E): Uint8Array;
   decodeRequest<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "request", Q>;
   decodeResponse<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "response", R> | ([E] extends [never] ? never : ExceptionFrame<M, R, E>);
 }

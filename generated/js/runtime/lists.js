@@ -8,6 +8,15 @@ function countedBytes({ at, length, little, unit, plus = 0, most }, bytes) {
   return (number - plus) * unit;
 }
 
+/** The bytes of an element that another field decides; undefined where that decides nothing. */
+function decidedBytes({ at, length, little, sizes }, bytes) {
+  let number = 0n;
+  for (let place = 0; place < length; place++) {
+    number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
+  }
+  return sizes[String(number)];
+}
+
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
 /** The bytes of an element that some bytes begin with, maybe more than there are, or why they are not known. */
@@ -19,14 +28,28 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const size = countedBytes(list, fields);
-    if (!isRight(list, size)) return { fault: { reason: "wrong_measure", at: placeAround(parts, extents, list.at) } };
-    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements: [] };
+    const size = sizeIn(list, fields);
+    if (size === undefined) return { fault: numberFault(parts, extents, list) };
+    const elements = list.decision ? [size] : [];
+    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements };
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
   }
   return { size: parts.fixed + before };
+}
+
+/** The bytes of a list that does not end with the data, as an image says; undefined where that cannot be right. */
+function sizeIn(list, image) {
+  if (list.decision) return decidedBytes(list.decision, image);
+  const size = countedBytes(list, image);
+  return isRight(list, size) ? size : undefined;
+}
+
+/** Why nobody knows the bytes of a list. */
+function numberFault(inner, extents, { at, decision }) {
+  const reason = decision ? "unknown_value" : "wrong_measure";
+  return { reason, at: placeAround(inner, extents, decision ? decision.at : at) };
 }
 
 /** The bytes of an element that some bytes begin with, as `parts` tell them; -1 for a wrong count. */
@@ -56,7 +79,8 @@ function elementsIn(list, data, size, start) {
  * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
  * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
  * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
- * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ.
+ * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
+ * `decision` that of the only element.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];
@@ -67,15 +91,15 @@ export function extentsIn({ fixed, lists }, data) {
     const left = data.length - at - fixed + list.first;
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
-    const counted = list === lists.at(-1) ? null : countedBytes(list, image);
-    if (counted !== null && !isRight(list, counted)) {
-      return { extents, fault: { reason: "wrong_measure", at: placeAround({ fixed, lists }, extents, list.at) } };
-    }
+    const isLast = list === lists.at(-1);
+    const counted = isLast && !list.decision ? null : sizeIn(list, image);
+    if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
-      : { size: counted ?? left, elements: [] };
+      : { size: counted ?? left, elements: list.decision ? [counted] : [] };
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+    if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
     extents.push(extent);
     before += extent.size;
   }
@@ -85,10 +109,10 @@ export function extentsIn({ fixed, lists }, data) {
 /** The byte in data, whose lists have some extents, for a byte of their image. */
 export function placeAround({ lists }, extents, at) {
   let before = 0;
-  for (const [number, { first, room, most, element, parts }] of lists.entries()) {
+  for (const [number, { first, room, most, element, parts, decision }] of lists.entries()) {
     const { size, elements } = extents[number] ?? { size: 0, elements: [] };
     if (at >= room && (number === lists.length - 1 || at < room + most)) {
-      const index = parts ? Math.floor((at - room) / element) : 0;
+      const index = parts || decision ? Math.floor((at - room) / element) : 0;
       return first + before + at - room - index * element + sumOf(elements.slice(0, index));
     }
     if (at < first) return at + before;
@@ -102,14 +126,14 @@ const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
 /** The image of data whose lists have some extents. */
 function imageOf({ fixed, lists }, data, extents) {
   const last = extents.at(-1);
-  const { room, element, parts } = lists.at(-1);
-  const image = new Uint8Array(room + (parts ? last.elements.length * element : last.size));
+  const { room, element, parts, decision } = lists.at(-1);
+  const image = new Uint8Array(room + (parts || decision ? last.elements.length * element : last.size));
   let [before, at] = [0, 0];
   for (const [number, list] of lists.entries()) {
     const { size, elements } = extents[number];
     image.set(data.subarray(at + before, list.first + before), at);
     let from = list.first + before;
-    for (const [index, own] of (list.parts ? elements : [size]).entries()) {
+    for (const [index, own] of (elements.length ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
       from += own;
     }
@@ -143,7 +167,8 @@ export function sentOfImage({ fixed, lists }, image, last) {
   let at = 0;
   for (const list of lists) {
     const { first, room, element, parts } = list;
-    const size = list === lists.at(-1) ? last : countedBytes(list, image);
+    const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
+    const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
     pieces.push(...image.subarray(at, first));
     for (let from = room; from < room + size; from += parts ? element : size) {
       const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ._firmware import UnknownFirmwareError
     from ._flags import Flags
     from ._framers import Framer
-    from ._frames import ErrorReply, Request, Response
+    from ._frames import ExceptionResponse, Request, Response
     from ._parameters import Parameter, ParameterSet, ParameterSpace, Subindex
     from ._registers import Register, RegisterArray, Table
     from .errors import DeviceError
@@ -25,7 +25,7 @@ __all__ = [
     "BitArray",
     "CodecError",
     "DeviceError",
-    "ErrorReply",
+    "ExceptionResponse",
     "Flags",
     "Framer",
     "Parameter",
@@ -45,7 +45,7 @@ if not TYPE_CHECKING:
         "BitArray": "_bits",
         "CodecError": "_error",
         "DeviceError": "errors",
-        "ErrorReply": "_frames",
+        "ExceptionResponse": "_frames",
         "Flags": "_flags",
         "Framer": "_framers",
         "Parameter": "_parameters",

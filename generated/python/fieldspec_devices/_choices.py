@@ -1,4 +1,4 @@
-"""The last field of a record, where an earlier field, the selector, decides its type."""
+"""Fields whose type an earlier field of their record, the selector, decides."""
 
 from __future__ import annotations
 
@@ -51,6 +51,41 @@ class Case:
             if error is not None:
                 raise error
         return [self.value.to_raw(value) for value in values]
+
+
+class Cases:
+    """The types of a single field that other fields follow, by the numbers of its selector `by`."""
+
+    __slots__ = ("by", "values")
+
+    def __init__(self, by: str, *cases: tuple[tuple[int, ...], Value[Any]]) -> None:
+        self.by = by
+        self.values: dict[int, Value[Any]] = {}
+        for numbers, value in cases:
+            self.values |= dict.fromkeys(numbers, value)
+
+    def decoded(self, name: str, number: int, data: bytes, at: int) -> Any:
+        """The value at the beginning of some bytes, the first of which is byte `at`. Raises CodecError."""
+        value = self.values[number]
+        try:
+            return value.decode(name, data[: value.size])
+        except CodecError as error:
+            raise error.shifted(at) from None
+
+    def raw(self, name: str, number: Any, value: Any) -> bytes:
+        """The bytes of a value for a number of the selector. Raises CodecError."""
+        if number not in self.values:
+            raise self._unchosen(number)
+        return self.values[number].encode(name, value)
+
+    def refused(self, name: str, number: Any, value: Any) -> CodecError | None:
+        """Why a value cannot be encoded for a number of the selector; None for one that can be."""
+        if not isinstance(number, int) or number not in self.values:
+            return self._unchosen(number)
+        return self.values[number].refused(name, value)
+
+    def _unchosen(self, number: Any) -> CodecError:
+        return CodecError("unknown_value", f"{self.by} is {number}, which chooses nothing that may follow")
 
 
 class Choice:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from time import monotonic, sleep
 
 from ._error import CodecError
-from ._frames import ErrorReply
+from ._frames import ExceptionResponse
 from ._typing import TYPE_CHECKING, R, T
 from .errors import InvalidValueError, NoAnswerError, RefusedError, TransportError
 
@@ -93,7 +93,7 @@ class Link:
         for name, echo in self.echoes.items():
             if getattr(reply, echo) != head[name]:
                 return False
-        if isinstance(reply, ErrorReply):
+        if isinstance(reply, ExceptionResponse):
             if self.refused_code and getattr(reply.exception, self.refused_code) != request.CODE:
                 return False
             return bool(reply.code == (_response_code(request) if self.refusal_code is None else self.refusal_code))
@@ -252,21 +252,21 @@ class Session:
                 continue
             self._owed -= self._owed > 0
             self._silent_until = self.now() + self.pause
-            if isinstance(reply, ErrorReply):
+            if isinstance(reply, ExceptionResponse):
                 raise refusal(reply, self.link)
             return reply
         return None
 
-    def _answer(self, frame: bytes, request: RequestOf[R]) -> Response[R] | ErrorReply[Any] | None:
+    def _answer(self, frame: bytes, request: RequestOf[R]) -> Response[R] | ExceptionResponse[Any] | None:
         """The response in a frame; None for a frame that answers something else."""
         try:
-            reply: Response[R] | ErrorReply[Any] = self.link.codec.decode_response(frame, request)
+            reply: Response[R] | ExceptionResponse[Any] = self.link.codec.decode_response(frame, request)
         except CodecError:
             return None
         return reply if self.link.is_answer(reply, request, self.unit_address, self._head) else None
 
 
-def refusal(reply: ErrorReply[Any], link: Link) -> RefusedError:
+def refusal(reply: ExceptionResponse[Any], link: Link) -> RefusedError:
     """The error for an exception response: a part or a field of it has its number, or else its first field."""
     exception = reply.exception
     names = (link.reason,) if link.reason else exception.__match_args__

@@ -64,7 +64,8 @@ class Framer:
         self.little = order == "little"
         self.dropped = 0
         self._buffer = bytearray()
-        self._marked = bool(frames.start or frames.end)
+        self._lead = 0  # the bytes dropped last that may belong to a preamble
+        self._marked = bool(frames.start or frames.end or frames.preamble)
         self._prepare()
 
     def _prepare(self) -> None:
@@ -98,15 +99,30 @@ class Framer:
                 if size - at <= self.longest:
                     break
             elif extent and self._holds(frame := bytes(buffer[at : at + extent])):
-                frames.append(frame)
+                frames.append(self._led(frame) if self._lead else frame)
                 at += extent
                 continue
             seen = self._search(buffer, at + 1)
             begins = max(at, size - self._width) + 1 if seen is None else seen.start()
-            self.dropped += begins - at
+            self._drop(buffer, at, begins)
             at = begins
         del buffer[:at]
         return frames
+
+    def _drop(self, buffer: bytearray, at: int, begins: int) -> None:
+        """Counts bytes that belong to no frame, without the last ones that may belong to a preamble."""
+        self.dropped += begins - at
+        if self.frames.preamble is not None:
+            byte, _, _, spare = self.frames.preamble
+            before, data = self._lead, bytes(buffer[at:begins])
+            run = len(data) - len(data.rstrip(bytes((byte,))))
+            self._lead = min(run + (before if run == len(data) else 0), spare)
+            self.dropped += before - self._lead
+
+    def _led(self, frame: bytes) -> bytes:
+        """A frame with the bytes of its preamble that were dropped."""
+        preamble, lead, self._lead = self.frames.preamble, self._lead, 0
+        return frame if preamble is None else bytes((preamble[0],)) * lead + frame
 
     def idle(self) -> list[bytes]:
         """Call it when the line has been silent: it returns the frames in the bytes so far, and drops the rest."""
@@ -117,21 +133,23 @@ class Framer:
                 self._buffer.clear()
                 frames.append(whole)
                 break
+            self._drop(self._buffer, 0, 1)
             del self._buffer[:1]
-            self.dropped += 1
             frames += self.feed(b"")
+        self.dropped, self._lead = self.dropped + self._lead, 0
         return frames
 
     def pause(self) -> list[bytes]:
         """The frames that `idle` would return. It drops nothing, so that a frame that has begun can still go on."""
-        buffer, dropped = bytes(self._buffer), self.dropped
+        buffer, dropped, lead = bytes(self._buffer), self.dropped, self._lead
         frames = self.idle()
-        self._buffer[:], self.dropped = buffer, dropped
+        self._buffer[:], self.dropped, self._lead = buffer, dropped, lead
         return frames
 
     def reset(self) -> None:
         """Drops all bytes so far."""
         self._buffer.clear()
+        self._lead = 0
 
     @property
     def missing(self) -> int:
@@ -159,6 +177,11 @@ class Framer:
         Where too few bytes are there, it is the number of those that are needed to determine it.
         """
         raise NotImplementedError
+
+    def _goes_on(self, buffer: bytearray, at: int) -> bool:
+        """Whether a preamble continues after its least bytes, so that no frame begins with the first bytes."""
+        preamble = self.frames.preamble
+        return preamble is not None and buffer[at + preamble[1]] == preamble[0]
 
     @staticmethod
     def _number(buffer: bytearray, at: int, size: int, little: bool) -> int:
@@ -235,7 +258,7 @@ class LengthFramer(Framer):
         extent = 0
         if self._marked:
             start = self.frames.start
-            if not buffer.startswith(start, at):
+            if not buffer.startswith(start, at) or self._goes_on(buffer, at):
                 return 0
             at += len(start)
             extent = len(start) + len(self.frames.end)

@@ -15,16 +15,47 @@ if TYPE_CHECKING:
     from typing import Any, Literal
 
 
+class Decision:
+    """The number that decides how many bytes an element has: the field `name`, `length` bytes at `at` in the image."""
+
+    __slots__ = ("at", "length", "name", "order", "sizes")
+
+    def __init__(self, name: str, at: int, length: int, order: Literal["big", "little"], sizes: dict[int, int]) -> None:
+        self.name, self.at, self.length, self.sizes = name, at, length, sizes
+        self.order: Literal["big", "little"] = order
+
+    def size(self, fields: bytes, at: int) -> int:
+        """The bytes of the element, refused with the place of a number that decides nothing."""
+        number = int.from_bytes(fields[self.at : self.at + self.length], self.order)
+        if number not in self.sizes:
+            raise CodecError("unknown_value", f"{self.name} is {number}, which chooses nothing that may follow", at)
+        return self.sizes[number]
+
+
 class InnerList:
     """A list after `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
 
     It has `least` to `most` elements of `size` bytes, which the Struct has as `letters`. The field that counts them is
     at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.
     `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide. `parts` tell
-    the size of an element where elements differ in size; these have `size` bytes in the image.
+    the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
+    bytes in the image.
     """
 
-    __slots__ = ("at", "first", "length", "letters", "order", "parts", "plus", "room", "size", "sizes", "unit")
+    __slots__ = (
+        "at",
+        "decision",
+        "first",
+        "length",
+        "letters",
+        "order",
+        "parts",
+        "plus",
+        "room",
+        "size",
+        "sizes",
+        "unit",
+    )
 
     def __init__(
         self,
@@ -35,12 +66,18 @@ class InnerList:
         room: int,
         count: tuple[int, int, Literal["big", "little"], int, int] = (0, 0, "big", 1, 0),
         parts: Parts | None = None,
+        decision: Decision | None = None,
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
         self.at, self.length, _, self.unit, self.plus = count
         self.order: Literal["big", "little"] = count[2]
-        self.parts = parts
+        self.parts, self.decision = parts, decision
+
+    @property
+    def number_at(self) -> int:
+        """The byte in the image of the field that counts the list, or decides its element."""
+        return self.at if self.decision is None else self.decision.at
 
     def count_size(self, data: bytes) -> int:
         """The bytes of the list in the image, as its count in some data says."""
@@ -78,7 +115,7 @@ class InnerList:
         return sizes
 
     def sent(self, image: bytes) -> bytes:
-        """The sent form of the list in an image."""
+        """The sent bytes of a list whose bytes in the image are these."""
         if self.parts is None:
             return image
         elements = [image[at : at + self.size] for at in range(0, len(image), self.size)]
@@ -102,8 +139,8 @@ class Parts:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            at = inner.at + sum([taken for first, taken in extents if first <= inner.at])
-            size = inner.checked_size(fields, at)
+            at = inner.number_at + sum([taken for first, taken in extents if first <= inner.number_at])
+            size = inner.checked_size(fields, at) if inner.decision is None else inner.decision.size(fields, at)
             taken = size if inner.parts is None else sum(inner.elements(inner.parts, data[start:], size, start))
             extents.append((inner.first, taken))
             before += taken
@@ -135,6 +172,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         fields, lists, before = b"", b"", 0
         extents: list[list[int]] = []
         numbers: list[int] = []
+        size: int | None
         for inner in self.lists:
             at = inner.first + before
             fields += data[len(fields) + before : at]
@@ -142,7 +180,12 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             if left < 0:
                 raise self._incomplete(len(data))
             is_last = inner is self.lists[-1]
-            size = None if is_last else inner.checked_size(fields, self._place(extents, inner.at) or 0)
+            if inner.decision is not None:
+                size = inner.decision.size(fields, self._place(extents, inner.number_at) or 0)
+                if is_last and size < left:
+                    raise CodecError("wrong_length", f"{self.name} has more than its {at + size} bytes", at + size)
+            else:
+                size = None if is_last else inner.checked_size(fields, self._place(extents, inner.number_at) or 0)
             if inner.parts is not None:
                 sizes = inner.elements(inner.parts, data[at : at + left], size, at)
                 numbers.append(len(sizes))
@@ -151,11 +194,12 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 if size > left:
                     raise self._incomplete(len(data))
                 sizes = [size]
-                numbers.append(size // inner.size)
+                numbers.append(1 if inner.decision is not None else size // inner.size)
             extents.append(sizes)
             for own in sizes:
                 piece = data[inner.first + before : inner.first + before + own]
-                lists += piece if inner.parts is None else piece.ljust(inner.size, b"\0")
+                is_filled = inner.parts is not None or inner.decision is not None
+                lists += piece.ljust(inner.size, b"\0") if is_filled else piece
                 before += own
         image = fields + data[len(fields) + before :] + lists
         try:
@@ -168,7 +212,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         data, at, start = b"", 0, self.fixed
         for inner in self.lists:
             size = len(image) - start if inner is self.lists[-1] else inner.count_size(image)
-            data += image[at : inner.first] + inner.sent(image[start : start + size])
+            taken = size if inner.decision is None else inner.decision.size(image, 0)
+            data += image[at : inner.first] + inner.sent(image[start : start + taken])
             at, start = inner.first, start + size
         return data + image[at : self.fixed]
 

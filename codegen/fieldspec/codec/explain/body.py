@@ -125,7 +125,7 @@ class Body:
     def _traced(self) -> Iterator[_TracedField | ExplanationRow]:
         offset = self.start
         for number, field in enumerate(self.record.fields):
-            if field.cases:
+            if field.splits_record:
                 yield self._undecided(field, offset)
                 return
             count = self._count(field)
@@ -160,7 +160,9 @@ class Body:
             number_of_list += 1
             count = self._items(field)
             sizes = extent.elements or [field.size] * count
-            yield self._field(field, offset, sizes)
+            form = self.record.decided_by(self.values).named(field.name)
+            assert form is not None
+            yield self._field(form, offset, sizes)
             offset += sum(sizes)
             if field.field.repeat is not None and count < field.field.repeat.low:
                 yield self._missing((field,), offset, stop)
@@ -174,12 +176,22 @@ class Body:
         if self._has_wrong_count(inner):
             text = f"{inner.count} is not a number of {fields[0].name}, so it is unknown where they end"
             return self._wrong(fields[0], offset, "wrong_measure", text)
+        if inner.decision is not None and self.fault.reason == "unknown_value":
+            number = self.values[inner.decision.name]
+            text = f"{inner.decision.name} {number!r} does not decide the type of {fields[0].name}"
+            return self._wrong(fields[0], offset, "unknown_value", text)
+        if inner.decision is not None and self.fault.reason == "wrong_length":
+            text = f"{inner.name} has {self.fault.at - (offset - self.start)} bytes, and more follow"
+            return self._wrong(fields[0], offset, "wrong_length", text)
         if inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
             text = f"the elements of {fields[0].name} do not end with their bytes: see {place}"
             return self._wrong(fields[0], offset, self.fault.reason, text)
         if self.end - self.start < self.record.least:
             return self._missing(fields, offset)
+        if inner.decision is not None:
+            text = f"{inner.decision.name} decides that {fields[0].name} has more bytes than there are"
+            return self._wrong(fields[0], offset, "incomplete", text)
         text = f"{inner.count} counts more {fields[0].name} than there are"
         return self._wrong(fields[0], offset, "incomplete", text)
 
@@ -200,7 +212,7 @@ class Body:
         extent = self.extents[number]
         return (
             len(extent.elements)
-            if inner.lists[number].parts is not None
+            if extent.elements or inner.lists[number].parts is not None
             else min(extent.size // field.size, field.bounds[1])
         )
 

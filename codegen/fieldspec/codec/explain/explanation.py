@@ -95,7 +95,7 @@ class _Frame:
         self.shape = layout.links[link].frame(direction)
         self.asked = request
         self.wrapped = unwrapped(self.link, direction, frame)
-        self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.encoding == "hex_ascii" else 1)
+        self.spot = Spot(frame, len(self.wrapped.start), 2 if self.link.transmission == "hex_ascii" else 1)
         self.unreadable: int | None = None
         self.empty_escape = b""
         self.sent_data, self.surplus = self._without_surplus(self.wrapped.data)
@@ -250,9 +250,9 @@ class _Frame:
             return self._judged_length(part, read)
         if part.offset < 0:
             return read
-        self.values[part.name] = read.number
+        self.values[part.name] = self.shape.stated_number(part, read.number)
         if part.role == "code":
-            return self._code(part, read)
+            return self._code(part, replace(read, number=self.values[part.name]), read.number)
         if part.role == "unit_address":
             return self._unit_address(read)
         stated = self.asked.values.get(part.part.same_as) if self.asked else None
@@ -273,12 +273,11 @@ class _Frame:
             return read
         expected = part.checksum(self._measured(part))
         text = expected.decode("ascii") if part.digits else expected.hex(" ").upper()
-        return read.judged(raw == expected, text, "wrong_check")
+        return read.judged(raw == expected, text, "wrong_checksum")
 
-    def _code(self, part: PartLayout, read: DecodedValue) -> DecodedValue:
+    def _code(self, part: PartLayout, read: DecodedValue, code: int) -> DecodedValue:
         """The message that a code names. An exception response marks the code."""
-        code, refusal = read.number, self.link.exception_response
-        assert isinstance(code, int)
+        refusal = self.link.exception_response
         head = self.shape.numbers(self.data)
         if refusal is not None and self.direction == "response" and refusal.is_marked(code, head):
             self.error = True

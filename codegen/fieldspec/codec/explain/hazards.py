@@ -71,7 +71,7 @@ def _hazards_of(
 def is_bare(link: LinkLayout) -> bool:
     """Whether nothing stands around the data of requests, as in a cyclic exchange."""
     shape = link.request
-    return not (shape.header or shape.trailer or shape.start or shape.end)
+    return not (shape.header or shape.trailer or shape.is_marked)
 
 
 def only_reads(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> bool:

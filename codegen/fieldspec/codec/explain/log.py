@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 from itertools import islice
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.escape import CAN_EXTENDED
+from fieldspec.language.model.escape import CAN_EXTENDED, CAN_REMOTE
 from fieldspec.language.model.link import Link
 
 # The patterns are texts, which `re` compiles when they are first used; a line of nothing but digits needs none of them.
@@ -79,7 +79,7 @@ def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, .
             mark = link.opening(direction).decode("latin-1")
             if mark.isprintable() and mark and text.startswith(mark):
                 body, ending = _ended(text)
-                if link.encoding == "hex_ascii":
+                if link.transmission == "hex_ascii":
                     body = "".join(body.split())
                 _, end = link.delimiters(direction)
                 return _split_end(body.encode("latin-1", "replace"), ending.encode("latin-1"), end)
@@ -134,7 +134,8 @@ _LABEL = r"[^\s:]+:"
 _BEFORE = rf"[\s,;|=-]+|{_TIME}|{_NUMBER_OF_LINE}|{_OFFSET_OF_DUMP}|(?:{_ENCLOSED}|{_LABEL})(?=\s)"
 _CANDUMP = (
     r"(?:^|\s)(?P<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
-    r"(?:#(?P<data>(?:[0-9A-Fa-f]{2}){0,8})(?:\s+[RT])?|\s+\[(?P<count>[0-8])\](?P<bytes>(?:\s+[0-9A-Fa-f]{2}){0,8}))\s*$"
+    r"(?:#(?:(?P<remote>R)(?P<dlc>[0-8])?|(?P<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\s+[RT])?"
+    r"|\s+\[(?P<count>[0-8])\](?:(?P<words>\s+remote request)|(?P<bytes>(?:\s+[0-9A-Fa-f]{2}){0,8})))\s*$"
 )
 _BEHIND = rf"\s(?:{_ENCLOSED}|\|.{{0,80}}\|)$"
 
@@ -187,13 +188,17 @@ def _hex_bytes(text: str) -> bytes:
 
 
 def _can_frame(text: str) -> bytes:
-    """The frame in a line of candump, `605#4041` or `605 [2] 40 41`; empty for any other text."""
+    """The frame in a line of candump, `605#4041`, `605#R8`, or `605 [2] 40 41`; empty for any other text."""
     match = re.search(_CANDUMP, text)
-    data = bytes.fromhex((match["data"] or match["bytes"] or "").strip()) if match is not None else b""
-    if match is None or (match["count"] and int(match["count"]) != len(data)):
+    if match is None:
         return b""
-    extended = CAN_EXTENDED if len(match["identifier"]) > 3 else 0
-    return (int(match["identifier"], 16) | extended).to_bytes(4, "big") + bytes((len(data), 0, 0, 0)) + data
+    data = bytes.fromhex((match["data"] or match["bytes"] or "").strip())
+    remote = CAN_REMOTE if match["remote"] or match["words"] else 0
+    size = int(match["dlc"] or match["count"] or len(data))
+    if not remote and size != len(data):
+        return b""
+    flags = remote | (CAN_EXTENDED if len(match["identifier"]) > 3 else 0)
+    return (int(match["identifier"], 16) | flags).to_bytes(4, "big") + bytes((size, 0, 0, 0)) + data
 
 
 class _NoBytes(Unreadable):

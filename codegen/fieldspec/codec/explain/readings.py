@@ -6,12 +6,11 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.codec.explain.examples import examples_of_bytes
 from fieldspec.codec.explain.explanation import Explanation, explained
+from fieldspec.codec.explain.frame_sizes import bounds_text, size_text
 from fieldspec.codec.explain.recognition import Reading, closest, lengths, recognised
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.escape import CAN_HEADER
 from fieldspec.language.model.link import Link
 
 DIRECTIONS = ("request", "response")
@@ -221,8 +220,9 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if role == "code" and _has_code_of_its_own(layout, response):
             continue  # it marks the exception responses to all requests
         announced = layout.messages.get(request.message)
-        if role == "code" and announced is not None and announced.message.response_code is not None:
-            expected = announced.message.response_code
+        if role == "code" and announced is not None and announced.message.has_response_code:
+            expected = announced.message.code_of("response")
+            assert expected is not None
             if theirs and isinstance(actual, int) and actual != expected:
                 texts = theirs.number_text(actual), theirs.number_text(expected)
                 yield f"{theirs.name} is {texts[0]}, but {texts[1]} answers {request.message}"
@@ -366,34 +366,10 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     escape = link.link.escape if link.link.is_can else None
     identifier = 0 if escape is None else escape.fields_size
     sizes = [
-        f"{_message_text(link.link, direction, name)} has {_bounds(*lengths(link, direction, name), identifier)}"
+        f"{_message_text(link.link, direction, name)} has {bounds_text(*lengths(link, direction, name), identifier)}"
         for name in ([options.message] if options.message in names else names)
         for direction in ways
         if name in known[direction]
     ]
     if sizes:
-        yield f"{_own_size(link, own)}; {', '.join(sizes)}"
-
-
-def _own_size(link: LinkLayout, own: Explanation) -> str:
-    """The size of a frame, counted like the size of a message: `without its delimiters, the frame has 4 bytes`."""
-    if link.link.is_can:
-        return f"the data of the frame have {_byte_count(len(own.frame) - CAN_HEADER)}"
-    rows = [row for row in own.rows if row.kind != "mark"]
-    is_hex = link.link.encoding == "hex_ascii"
-    size = sum(row.length for row in rows) // 2 if is_hex else sum(len(row.raw) for row in rows)
-    without = ["delimiters"] if any(link.link.delimiters(own.direction)) else []
-    without += ["escapes"] if link.frame(own.direction).escape is not None else []
-    opening = f"without its {' and '.join(without)}, the frame has" if without else "the frame has"
-    return f"{opening} {_byte_count(size)}"
-
-
-def _byte_count(count: int) -> str:
-    return "1 byte" if count == 1 else f"{count} bytes"
-
-
-def _bounds(minimum: int, maximum: int | None, identifier: int) -> str:
-    """`8`, `8 or more` or `8 to 12`: sizes without the bytes of the parts of an identifier."""
-    if maximum is None:
-        return f"{minimum - identifier} or more"
-    return str(minimum - identifier) if maximum == minimum else f"{minimum - identifier} to {maximum - identifier}"
+        yield f"{size_text(link, own)}; {', '.join(sizes)}"

@@ -15,7 +15,7 @@ _OF_VALUES = frozenset({"unknown_value", "wrong_const", "wrong_measure"})
 _GUESSED = "guessed"
 # The faults that a reading may have. The readings of the first step that any of them passes are the result.
 _FITTING = (frozenset({_GUESSED}), _OF_VALUES | {_GUESSED})
-_CLOSE = (_OF_VALUES | {"wrong_check", _GUESSED}, _OF_VALUES | {"wrong_check", "wrong_length", "incomplete"})
+_CLOSE = (_OF_VALUES | {"wrong_checksum", _GUESSED}, _OF_VALUES | {"wrong_checksum", "wrong_length", "incomplete"})
 
 
 def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:

@@ -57,6 +57,10 @@ class Occupant:
         facts = (self.fact, *(holder.field for holder in holders), *((self.outer,) if self.nested is not None else ()))
         return tuple(handling for fact in facts if (handling := getattr(fact, "handling", None)) is not None)
 
+    def is_swapped(self, operation: str) -> bool:
+        """Whether the words of a value are swapped in a `read` or a `write`."""
+        return self.value.write_swapped(self.swapped) if operation == "write" else self.swapped
+
     @property
     def restart(self) -> bool | None:
         """Whether a change takes effect after a restart; None where nothing states it."""
@@ -283,7 +287,8 @@ def _occupant_row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Sp
         value = occupant.value.for_writing() if operation == "write" else occupant.value
         value = _by_exponent(layout, span, occupant, value)
         decode = decode_value if operation == "write" else decode_answer
-        read = decode(layout.device, value, piece.content, occupant.order, occupant.swapped, occupant.reserved)
+        swapped = occupant.is_swapped(operation)
+        read = decode(layout.device, value, piece.content, occupant.order, swapped, occupant.reserved)
         if occupant.trigger and operation == "read":
             read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
     else:

@@ -11,14 +11,14 @@ from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.escape import CAN_EXTENDED, Escape
+from fieldspec.language.model.escape import CAN_EXTENDED, CAN_REMOTE, Escape
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.texts import Erratum
 
-IDENTIFIER = "identifier"
-"""Where the parts of the identifier of a CAN frame are."""
+IDENTIFIER, DLC = "identifier", "DLC"
+"""Where the parts of the identifier of a CAN frame are, and the number of bytes that a remote request asks for."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,7 +28,8 @@ class ExplanationRow:
     `kind` is `mark`, `part` (of the frame), `field` (of the body), `register`, or `unexplained`.
     `offset` and `length` count bytes of the frame as it is sent, and `raw` are the bytes that they encode. If each byte
     is sent as two characters, `characters` are these, and `length` counts them.
-    In a CAN frame, `can_place` is `identifier`, or the number of the first byte in the data; otherwise it is empty.
+    In a CAN frame, `can_place` is `identifier`, the `DLC` of a remote request, or the number of the first byte in the
+    data; otherwise it is empty.
     `path` is the place in the frame, as in `items[0].size`; `fact` is the path of the fact in the spec.
     `number` is the raw value, `value` the exact quantity with its unit.
     `verdict` is empty, `right`, or `wrong: ..`, and `reason` then names the fault as the errors of the codecs do.
@@ -72,13 +73,14 @@ class ExplanationRow:
         if self.can_place != IDENTIFIER or not self.characters:
             return self.characters
         number = int(self.characters.replace(" ", "")[:8], 16)
-        return f"{number ^ CAN_EXTENDED:08X}" if number & CAN_EXTENDED else f"{number:03X}"
+        identifier = number & ~(CAN_EXTENDED | CAN_REMOTE)
+        return f"{identifier:08X}" if number & CAN_EXTENDED else f"{identifier:03X}"
 
     @property
     def byte_text(self) -> str:
-        """`byte 4`; in a CAN frame `byte 2 of the data` or `the identifier`."""
-        if self.can_place == IDENTIFIER:
-            return f"the {IDENTIFIER}"
+        """`byte 4`; in a CAN frame `byte 2 of the data`, `the identifier` or `the DLC`."""
+        if self.can_place in (IDENTIFIER, DLC):
+            return f"the {self.can_place}"
         return f"byte {self.can_place} of the data" if self.can_place else f"byte {self.offset}"
 
 
@@ -103,7 +105,10 @@ class Spot:
         """Where the byte at `position` of the parts is in a CAN frame; empty in others, and where it is unreadable."""
         if self.escape is None or self.escape.method != "can" or not self.places:
             return ""
-        return IDENTIFIER if position < self.escape.fields_size else str(position - self.escape.fields_size)
+        if position < self.escape.fields_size:
+            return IDENTIFIER
+        is_remote = self.escape.is_remote(self.frame[self.start :])
+        return DLC if is_remote else str(position - self.escape.fields_size)
 
     def byte_text(self, position: int) -> str:
         """`byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts."""
@@ -273,7 +278,8 @@ HEX = b"0123456789ABCDEFabcdef"
 class Unwrapped:
     """A frame without delimiters and encoding.
 
-    `marks` are the delimiters, `start` and `end` the bytes in their places. `data` are the bytes of the parts, and
+    `marks` are the delimiters, `start` and `end` the bytes in their places, `start` with the `preamble` bytes of the
+    preamble before it, of which a sender may send more or fewer. `data` are the bytes of the parts, and
     `surplus` is what is left between them and the end. Its `reason` is `wrong_length`, or `not_hex`, in which case the
     rest of the frame cannot be read.
     """
@@ -286,6 +292,7 @@ class Unwrapped:
     surplus: bytes
     reason: str
     end: bytes
+    preamble: int = 0
 
     @property
     def whole(self) -> bool:
@@ -295,12 +302,13 @@ class Unwrapped:
 
 def unwrapped(link: Link, direction: str, frame: bytes) -> Unwrapped:
     """A frame of a link without its delimiters and its encoding."""
-    marks = link.delimiters(direction)
-    start = _mark(frame, marks[0], link.encoding)
-    end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.encoding)[::-1]
+    marks = link.marks(direction)
+    lead = link.preamble.least + link.preamble.surplus(frame) if link.preamble is not None else 0
+    start = frame[:lead] + _mark(frame[lead:], marks[0], link.transmission)
+    end = _mark(frame[len(start) :][::-1], marks[1][::-1], link.transmission)[::-1]
     inner = frame[len(start) : len(frame) - len(end)]
-    if link.encoding == "binary":
-        return Unwrapped(link, marks, frame, start, inner, b"", "", end)
+    if link.transmission == "binary":
+        return Unwrapped(link, marks, frame, start, inner, b"", "", end, lead)
     good = next((index for index, char in enumerate(inner) if char not in HEX), len(inner))
     pairs = good // 2 * 2
     reason = "not_hex" if good < len(inner) else "wrong_length" if pairs < good else ""
@@ -316,8 +324,12 @@ def _mark(frame: bytes, mark: bytes, encoding: str) -> bytes:
 
 
 def start_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
-    """The row of the start delimiter, if the link has one."""
-    yield from _mark_row(parts, "start", 0, parts.start, parts.marks[0])
+    """The rows of the preamble and of the start delimiter, if the link has them."""
+    preamble = parts.link.preamble
+    size = parts.preamble
+    if preamble is not None:
+        yield from _mark_row(parts, "preamble", 0, parts.start[:size], bytes((preamble.byte,)) * size)
+    yield from _mark_row(parts, "start", size, parts.start[size:], parts.marks[0])
 
 
 def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
@@ -362,7 +374,7 @@ def _mark_row(parts: Unwrapped, name: str, offset: int, data: bytes, expected: b
             offset=offset,
             length=len(data),
             raw=data,
-            characters=data.decode("latin-1") if parts.link.encoding == "hex_ascii" else "",
+            characters=data.decode("latin-1") if parts.link.transmission == "hex_ascii" else "",
             path=name,
             fact=parts.link.place.path,
             verdict="right" if right else f"wrong: should be {expected.hex(' ').upper()}",

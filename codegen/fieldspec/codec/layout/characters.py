@@ -1,10 +1,11 @@
-"""What outputs refuse that convert neither digits to numbers nor encodings of texts."""
+"""What outputs refuse that convert neither digits to numbers nor encodings of texts, and print no codecs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.package_codecs import value_refusal
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.language.model.fact import Fact
@@ -26,7 +27,11 @@ def character_refusals(
         if value is not None and (value.digits or value.text_form is not None or value.width)
     }
     return [
-        _of_digits(fact, reader, for_controllers) if value.digits else _of_text(fact, value, reader, for_controllers)
+        value_refusal(fact, value, reader)
+        if value.codec
+        else _of_digits(fact, reader, for_controllers)
+        if value.digits
+        else _of_text(fact, value, reader, for_controllers)
         for fact, value in facts.values()
     ]
 

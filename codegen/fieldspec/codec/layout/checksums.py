@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from functools import cache
 
+from fieldspec.language.model import codecs
 from fieldspec.language.model.checksums import Checksum, checksum_named, combined
 
 
 def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     """The checksum of some bytes. `order` is that of the bytes which a sum or an xor takes as one number."""
     kind = checksum_named(algorithm)
+    if kind.codec:
+        return codecs.computed(kind.codec, data)
     data += kind.suffix
     if kind.method == "crc":
         return kind.as_sent(_crc(kind, kind.arranged(data)))

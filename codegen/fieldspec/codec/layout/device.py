@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 from fieldspec.codec.layout.bit_counts import with_bit_count
 from fieldspec.codec.layout.frame import LinkLayout, link_layout
 from fieldspec.codec.layout.message import MessageLayout
-from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout, record_layout
+from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout
+from fieldspec.codec.layout.record_building import record_layout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.access import narrowed
 from fieldspec.language.model.choice import BlockChoice
@@ -85,14 +86,18 @@ def device_layout(device: Device) -> DeviceLayout:
     """The layout of a device without findings. For any other device, it may raise any exception."""
     orders = Orders(device.byte_order, device.word_order)
     records: dict[str, RecordLayout] = {}
+    bodies = [body for message in device.messages.values() for body in (message.request, message.response)]
+    parts = frozenset(field.record for record in (*device.records.values(), *bodies) for field in record.fields)
     for record in device.records.values():
-        _add_record(record, device, records, orders)
+        _add_record(record, device, records, orders, parts)
     messages = {
         message.name: MessageLayout(
             message,
             message.name,
-            with_bit_count(device, message, record_layout(message.request, records, orders, device.enums)),
-            record_layout(message.response, records, orders, device.enums),
+            with_bit_count(
+                device, message, record_layout(message.request, records, orders, device.enums, is_part=False)
+            ),
+            record_layout(message.response, records, orders, device.enums, is_part=False),
         )
         for message in device.messages.values()
     }
@@ -111,14 +116,16 @@ def device_layout(device: Device) -> DeviceLayout:
     )
 
 
-def _add_record(record: Record, device: Device, records: dict[str, RecordLayout], orders: Orders) -> None:
-    """Adds the layout of a record, after the layouts of the records in it."""
+def _add_record(
+    record: Record, device: Device, records: dict[str, RecordLayout], orders: Orders, parts: frozenset[str]
+) -> None:
+    """Adds the layout of a record, after the layouts of the records in it. `parts` are the records in others."""
     if record.name in records:
         return
     for field in record.fields:
         if field.record:
-            _add_record(device.records[field.record], device, records, orders)
-    records[record.name] = record_layout(record, records, orders, device.enums)
+            _add_record(device.records[field.record], device, records, orders, parts)
+    records[record.name] = record_layout(record, records, orders, device.enums, record.name in parts)
 
 
 def _register(register: Register, orders: Orders) -> RegisterLayout:

@@ -70,10 +70,16 @@ def _of_blocks(data: bytes) -> list[tuple[int, int]]:
 
 
 def _of_identifier(escape: Escape, data: bytes) -> list[tuple[int, int]]:
-    """The first part is in the place of the whole header, and the others of the identifier are after it."""
+    """The first part is in the place of the whole header, and the other parts of the identifier follow it.
+
+    In a remote request the number of the data has the second half of the header.
+    """
     wrong = escape.wrong_header(data)
     if wrong is not None:
         raise EscapeError(wrong)
     parts, first = escape.unpacked(int.from_bytes(data[:4], "big")), escape.fields[0][0]
-    places = [(byte, 0 if place < first else CAN_HEADER) for place, byte in enumerate(parts)]
+    is_remote = escape.is_remote(data)
+    places = [(byte, 0 if place < first else 4 if is_remote else CAN_HEADER) for place, byte in enumerate(parts)]
+    if is_remote:
+        return [*places, (data[4], 4)]
     return [*places, *((data[place], place) for place in range(CAN_HEADER, len(data)))]

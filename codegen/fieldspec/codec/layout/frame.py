@@ -9,10 +9,12 @@ from fieldspec.codec.layout.exception_mark import ExceptionMark, exception_mark
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout
+from fieldspec.codec.layout.remote_requests import with_remote_codes
 from fieldspec.codec.layout.subcodes import Subcode, subcode
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.escape import Escape
+from fieldspec.language.model.escape import CAN_REMOTE, Escape
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.language.model.sizes import part_size, sent_on
 
 
@@ -40,7 +42,7 @@ class FrameLayout:
 
     All sizes count bytes of the parts, before these are encoded as characters and put between delimiters. The
     `escape` changes the bytes from `escape_start` to `escape_stop`, which are the bounds of a slice as in `PartLayout`.
-    `start` and `end` are the delimiters.
+    `start` and `end` are the delimiters. Those of a `preamble` that every receiver demands are the first of `start`.
     """
 
     direction: str
@@ -53,11 +55,35 @@ class FrameLayout:
     escape_stop: int | None = None
     start: bytes = b""
     end: bytes = b""
+    preamble: Preamble | None = None
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether bytes around the parts show where a frame is."""
+        return bool(self.start or self.end or self.preamble)
+
+    @property
+    def further(self) -> bytes:
+        """The bytes that a sender sends before the start delimiter."""
+        return self.preamble.further if self.preamble is not None else b""
+
+    def surplus(self, frame: bytes) -> int:
+        """How many bytes of a preamble a frame has before the start delimiter."""
+        return self.preamble.surplus(frame) if self.preamble is not None else 0
+
+    def as_sent(self, frame: bytes) -> bytes:
+        """A frame with its preamble as long as it is sent."""
+        return self.further + frame[self.surplus(frame) :]
 
     @property
     def parts(self) -> tuple[PartLayout, ...]:
         """All parts but the body, in the order in which they are sent."""
         return (*self.header, *self.trailer)
+
+    def stated_number(self, part: PartLayout, number: int) -> int:
+        """The number of a part as people know it: the code of a remote request without its bit."""
+        has_remote = part.role == "code" and self.escape is not None and self.escape.remote is not None
+        return number & ~CAN_REMOTE if has_remote else number
 
     def numbers(self, data: bytes) -> dict[str, int]:
         """The numbers of the parts before the body, by name; -1 for what is not the digits of a number."""
@@ -144,7 +170,7 @@ class LinkLayout:
     @property
     def has_response_codes(self) -> bool:
         """Whether the code of some response differs from its request's code."""
-        return any(message.message.response_code is not None for message in self.carried("response").values())
+        return any(message.message.has_response_code for message in self.carried("response").values())
 
     def message_with_code(
         self, code: int, direction: str = "request", data: bytes | None = None, request_name: str = ""
@@ -204,12 +230,16 @@ class LinkLayout:
         if code is None:
             return "no code"
         part = self.frame(direction).role("code")
-        text = f"0x{code:02X}" if part is None or not part.form else part.number_text(code)
+        remote = code & CAN_REMOTE if self.link.is_can else 0
+        text = f"0x{code ^ remote:02X}" if part is None or not part.form else part.number_text(code)
+        text += " as a remote request" if remote else ""
         shared = self.subcodes(direction).get(code)
         if shared is None:
             return text
         shape = self.frame(direction)
         place = shape.header_size + shared.offset
+        if remote:
+            return f"{text} for {' or '.join(shared.texts_of(message))} bytes"
         byte = f"byte {place}" if shape.escape is None else shape.escape.byte_text(place)
         return f"{text} with {' or '.join(shared.texts_of(message))} at {byte}"
 
@@ -263,6 +293,8 @@ class LinkLayout:
 def link_layout(link: Link, messages: Mapping[str, MessageLayout], records: Mapping[str, RecordLayout]) -> LinkLayout:
     """The layout of a link. `messages` are the messages of all links of the device, `records` all its records."""
     link_messages = {name: message for name, message in messages.items() if sent_on(link, message.message)}
+    if any(message.message.remote is not None for message in link_messages.values()):
+        link = with_remote_codes(link)
     exception = link.exception_response
     mark = exception_mark(exception, records.get(exception.record) if exception is not None else None)
     return LinkLayout(link, link.name, _frame(link, "request"), _frame(link, "response"), link_messages, mark)
@@ -317,7 +349,10 @@ def _frame(link: Link, direction: str) -> FrameLayout:
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])
     start, end = link.delimiters(direction)
-    shape = FrameLayout(direction, header, sum(sizes[:body]), trailer, sum(sizes[body + 1 :]), start=start, end=end)
+    sizes_around = sum(sizes[:body]), sum(sizes[body + 1 :])
+    shape = FrameLayout(
+        direction, header, sizes_around[0], trailer, sizes_around[1], None, 0, None, start, end, link.preamble
+    )
     if escaped is None:
         return shape
     return replace(shape, escape=link.escape, escape_start=place(escaped[0]), escape_stop=stop_of(escaped[1]))

@@ -9,7 +9,6 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.subcodes import Subcode
 from fieldspec.foundation.classes import dataclass, field
-from fieldspec.language.model.digits import NIBBLES
 
 FIXED, BY_COUNT, DELIMITED, OPEN = "fixed", "by_count", "delimited", "open"
 
@@ -148,6 +147,6 @@ def _may_be_in(own: FieldLayout, byte: int) -> bool:
     value = own.value
     if value is None or own.cases:
         return True
-    if value.digits and value.digits not in NIBBLES:
+    if value.has_characters:
         return byte in _DIGITS
     return value.const == byte if value.const is not None and value.type.name == "u8" else True

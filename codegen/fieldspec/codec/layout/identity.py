@@ -19,8 +19,10 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import attributes
+from fieldspec.language.model import codecs
 from fieldspec.language.model.address_space import WHOLE, WORD
 from fieldspec.language.model.attributes import descendants
+from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Serial
 from fieldspec.language.model.record import STEP_FIELDS, Field, RegisterAccess, Segments
@@ -72,7 +74,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         yield (
             "link",
             link.name,
-            link.encoding,
+            link.transmission,
             link.start.hex(),
             link.end.hex(),
             error,
@@ -81,6 +83,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
         )
         if not link.has_common_delimiters:
             yield "response_delimiters", *(mark.hex() for mark in link.delimiters("response"))
+        if link.preamble is not None:
+            yield "preamble", link.preamble.byte, link.preamble.least, link.preamble.most, link.preamble.sent
         unanswered = link_layout.messages.keys() - link_layout.carried("response").keys()
         if unanswered:
             yield "unanswered", sorted(unanswered)
@@ -111,6 +115,9 @@ def _span(part: PartLayout) -> Iterator[Words]:
         yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
     if part.digits:
         yield "digits", part.digits
+    name = checksum_named(part.algorithm).codec if part.algorithm else ""
+    if name:
+        yield "codec", codecs.checksum_codec(name).version
     if part.before_escape and not part.escaped:
         yield ("before escape",)
     if part.part.same_as:
@@ -146,6 +153,8 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     if spec.count == 1:
         yield ("a list",)
     yield text, spec.reserved, spec.repeat, spec.same_as, filled, *value_words(field.value)
+    if field.selector is not None:
+        yield "decided by", field.selector.name
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):
         yield "case", sorted(case.numbers), order_of(case.value, case.order), case.swapped, *value_words(case.value)
 
@@ -184,6 +193,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
             message.code,
             message.number if message.code is None else None,
             *((message.response_code,) if message.response_code not in (None, message.code) else ()),
+            *(("remote", message.remote) if message.remote is not None else ()),
             message.broadcast is True,
             _access(message.accesses),
             *_segments(message.segments),
@@ -242,6 +252,8 @@ def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
             register_layout.swapped,
         )
         yield register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
+        if register.value.write_word_order:
+            yield "words of a write", register.value.write_swapped(register_layout.swapped)
 
 
 def _tables(device: Device) -> Iterator[Words]:

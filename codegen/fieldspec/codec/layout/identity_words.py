@@ -6,6 +6,7 @@ from decimal import Decimal
 
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model import codecs
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.ranges import Ranges, merged
@@ -52,6 +53,7 @@ def _value_words(value: Value) -> Words:
         _part(value.parameter),
         *((write_ranges,) if value.write_ranges is not None and write_ranges != ranges else ()),
         *((value.digits, value.places) if value.digits else ()),
+        *((value.codec, codecs.number_codec(value.codec).version) if value.codec else ()),
         *(("blanks",) if value.has_blanks else ()),
         *(("low first",) if value.is_low_first else ()),
         *((value.text_form,) if value.text_form is not None else ()),

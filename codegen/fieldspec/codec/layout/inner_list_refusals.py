@@ -10,10 +10,10 @@ from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
     """A refusal of each list with fields after it; `reader` is what does not read it."""
+    bodies = [body for message in layout.messages.values() for body in message.bodies]
     lists = {
         field.field.place.path: (field.field, problem)
-        for message in layout.messages.values()
-        for body in message.bodies
+        for body in (*layout.records.values(), *bodies)
         if body.inner_lists is not None
         for field in body.sent_fields
         if (problem := _problem(body, field))
@@ -24,7 +24,7 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
             Diagnostic(
                 "plc_lists_last" if for_controllers else "output_lists_last",
                 f"{field.name} {problem}, and {reader} reads only lists that come last, of elements of one size",
-                field.place["repeat" if field.repeat is not None else "record"],
+                field.place["repeat" if field.repeat is not None else "record" if field.record else "choice"],
                 help=LEAVE_OUT,
             ),
         )
@@ -37,7 +37,9 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
     if not field.varies:
         return ""
     if field is not body.sent_fields[-1]:
-        return "has fields after it"
+        return f"has {'several types and ' * bool(field.forms)}fields after it"
+    if field.forms:
+        return "has several types, in a record or after fields without a fixed size"
     record = field.record
     if (
         record is None

@@ -4,12 +4,13 @@ in some data.
 Codecs work on the image of such a record: first all other fields, then the lists. Each list except the last has room
 there for its greatest number of elements. An element that differs in size is there as it is sent, with zeros after it
 up to the most bytes that it may have, so that everything in the image has its place. The last list extends to the end
-of the image. A record that differs in size and occurs a fixed number of times is a list of that number of elements.
+of the image. A record that differs in size and occurs a fixed number of times is a list with that number of elements.
+A field whose type another one decides is a list of one element, in the image with zeros after it in the same way.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
@@ -18,13 +19,33 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
+class Decision:
+    """The number that decides how many bytes an element has: the field `name`, `size` bytes at `offset` in the image.
+
+    `sizes` are the bytes of the element by that number; another one decides nothing.
+    """
+
+    name: str
+    offset: int
+    size: int
+    order: str
+    sizes: Mapping[int, int]
+
+    def size_in(self, image: bytes) -> int | None:
+        """The bytes of the element, as an image that has the number says; None where it decides nothing."""
+        order: Literal["big", "little"] = "big" if self.order == "big" else "little"
+        return self.sizes.get(int.from_bytes(image[self.offset : self.offset + self.size], order))
+
+
+@dataclass(frozen=True, slots=True)
 class InnerList:
     """The list `name` begins after `first` bytes of other fields, not counting lists, and at `room` in the image.
 
     It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
-    image and has `count_size` bytes in the order `count_order`; its number, less `plus`, is that of units of `unit`
-    bytes. `count` is empty where the number is always the same, and where the data end with the list and the fields
-    after it. `parts` tell the size of an element from its bytes; None where all have the same size.
+    image and has `count_size` bytes in the order `count_order`; its number, less `plus`, counts units of `unit` bytes.
+    `count` is empty where the number is always the same, and where the data end with the list and the fields
+    after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
+    where all have the same size.
     """
 
     name: str
@@ -40,6 +61,7 @@ class InnerList:
     unit: int = 1
     plus: int = 0
     parts: InnerLists | None = None
+    decision: Decision | None = None
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
@@ -105,16 +127,32 @@ class InnerLists:
     def _extent(self, inner: InnerList, image: bytes, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
         """The bytes of a list in data that begin with it, less the fields after it."""
         start = inner.first + sum(extent.size for extent in extents)
+        if inner.decision is not None:
+            return self._decided(inner, inner.decision, image, len(data), extents)
         size = None
         if inner is not self.last:
             size = inner.size_in(image)
             if size is None:
-                return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
+                return self._wrong_number(inner, extents)
         if inner.parts is not None:
             return _elements(inner, inner.parts, data, size, start)
         if size is not None and size > len(data):
             return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
         return ListExtent(len(data) if size is None else size)
+
+    def _decided(
+        self, inner: InnerList, decision: Decision, image: bytes, left: int, extents: list[ListExtent]
+    ) -> ListExtent | ListFault:
+        """The bytes of an element that an image decides; at most `left` bytes."""
+        start = inner.first + sum(extent.size for extent in extents)
+        size = decision.size_in(image)
+        if size is None:
+            return self._wrong_number(inner, extents)
+        if size > left:
+            return ListFault("incomplete", start + left + self.fixed - inner.first)
+        if inner is self.last and size < left:
+            return ListFault("wrong_length", start + size)
+        return ListExtent(size, (size,))
 
     def sent_size(self, data: bytes) -> int | ListFault:
         """The bytes of an element that data begin with, which may be more than the data have."""
@@ -125,10 +163,10 @@ class InnerLists:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            size = inner.size_in(fields)
+            size = inner.size_in(fields) if inner.decision is None else inner.decision.size_in(fields)
             if size is None:
-                return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
-            extent = ListExtent(size)
+                return self._wrong_number(inner, extents)
+            extent = ListExtent(size, (size,) if inner.decision is not None else ())
             if inner.parts is not None:
                 elements = _elements(inner, inner.parts, data[start:], size, start)
                 if isinstance(elements, ListFault):
@@ -138,6 +176,12 @@ class InnerLists:
             before += extent.size
         return self.fixed + before
 
+    def _wrong_number(self, inner: InnerList, extents: list[ListExtent]) -> ListFault:
+        """The fault of a number that decides nothing, or counts what cannot be."""
+        if inner.decision is not None:
+            return ListFault("unknown_value", self.place_in_data(extents, inner.decision.offset))
+        return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
+
     def image_of(self, data: bytes, extents: Sequence[ListExtent]) -> bytes:
         """The image of data whose lists have some extents; it has zeros for fields after a list without one."""
         lists, fields, before = b"", b"", 0
@@ -145,7 +189,7 @@ class InnerLists:
             start = inner.first + before
             fields += data[len(fields) + before : start]
             piece = data[start : start + extent.size]
-            if inner.parts is not None:
+            if inner.parts is not None or inner.decision is not None:
                 offset, pieces = 0, []
                 for size in extent.elements:
                     pieces.append(piece[offset : offset + size].ljust(inner.element, b"\0"))
@@ -169,6 +213,8 @@ class InnerLists:
         piece = image[inner.room :]
         if inner is not self.last:
             piece = piece[: inner.size_in(image)]
+        if inner.decision is not None:
+            return piece[: inner.decision.size_in(image)]
         if inner.parts is None:
             return piece
         elements = [piece[offset : offset + inner.element] for offset in range(0, len(piece), inner.element)]
@@ -194,7 +240,7 @@ class InnerLists:
 
 
 def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
-    if inner.parts is None:
+    if inner.parts is None and inner.decision is None:
         return offset
     index, rest = divmod(offset, inner.element)
     return sum(extent.elements[:index]) + rest
@@ -231,4 +277,10 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     plus = {"plus": row.plus} if row.plus else {}
     is_little = {"little": True} if row.count_order == "little" else {}
     parts = {"parts": inner_lists_data(row.parts)} if row.parts is not None else {}
-    return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **parts}
+    decision = {"decision": _decision_row(row.decision)} if row.decision is not None else {}
+    return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **parts, **decision}
+
+
+def _decision_row(row: Decision) -> dict[str, Any]:
+    is_little = {"little": True} if row.order == "little" else {}
+    return {"name": row.name, "at": row.offset, "length": row.size, **is_little, "sizes": dict(row.sizes)}

@@ -57,7 +57,12 @@ class PartLayout:
         """A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits."""
         if self.form == "decimal":
             return f"{number:0{self.size}d}"
-        return f"0x{number:0{self.size if self.form else 2 * self.size}X}"
+        return f"0x{number:0{self.size if self.form else 2 * self.number_size}X}"
+
+    @property
+    def number_size(self) -> int:
+        """The bytes of its number, or of its bits if it is part of an identifier."""
+        return self.size if self.part.bits is None else (self.part.bits[1] - self.part.bits[0]) // 8 + 1
 
     def data(self, number: int) -> bytes:
         """The bytes, or the digits, of a number that they can express."""

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import takewhile
 
-from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation import classes
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.language.model.encoding import is_octets
-from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.raw_numbers import orders_of
-from fieldspec.language.model.record import Case, Choice, Field, Record, list_count, text_count
+from fieldspec.language.model.record import Case, Field, Record, list_count, text_count
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Value
 
@@ -38,7 +37,9 @@ class FieldLayout:
     """A field at `offset` bytes from the start of its record.
 
     `size` is the size of one element in bytes. `count` is the number of elements, None if they go on to the end of the
-    data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case. `order`
+    data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case. Where
+    other fields follow it, or its record is part of another one, `size` is that of the greatest case, and `forms`
+    is the field as each number of the `selector`, a field before it, decides it.
     is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. For a field with the
     bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of equal sizes the
     number to write first; it is empty if all bytes are the value. For the bit count of a write request, `bits_of` is
@@ -57,6 +58,8 @@ class FieldLayout:
     cases: tuple[CaseLayout, ...] = ()
     sizes: Mapping[int, int] = classes.field(default_factory=dict)
     bits_of: str = ""
+    forms: Mapping[int, FieldLayout] = classes.field(default_factory=dict)
+    selector: FieldLayout | None = None
 
     @property
     def carries_bytes(self) -> bool:
@@ -79,7 +82,34 @@ class FieldLayout:
     def varies(self) -> bool:
         """Whether its bytes differ from data to data."""
         size = self.record.size if self.record is not None else self.size
-        return self.count is None or size is None or (self.value is not None and self.value.width > 0)
+        is_decided = bool(self.forms) or (self.value is not None and self.value.width > 0)
+        return self.count is None or size is None or is_decided
+
+    @property
+    def splits_record(self) -> bool:
+        """Whether its record has a layout for each of its cases."""
+        return bool(self.cases) and not self.forms
+
+    @property
+    def least_size(self) -> int:
+        """The least bytes of an element."""
+        if self.forms:
+            return min(form.size for form in self.forms.values())
+        return self.record.least if self.record is not None else self.size
+
+    def form_in(self, image: bytes) -> FieldLayout | None:
+        """The field as an image of its record decides it, None if that decides nothing."""
+        if self.selector is None:
+            return self
+        order: Literal["big", "little"] = "big" if self.selector.order == "big" else "little"
+        place = slice(self.selector.offset, self.selector.offset + self.selector.size)
+        return self.forms.get(int.from_bytes(image[place], order))
+
+    def form_of(self, number: object) -> FieldLayout | None:
+        """The field as a number of its selector decides it, None if that decides nothing; itself where it has none."""
+        if self.selector is None:
+            return self
+        return self.forms.get(number) if isinstance(number, int) else None
 
     @property
     def bounds(self) -> tuple[int, int]:
@@ -141,8 +171,8 @@ class RecordLayout:
 
     @property
     def stated_fields(self) -> tuple[FieldLayout, ...]:
-        """The fields that the spec states one by one: the fields of the record without its separators."""
-        return tuple(field for field in self.fields if not field.field.is_separator)
+        """The fields that the spec states one by one, in the order of the wire: all but separators."""
+        return tuple(field for field in self.sent_fields if not field.field.is_implied)
 
     @property
     def first_bytes(self) -> int:
@@ -172,8 +202,8 @@ class RecordLayout:
 
     @property
     def has_differing(self) -> bool:
-        """Whether it has records that differ in size."""
-        return any(field.record is not None and field.record.size is None for field in self.fields)
+        """Whether it has records that differ in size, or fields of several types before others."""
+        return any(field.forms or (field.record and field.record.size is None) for field in self.fields)
 
     @property
     def has_single_list(self) -> bool:
@@ -205,103 +235,23 @@ class RecordLayout:
             else None
         )
 
+    def decided_by(self, values: Mapping[str, object]) -> RecordLayout:
+        """The record with the types that some raw values decide, as far as they decide them."""
+        if self.selector is not None:
+            return self.of_number(_number_of(self.selector, values)) or self
+        if not any(field.forms for field in self.fields):
+            return self
+        fields = (
+            (field.form_of(_number_of(field.selector, values)) if field.selector is not None else None) or field
+            for field in self.fields
+        )
+        return replace(self, fields=tuple(fields))
+
     def of_number(self, number: object) -> RecordLayout | None:
         """The record for a value of the selector, None if it decides none."""
         if self.selector is None:
             return self
         return self.chosen.get(number) if isinstance(number, int) else None
-
-
-@dataclass(frozen=True, slots=True)
-class Orders:
-    """The byte order and the word order of values without their own; `word` is empty where nothing has words."""
-
-    byte: str
-    word: str
-
-    def of(self, value: Value | None) -> tuple[str, bool]:
-        """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian."""
-        return orders_of(value, self.byte, self.word)
-
-
-def record_layout(
-    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
-) -> RecordLayout:
-    """The layout of a record. `records` are the layouts of the records in it."""
-    last = record.fields[-1] if record.fields else None
-    if last is None or last.choice is None:
-        return _fixed(record, records, orders, enums)
-    return _choosing(record, last, last.choice, records, orders, enums)
-
-
-def _choosing(
-    record: Record,
-    last: Field,
-    choice: Choice,
-    records: Mapping[str, RecordLayout],
-    orders: Orders,
-    enums: Mapping[str, Enum],
-) -> RecordLayout:
-    """The layout of a record whose last field has cases."""
-    selector = record.named(choice.by)
-    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
-    assert enum is not None
-    cases = []
-    chosen: dict[int, RecordLayout] = {}
-    for case in choice.cases:
-        numbers = frozenset(member.value for name in case.when if (member := enum.named(name)) is not None)
-        cases.append(CaseLayout(case, case.name, numbers, case.value, *orders.of(case.value)))
-        decided = replace(last, value=case.value, choice=None)
-        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders, enums)
-        chosen |= dict.fromkeys(sorted(numbers), record_layout)
-    shapes = list(chosen.values())
-    first = shapes[0]
-    sizes = {shape.size for shape in shapes}
-    smallest = min((shape.fields[-1] for shape in shapes), key=lambda field: field.size)
-    field = replace(smallest, field=last, value=None, cases=tuple(cases))
-    bounds = [shape.most for shape in shapes]
-    return RecordLayout(
-        record,
-        record.name,
-        (*first.fields[:-1], field),
-        sizes.pop() if len(sizes) == 1 else None,
-        min(shape.least for shape in shapes),
-        None if None in bounds else max(bound for bound in bounds if bound is not None),
-        first.named(choice.by),
-        chosen,
-    )
-
-
-def _fixed(
-    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
-) -> RecordLayout:
-    """The layout of a record without cases."""
-    offset = 0
-    fields = []
-    differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
-    lists = [field for field in record.fields if field.repeat is not None or field.name in differing]
-    is_inner = any(field is not record.fields[-1] for field in lists) or bool(differing)
-    remaining_fields = [field for field in record.fields if field not in lists]
-    for field in (*remaining_fields, *lists) if is_inner else record.fields:
-        nested = records[field.record] if field.record else None
-        size = field.value.size if field.value else (nested.most or 0) if nested else 0
-        count = None if field.repeat else field.count or 1
-        order, swapped = orders.of(field.value)
-        sizes = _sizes(record, field, enums)
-        fields.append(
-            FieldLayout(field, field.name, offset, size, count, field.value, nested, order, swapped, sizes=sizes)
-        )
-        offset += size * (field.repeat.high if field.repeat is not None else count or 1)
-    if any(field.value is not None and field.value.width for field in fields):
-        return _varying(record, tuple(fields))
-    fixed = sum(field.size * (field.count or 0) for field in fields if field.name not in differing)
-    if not lists:
-        return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
-    varying = [field for field in fields if field.field in lists]
-    minimum = fixed + sum(field.bounds[0] * (field.record.least if field.record else field.size) for field in varying)
-    maximum = fixed + sum(field.bounds[1] * field.size for field in varying)
-    layout = RecordLayout(record, record.name, tuple(fields), None, minimum, maximum)
-    return replace(layout, inner_lists=inner_lists_of(layout)) if is_inner else layout
 
 
 def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists:
@@ -330,9 +280,17 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
                 inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:
             inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
+        if field.selector is not None:
+            inner = replace(inner, decision=_decision(field, field.selector, places[field.selector.name]))
         lists.append(inner)
         room += inner.most
     return InnerLists(tuple(lists), fixed)
+
+
+def _decision(field: FieldLayout, selector: FieldLayout, offset: int) -> Decision:
+    """What decides the bytes of a field, by a selector that is at an offset in the image."""
+    sizes = {number: form.size for number, form in field.forms.items()}
+    return Decision(selector.name, offset, selector.size, selector.order, sizes)
 
 
 def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
@@ -343,34 +301,21 @@ def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
     return replace(inner, unit=measures.unit(inner.element), plus=measures.plus)
 
 
-def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:
-    """The numbers of bytes that are the value of a parameter, by the numbers of the field that says so."""
-    part = field.value.parameter if field.value is not None else None
-    selector = record.named(part.sizes.by) if part is not None and part.sizes is not None else None
-    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
-    if part is None or part.sizes is None or enum is None:
-        return {}
-    members = ((enum.named(name), case.bytes) for case in part.sizes.cases for name in case.when)
-    return {member.value: size for member, size in members if member is not None}
+def _number_of(selector: FieldLayout, values: Mapping[str, object]) -> object:
+    """The raw value of a selector among some values, else its constant."""
+    return values.get(selector.name, selector.value.const if selector.value is not None else None)
 
 
-def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
-    """The layout of a record of which some fields vary in width."""
-    spans = []
-    for field, following in zip(fields, (*fields[1:], None), strict=True):
-        varies = field.value is not None and field.value.width > 0
-        count = text_count(record, field.field)
-        if count is not None and count.measures is not None:
-            number = record.fields.index(count)
-            order, plus = fields[number].order, count.measures.plus
-            spans.append(Span(field.name, field.size, field.value, None, number, order, plus))
-            continue
-        end = following.value.const if following is not None and following.value is not None else None
-        size = field.size * (field.count or 0)
-        spans.append(Span(field.name, size, field.value if varies else None, end if varies else None))
-    minimum = sum(span.size if span.value is None else span.value.least_width for span in spans)
-    maximum = sum(span.size if span.value is None else span.value.width for span in spans)
-    return RecordLayout(record, record.name, fields, None, minimum, maximum, spans=tuple(spans))
+@dataclass(frozen=True, slots=True)
+class Orders:
+    """The byte order and the word order of values without their own; `word` is empty where nothing has words."""
+
+    byte: str
+    word: str
+
+    def of(self, value: Value | None) -> tuple[str, bool]:
+        """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian."""
+        return orders_of(value, self.byte, self.word)
 
 
 @dataclass(frozen=True, slots=True)

@@ -80,9 +80,8 @@ def raw_of(
 
     Raises MeaningError for a name that neither has, and for a value that has no raw value.
     """
-    fields = _decided(device, body, entered).fields if body is not None else ()
     known_parts = {part.name: part for part in parts}
-    known_fields = {field.name: field for field in fields}
+    known_fields = _decided(device, "", body, entered) if body is not None else {}
     raw: dict[str, Raw] = {}
     for name, value in entered.items():
         if name in known_parts:
@@ -95,17 +94,21 @@ def raw_of(
     return raw
 
 
-def _decided(device: Device, body: RecordLayout, entered: Mapping[str, object]) -> RecordLayout:
-    """The record itself, or the one that the entered value of its selector decides."""
-    selector = body.selector
-    if selector is None:
-        return body
-    if selector.name not in entered:
-        raise MeaningError(selector.name, f"is needed: it decides what {body.fields[-1].name} holds")
-    chosen = body.of_number(_field(device, selector.name, selector, entered[selector.name]))
-    if chosen is None:
-        raise MeaningError(selector.name, f"`{entered[selector.name]}` leaves open what {body.fields[-1].name} holds")
-    return chosen
+def _decided(device: Device, before: str, body: RecordLayout, entered: Mapping[str, object]) -> dict[str, FieldLayout]:
+    """The fields of a record by name, with the types that the entered values of selectors decide."""
+    numbers: dict[str, Raw] = {}
+    for field in body.fields:
+        selector = field.selector or (body.selector if field.cases else None)
+        if selector is None or (field.forms and field.name not in entered):
+            continue
+        path = before + selector.name
+        if selector.name in entered:
+            numbers[selector.name] = _field(device, path, selector, entered[selector.name])
+        elif selector.value is None or selector.value.const is None or not field.forms:
+            raise MeaningError(path, f"is needed: it decides what {field.name} holds")
+        if body.decided_by(numbers).fields[body.fields.index(field)].cases:
+            raise MeaningError(path, f"`{entered.get(selector.name)}` leaves open what {field.name} holds")
+    return {field.name: field for field in body.decided_by(numbers).fields}
 
 
 def _field(device: Device, path: str, field: FieldLayout, entered: object) -> Raw:
@@ -134,8 +137,9 @@ def _element_value(device: Device, path: str, field: FieldLayout, entered: objec
     if not isinstance(entered, dict):
         raise MeaningError(path, "a mapping of fields is expected")
     inner: dict[str, Raw] = {}
+    known_fields = _decided(device, f"{path}.", field.record, entered)
     for name, value in entered.items():
-        field_of = field.record.named(name)
+        field_of = known_fields.get(name)
         if field_of is None:
             raise MeaningError(f"{path}.{name}", "there is no such field")
         inner[name] = _field(device, f"{path}.{name}", field_of, value)

@@ -9,7 +9,17 @@ from fieldspec.codec.layout.accepted import Condition, passes
 from fieldspec.codec.layout.inner_lists import InnerLists, ListExtent
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import widened
-from fieldspec.codec.program.operations import Each, Inner, Load, LoadVarying, Program, Remark, Require, Variable
+from fieldspec.codec.program.operations import (
+    Decided,
+    Each,
+    Inner,
+    Load,
+    LoadVarying,
+    Program,
+    Remark,
+    Require,
+    Variable,
+)
 from fieldspec.foundation import classes
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
@@ -99,6 +109,8 @@ def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, 
                 sizes = [size] * count if operation.is_list else [place.stop - first]
                 contents = run_each(operation, replace(place, start=first), sizes, rows, rows_beside)
                 values[operation.name] = contents if operation.is_list else contents[0]
+            case Decided():
+                values |= run((_decided(operation, rows_beside),), place, rows, rows_beside)
             case _:
                 assert_never(operation)
     return values
@@ -112,7 +124,8 @@ def _run_around(
     by_name = {inner.name: extent for inner, extent in zip(lists.lists, extents, strict=True)}
     values: dict[str, Raw] = {}
     start = place.start
-    for operation in program:
+    for part in program:
+        operation = _decided(part, rows_beside) if isinstance(part, Decided) else part
         assert isinstance(operation, Each)
         extent = by_name.get(operation.name, ListExtent(operation.size * (operation.count or 0)))
         count = extent.size // operation.size if operation.count is None else operation.count
@@ -121,6 +134,13 @@ def _run_around(
         values[operation.name] = contents if operation.is_list else contents[0]
         start += extent.size
     return values
+
+
+def _decided(part: Decided, rows_beside: dict[str, Row]) -> Each:
+    """The program that the number of another field decides."""
+    number = rows_beside[part.by].number
+    assert isinstance(number, int)
+    return part.forms[number]
 
 
 def run_each(

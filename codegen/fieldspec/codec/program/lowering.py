@@ -5,6 +5,7 @@ from __future__ import annotations
 from fieldspec.codec.layout.accepted import accepted
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.program.operations import (
+    Decided,
     Each,
     Inner,
     Load,
@@ -68,13 +69,21 @@ def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Progra
     inner = field.record
     if inner is not None:
         lists = inner_lists_of(inner, is_element=True) if inner.size is None else None
-        return (Inner(field.name, tuple(field_program(device, inner, own) for own in inner.sent_fields), lists),)
+        return (Inner(field.name, tuple(_part(device, inner, own) for own in inner.sent_fields), lists),)
     assert field.value is not None
     # What varies in width moves what is after it.
     exponent = field.value.scale_by if not record.spans and record.named(field.value.scale_by) is not None else ""
     variable = Variable(field.name, field, field.value, field.field.reserved, exponent)
     varies = bool(field.value.width)
     return _judged(device, variable, LoadVarying(variable) if varies else _load(variable, field.order, field.swapped))
+
+
+def _part(device: Device, record: RecordLayout, field: FieldLayout) -> Each | Decided:
+    """The program of a field of a record within another, whose type another field may decide."""
+    if field.selector is None:
+        return field_program(device, record, field)
+    forms = {number: field_program(device, record, form) for number, form in field.forms.items()}
+    return Decided(field.name, field.selector.name, forms)
 
 
 def _load(variable: Variable, order: str, swapped: bool) -> Load:

@@ -5,6 +5,8 @@ Places and offsets count from where the value, the element or the record begins 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from fieldspec.codec.layout.accepted import Condition
 from fieldspec.codec.layout.inner_lists import InnerLists
 from fieldspec.codec.layout.record import FieldLayout
@@ -70,9 +72,9 @@ class Inner:
 
 @dataclass(frozen=True, slots=True)
 class Each:
-    """The elements of a field of a record: one, or if it `is_list`, a counted number or as many as fit.
+    """The elements of a field of a record: one, or if it `is_list`, a counted number or all that fit.
 
-    `size` is that of each element in bytes.
+    `size` is the size of each element in bytes.
     """
 
     name: str
@@ -83,7 +85,16 @@ class Each:
     element: Program
 
 
-Operation = Load | LoadVarying | Require | Remark | Inner | Each
+@dataclass(frozen=True, slots=True)
+class Decided:
+    """The one of several programs for a field that the number of another field of its record, `by`, decides."""
+
+    name: str
+    by: str
+    forms: Mapping[int, Each]
+
+
+Operation = Load | LoadVarying | Require | Remark | Inner | Each | Decided
 """The operations of programs."""
 
 Program = tuple[Operation, ...]

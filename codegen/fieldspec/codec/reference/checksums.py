@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.language.model import codecs
 from fieldspec.language.model.checksums import DIGITS, Checksum, checksum_named
 
 
 def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
     """The checksum of some bytes; `order` is that of the bytes of the numbers that are added."""
     kind = checksum_named(algorithm)
+    if kind.codec:
+        return codecs.computed(kind.codec, data)
     methods = {"crc": _remainder, "fletcher": _two_sums}
     number = methods.get(kind.method, _total)(kind, data + kind.suffix, kind.unit_order or order)
     substitutes = dict(zip(kind.avoided, kind.replacements, strict=True))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from fieldspec.language.model import codecs
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.value import Value
 
@@ -12,6 +13,8 @@ _DIGIT = {"upper_hex": "[0-9A-F]", "lower_hex": "[0-9a-f]"}
 
 def number_of_digits(value: Value, data: bytes) -> int | None:
     """The number of digits, the most significant first; None for any other bytes."""
+    if value.codec:
+        return codecs.decoded(value.codec, data)
     if value.digits in ("bcd", "packed_decimal"):
         return _number_of_nibbles(value, [nibble for byte in data for nibble in (byte >> 4, byte & 15)])
     text = _turned(value, data.decode("latin-1"))
@@ -25,6 +28,8 @@ def number_of_digits(value: Value, data: bytes) -> int | None:
 
 def digits_of_number(value: Value, number: int) -> bytes:
     """The digits of a number that fits them, the most significant first."""
+    if value.codec:
+        return codecs.encoded(value.codec, number)
     if value.digits == "bcd":
         return bytes.fromhex(
             str(number).replace("-", "f" + "0" * (2 * value.size - len(str(number)))).zfill(2 * value.size)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.reference.records import CodecError
-from fieldspec.language.model.escape import CAN_DATA, CAN_HEADER, Escape
+from fieldspec.language.model.escape import CAN_DATA, CAN_HEADER, CAN_REMOTE, Escape
 
 
 def escaped(escape: Escape, data: bytes) -> bytes:
@@ -34,7 +34,8 @@ def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
         wrong = escape.wrong_header(data)
         if wrong is not None:
             raise CodecError("wrong_mark", escape.header_fault(data, wrong), offset + wrong)
-        return escape.unpacked(int.from_bytes(data[:4], "big")) + data[CAN_HEADER:]
+        content = data[4:5] if escape.is_remote(data) else data[CAN_HEADER:]
+        return escape.unpacked(int.from_bytes(data[:4], "big")) + content
     if escape.method == "add":
         return bytes((byte - escape.inserted) % 256 for byte in data)
     result = bytearray()
@@ -69,10 +70,13 @@ def unescaped(escape: Escape, data: bytes, offset: int) -> bytes:
 
 
 def _can_frame(escape: Escape, data: bytes) -> bytes:
-    """A CAN frame: its identifier, the number of its data, three zeros, its data."""
+    """A CAN frame: its identifier, the number of its data, three zeros, its data; none in a remote request."""
     identifier, content = escape.packed(data), data[escape.fields_size :]
     if identifier is None:
         raise CodecError("out_of_range", "a part has more bits than its place in the identifier")
-    if len(content) > CAN_DATA:
-        raise CodecError("wrong_length", f"a CAN frame has at most {CAN_DATA} bytes of data, not {len(content)}")
-    return identifier.to_bytes(4, "big") + bytes((len(content), 0, 0, 0)) + content
+    size = len(content)
+    if identifier & CAN_REMOTE:
+        size, content = content[0] if size == 1 else size, b""
+    if size > CAN_DATA:
+        raise CodecError("wrong_length", f"a CAN frame has at most {CAN_DATA} bytes of data, not {size}")
+    return identifier.to_bytes(4, "big") + bytes((size, 0, 0, 0)) + content

@@ -8,7 +8,6 @@ from fieldspec.codec.layout.frame import FrameLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.digits import NIBBLES
 from fieldspec.language.model.value import Value
 
 WAITS, OPEN, NONE = -2, -1, 0
@@ -99,7 +98,7 @@ def _is_apart(field: FieldLayout, end: int) -> bool:
         return False
     if value.const is not None and value.type.name == "u8" and not value.digits:
         return value.const != end
-    return bool(value.digits) and value.digits not in NIBBLES
+    return value.has_characters
 
 
 def _measuring(record: RecordLayout, tail: FieldLayout) -> list[FieldLayout]:

@@ -44,24 +44,23 @@ class FrameCodec:
 
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
-        self.heads = {
-            direction: construct.Struct(*(part.name / part_construct(part) for part in link.frame(direction).header))
-            for direction in ("request", "response")
-        }
-        self.tails = {
-            direction: construct.Struct(*(part.name / part_construct(part) for part in link.frame(direction).trailer))
-            for direction in ("request", "response")
-        }
+        self.heads: dict[str, construct.Struct] = {}
+        self.tails: dict[str, construct.Struct] = {}
+        for direction in ("request", "response"):
+            shape = link.frame(direction)
+            for parts, structs in ((shape.header, self.heads), (shape.trailer, self.tails)):
+                structs[direction] = construct.Struct(*(part.name / part_construct(part) for part in parts))
 
     def parts(self, frame: bytes, direction: str) -> bytes:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
         link, shape = self.link.link, self.link.frame(direction)
+        frame = frame[shape.surplus(frame) :]
         if not frame.startswith(shape.start):
             raise CodecError("wrong_mark", f"the frame does not start with {shape.start.hex(' ')}", 0)
         if not frame.endswith(shape.end) or len(frame) < len(shape.start) + len(shape.end):
             raise CodecError("wrong_mark", f"the frame does not end with {shape.end.hex(' ')}", len(frame))
         inner = frame[len(shape.start) : len(frame) - len(shape.end)]
-        if link.encoding == "binary":
+        if link.transmission == "binary":
             return inner
         for index, char in enumerate(inner):
             if char not in b"0123456789ABCDEFabcdef":
@@ -171,7 +170,7 @@ class FrameCodec:
             actual, want = parts[part.name], checksum_of(part, data)
             if actual != want:
                 text = f"{part.name} is {checksum_text(actual, part)}, not {checksum_text(want, part)}"
-                raise CodecError("wrong_check", text, part.at(len(data)))
+                raise CodecError("wrong_checksum", text, part.at(len(data)))
 
     def _body(
         self, shape: FrameLayout, head: Values, inner: bytes, message: str
@@ -359,8 +358,8 @@ class FrameCodec:
 
     def _marked(self, direction: str, data: bytes) -> bytes:
         shape = self.link.frame(direction)
-        inner = data.hex().upper().encode("ascii") if self.link.link.encoding == "hex_ascii" else data
-        return shape.start + inner + shape.end
+        inner = data.hex().upper().encode("ascii") if self.link.link.transmission == "hex_ascii" else data
+        return shape.further + shape.start + inner + shape.end
 
 
 def _refuse_short(shape: FrameLayout, data: bytes) -> None:

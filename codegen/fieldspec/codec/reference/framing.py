@@ -34,7 +34,7 @@ class Framing:
         self.records = [message.data(direction) for message in self.link.carried(direction).values()]
         if self.refusal is not None:
             self.records.append(layout.records[self.refusal.record])
-        marks, width = len(shape.start) + len(shape.end), 2 if self.link.link.encoding == "hex_ascii" else 1
+        marks, width = len(shape.start) + len(shape.end), 2 if self.link.link.transmission == "hex_ascii" else 1
         framing_size = shape.header_size + shape.trailer_size
         self.least = marks + width * (framing_size + min((record.least for record in self.records), default=0))
         mosts = (_UNBOUNDED if record.most is None else record.most for record in self.records)
@@ -48,7 +48,7 @@ class Framing:
     @property
     def ending(self) -> str:
         """What ends a frame: `delimiters`, `escape`, `length`, `code` or `end`; empty where nothing does."""
-        shape, encoding = self.shape, self.link.link.encoding
+        shape, encoding = self.shape, self.link.link.transmission
         if not self.records or encoding not in ("binary", "hex_ascii"):
             return ""
         if encoding == "hex_ascii":
@@ -130,7 +130,7 @@ class Framing:
         Silence ends a frame that nothing else does, and what waits for more bytes is not a frame.
         """
         frames: list[bytes] = []
-        place = 0
+        place = stop = 0
         while len(stream) - place >= self.least:
             rest = stream[place:]
             size = self._size(rest)
@@ -138,11 +138,20 @@ class Framing:
                 return [*frames, rest], len(stream)
             is_waiting = size == WAITS or size > len(rest) or (size == OPEN and len(rest) <= self.longest)
             if is_waiting and not is_silent:
-                return frames, place
+                break
             is_right = not is_waiting and size > NONE and self._is_right(rest[:size])
-            frames += [rest[:size]] * is_right
+            if is_right:
+                frames.append(stream[place - self._lead(stream[stop:place]) : place + size])
+                stop = place + size
             place += size if is_right else 1
-        return frames, len(stream) if is_silent else place
+        return frames, len(stream) if is_silent else place - self._lead(stream[stop:place])
+
+    def _lead(self, before: bytes) -> int:
+        """How many of the bytes before a place belong to the preamble of a frame there, beside its least ones."""
+        preamble = self.shape.preamble
+        if preamble is None:
+            return 0
+        return min(len(before) - len(before.rstrip(bytes((preamble.byte,)))), preamble.spare)
 
     def _to_end(self, stream: bytes, is_silent: bool) -> Cut:
         """From each place, the shortest frame that the link decodes; one that is only right when no other can come."""
@@ -200,7 +209,9 @@ class Framing:
 
     def _size(self, data: bytes) -> int:
         """The size of the frame that begins with some bytes."""
-        if not data.startswith(self.shape.start):
+        preamble = self.shape.preamble
+        goes_on = preamble is not None and data[preamble.least] == preamble.byte
+        if not data.startswith(self.shape.start) or goes_on:
             return NONE
         parts = data[len(self.shape.start) :]
         numbers = {

@@ -27,7 +27,7 @@ from fieldspec.language.model.value import Value
 class CodecError(ValueError):
     """Bytes or values that a codec refuses.
 
-    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
+    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_checksum, not_hex, unknown_code,
     unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, missing_value, unknown_field.
     `offset` is the byte at which it shows, None for values.
     """
@@ -63,7 +63,8 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
     parsed = record_struct(record).parse(data)
     values: Values = {}
     for field in record.fields:
-        values[field.name] = _decoded_field(field, parsed[field.name], device, offset)
+        form = field if field.selector is None else field.forms[parsed[field.selector.name]]
+        values[field.name] = _decoded_field(form, parsed[field.name], device, offset)
     _check_measures(record, values, offset)
     return values
 
@@ -89,9 +90,11 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
     """The values of a record with fields after a list. Raises CodecError with the place in the data."""
     extents, fault = inner.extents_in(data)
     if fault is not None:
-        raise CodecError(
-            fault.reason, f"{inner.lists[len(extents)].name} has a different number of bytes", offset + fault.at
-        )
+        own = inner.lists[len(extents)]
+        text = f"{own.name} has the wrong number of bytes"
+        if fault.reason == "unknown_value" and own.decision is not None:
+            text = f"{own.decision.name} chooses nothing that may follow"
+        raise CodecError(fault.reason, text, offset + fault.at)
     try:
         values = decoded(record.image, inner.image_of(data, extents), device)
         return {field.name: values[field.name] for field in record.sent_fields}
@@ -253,8 +256,15 @@ def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Dev
     """The raw values of all fields of a record, also of those that measure others."""
     raw: Values = {}
     for field in record.fields:
+        form = field
+        if field.selector is not None:
+            number = raw[field.selector.name]
+            if number not in field.forms:
+                text = f"{field.selector.name} is {number}, which chooses nothing that may follow"
+                raise CodecError("unknown_value", text)
+            form = field.forms[number]
         if field.field.measures is None:
-            raw[field.name] = _encoded_field(field, values, device)
+            raw[field.name] = _encoded_field(form, values, device)
     for field in record.fields:
         measured = _measured(record, field, raw)
         if measured is not None:

@@ -66,6 +66,8 @@ def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     cases = {
         number: value_construct(case.value, case.order, case.swapped) for case in field.cases for number in case.numbers
     }
+    if field.forms:
+        cases = {number: construct.Padded(field.size, case) for number, case in cases.items()}
     return construct.Switch(construct.this[selector_name], cases, default=construct.Error)
 
 

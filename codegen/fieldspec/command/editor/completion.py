@@ -12,6 +12,7 @@ from fieldspec.command.editor.typed_word import MARK, TypedWord
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.behaviour.part import AXIS_PROPERTIES
 from fieldspec.language.checks.finding import hexadecimal
+from fieldspec.language.model.codecs import ChecksumCodec, NumberCodec, installed
 from fieldspec.language.model.task import ACTIONS
 from fieldspec.language.model.units import standard_units
 from fieldspec.language.reading.device_spec import DeviceSpec
@@ -100,6 +101,9 @@ def _values(word: TypedWord) -> Iterator[Suggestion]:
         if key == "protocol":
             paths = (path.split("/") for path in place.project.memory.files)
             yield from (Suggestion(name[:-5], "protocol") for folder, *_, name in paths if folder == PROTOCOLS)
+        if key == "codec":
+            kind = ChecksumCodec if "checksum" in place.keys else NumberCodec
+            yield from (Suggestion(name, "codec") for name, own in installed().items() if isinstance(own.codec, kind))
         if key == "proof":
             yield from (Suggestion(rule.code, "rule", documentation=rule.what) for rule in rules.all_rules())
         if key == "rule":

@@ -64,7 +64,7 @@ class PluginBackend:
         return str(self._module().TITLE)
 
     def _module(self) -> Any:
-        module = _loaded(self.plugin)
+        module = loaded(self.plugin)
         title = getattr(module, "TITLE", None)
         if not isinstance(title, str) or not title.isprintable() or not callable(getattr(module, "files", None)):
             raise self.plugin.error(
@@ -169,7 +169,7 @@ _FINDING = (
 """The types of what a finding has."""
 
 
-def _loaded(plugin: Plugin) -> Any:
+def loaded(plugin: Plugin) -> Any:
     """The module, or the object in a module, that an entry point refers to. Raises UsageError."""
     module, _, path = plugin.value.partition(":")
     try:
@@ -192,7 +192,7 @@ def load_checks(anew: bool = False) -> None:
 
     built_in = {rule.code for rule in (*rules.all_rules(), *rules.change_rules())}
     for name, plugin in plugins(CHECK_GROUP, built_in, anew).items():
-        function = _loaded(plugin)
+        function = loaded(plugin)
         if not callable(function):
             raise plugin.error(f"{plugin.value} is not a function")
         try:

@@ -1,4 +1,4 @@
-"""Outputs, checks and protocols of installed packages, which declare them as entry points.
+"""Outputs, checks, protocols and codecs of installed packages, which declare them as entry points.
 
 The environment is searched once; the cache folder remembers what was there, so that a run without any plug-in loads
 nothing for them. `plugin_loading` imports their code, when an output or a check of theirs is first used.
@@ -22,8 +22,13 @@ if TYPE_CHECKING:
     from importlib.machinery import ModuleSpec
     from importlib.metadata import Distribution, EntryPoint
 
-OUTPUTS, CHECKS, PROTOCOLS = GROUPS = ("fieldspec.outputs", "fieldspec.checks", "fieldspec.protocols")
-KINDS = {OUTPUTS: "output", CHECKS: "check", PROTOCOLS: "protocol"}
+OUTPUTS, CHECKS, PROTOCOLS, CODECS = GROUPS = (
+    "fieldspec.outputs",
+    "fieldspec.checks",
+    "fieldspec.protocols",
+    "fieldspec.codecs",
+)
+KINDS = {OUTPUTS: "output", CHECKS: "check", PROTOCOLS: "protocol", CODECS: "codec"}
 KIND = "plugins"
 LARGEST_FILE = 64 << 20
 """Bytes of one file of a plug-in."""

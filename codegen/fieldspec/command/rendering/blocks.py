@@ -111,7 +111,7 @@ _A_ROW = 16
 
 
 def drawn(word: Flags) -> Iterator[str]:
-    """A drawing of a word: a box for each bit, the highest first, 16 in a row, with lines to the bit names.
+    """A drawing of a word: a box for each bit, the highest first, 16 per row, with lines to the bit names.
 
     There is no wall between the bits of one field. The boxes of bits without a name are empty.
     """

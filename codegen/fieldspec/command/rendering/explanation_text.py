@@ -76,8 +76,9 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
             continue
         for row in rows:
             raw = "" if row.path in checksums else raw_text(row, row.path in addresses)
-            if code is not None and code.form and row.path == code.name and isinstance(row.number, int):
-                raw = code.number_text(row.number)
+            number = row.number
+            if code is not None and (code.form or row.can_place) and row.path == code.name and isinstance(number, int):
+                raw = code.number_text(number)
             if code is not None and row.path == code.name and message is not None and not explanation.error:
                 row = replace(row, meanings=(Meaning(message.name, message.message.label, "", ""),))
             first = (row.at, row.sent, _hex(row.raw), row.path, _label(row), raw, row.value)

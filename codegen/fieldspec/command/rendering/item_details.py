@@ -143,6 +143,7 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Details:
     message = message_layout.message
     yield "what", message.title
     yield "code", "" if message.code is None else f"0x{message.code:02X}"
+    yield "request", "" if message.remote is None else f"a remote request with the DLC {message.remote}"
     yield "response code", "" if message.response_code is None else f"0x{message.response_code:02X}"
     yield "number", "" if message.number is None else str(message.number)
     yield "beside", " or ".join(message.supplements)
@@ -272,10 +273,11 @@ def _code(item: CodeRow) -> Details:
 
 def _link(layout: DeviceLayout, link: Link) -> Details:
     yield "what", link.title
-    yield "encoding", link.encoding
+    yield "transmission", link.transmission
+    yield "preamble", link.preamble.text() if link.preamble is not None else ""
     for direction in ("request",) if link.has_common_delimiters else ("request", "response"):
         name = "marks" if link.has_common_delimiters else f"{direction} marks"
-        yield name, " .. ".join(mark.hex(" ").upper() for mark in link.delimiters(direction) if mark)
+        yield name, " .. ".join(mark.hex(" ").upper() for mark in link.marks(direction) if mark)
     orders = (("bytes", link.byte_order), ("words", link.word_order))
     yield "order", ", ".join(f"{unit_name} {order}" for unit_name, order in orders if order)
     yield "sends", _sends(layout, link)

@@ -15,7 +15,7 @@ the output, no file of the device is written. `fieldspec rule CODE` explains a r
 """
 
 NUMBERS = ("plc_numbers_binary", "plc_numbers_fit", "plc_reals_fit", "plc_reals_present", "plc_texts_ascii")
-TABLES = ("output_numbers_binary", "output_texts_ascii")
+TABLES = ("output_has_codec", "output_numbers_binary", "output_texts_ascii")
 LISTS = ("plc_lists_last", "output_lists_last")
 
 ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
@@ -65,4 +65,5 @@ def left_out_lines() -> Iterator[str]:
     for subject, rules, result in ROWS:
         yield f"| {subject} | {', '.join(f'[{code}](checks.md#{code})' for code in rules)} | {result} |"
     yield ""
-    yield "Codecs in Python, C and JavaScript, documentation, vectors and lists for operator panels support all facts."
+    yield "Codecs in Python, C and JavaScript, documentation, vectors and lists for operator panels support all facts"
+    yield "except codecs of packages."

@@ -22,6 +22,7 @@ def value_details(value: Value) -> Iterator[tuple[str, str]]:
     yield "unit", unit_text(value)
     yield "range", range_text(value)
     yield "written", "" if value.write_ranges is None else range_text(value.for_writing())
+    yield "words", value.write_order_text
     yield "default", "" if value.default is None else str(value.default)
     yield "digits", digits_text(value) if value.digits else ""
     yield "always", constant_text(value)
@@ -61,7 +62,7 @@ def field_table(record: RecordLayout, base: int | None = None) -> Block:
     rows = [
         row
         for field in record.sent_fields
-        if not field.field.is_separator
+        if not field.field.is_implied
         for row in _rows(field, base, record.has_place(field))
     ]
     headings = ("at" if base is None else "address", "type", "name", "label", "unit", "range", "default", "names")

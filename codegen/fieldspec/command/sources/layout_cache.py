@@ -56,8 +56,8 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
             return cached_layout
         except ValueError:
             pass  # another program has written it
-    content = _compiled(name, version, files)
-    if key and not _has_installed_checks():
+    content, depends_on_packages = _compiled(name, version, files)
+    if key and not depends_on_packages:
         cache_folder.store(KIND, key, content)
     new_layout: DeviceLayout = from_json(content, source)
     return new_layout
@@ -100,21 +100,20 @@ def _key(text: str, files: dict[str, bytes]) -> str:
         return ""
 
 
-def _compiled(name: str, version: str, files: dict[str, bytes]) -> bytes:
-    """The layout of a device as lines of JSON. Raises UsageError."""
+def _compiled(name: str, version: str, files: dict[str, bytes]) -> tuple[bytes, bool]:
+    """The layout of a device as lines of JSON, and whether packages decide what it is. Raises UsageError.
+
+    They do where checks of theirs have judged the spec, and where it names a codec: the key says nothing of these.
+    """
+    from fieldspec.codec.layout.package_codecs import coded_facts
     from fieldspec.command.sources.layout_cache import to_json
     from fieldspec.command.sources.specs import layout_of, picked, sound
+    from fieldspec.language.checks import INSTALLED
     from fieldspec.language.reading.project import read
 
     spec = sound(read(files, frozenset([name])), name)
-    return to_json(layout_of(spec, picked(spec, version)))
-
-
-def _has_installed_checks() -> bool:
-    """Whether checks of other packages have judged the spec. The key says nothing of these, so they judge again."""
-    from fieldspec.language.checks import INSTALLED
-
-    return bool(INSTALLED)
+    layout = layout_of(spec, picked(spec, version))
+    return to_json(layout), bool(INSTALLED) or any(True for _ in coded_facts(layout))
 
 
 _NODES = "fieldspec.language.reading.nodes"

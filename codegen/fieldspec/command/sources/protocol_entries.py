@@ -104,9 +104,8 @@ def _word_spaces(messages: Iterable[Mapping], operation: str) -> list[str]:
     return [
         _key_text(access, "space")
         for message in messages
-        if isinstance(access := message.values.get("accesses"), Mapping)
-        and _key_text(access, "operation") == operation
-        and _unit(message, access) == WORD
+        for access in mappings(message.values.get("accesses"))
+        if _key_text(access, "operation") == operation and _unit(message, access) == WORD
     ]
 
 
@@ -147,8 +146,7 @@ def _section(section: str, items: list[Mapping], mark: str) -> Iterator[str]:
 def _accesses(messages: Iterable[Mapping]) -> Iterator[tuple[str, str]]:
     """The address space that each message accesses, empty for the first one, and the unit of what it carries."""
     for message in messages:
-        access = message.values.get("accesses")
-        if isinstance(access, Mapping):
+        for access in mappings(message.values.get("accesses")):
             yield _key_text(access, "space"), _unit(message, access)
 
 

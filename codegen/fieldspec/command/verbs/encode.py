@@ -283,7 +283,7 @@ def _fields(layout: DeviceLayout, frame_kind: _Way) -> list[str]:
 
 
 def _print(layout: DeviceLayout, frame_kind: _Way, form: str, frame: bytes) -> None:
-    characters = frame.decode("latin-1") if layout.links[frame_kind.link].link.encoding == "hex_ascii" else None
+    characters = frame.decode("latin-1") if layout.links[frame_kind.link].link.transmission == "hex_ascii" else None
     if form == "json":
         data = {
             "device": layout.device.id,
@@ -348,13 +348,13 @@ def _words(layout: DeviceLayout, access: RegisterAccess, address: int, item: str
     if occupant is None or occupant.value.size % space.unit_size:
         text = f"no register or field of {space.unit}s begins at 0x{address:04X}, so that `{item}` has no meaning"
         raise UsageError(text)
-    data = _bytes(layout, occupant, item)
+    data = _bytes(layout, occupant, access.operation, item)
     big = layout.device.byte_order == "big"
     for offset in range(0, len(data), space.unit_size):
         yield int.from_bytes(data[offset : offset + space.unit_size], "big" if big else "little")
 
 
-def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:
+def _bytes(layout: DeviceLayout, occupant: Occupant, operation: str, item: str) -> bytes:
     """The bytes of a value in the order of the registers."""
     from fieldspec.codec.reference.records import encoded_value
     from fieldspec.codec.reference.structs import value_construct
@@ -362,5 +362,5 @@ def _bytes(layout: DeviceLayout, occupant: Occupant, item: str) -> bytes:
     text = whole_count(layout, occupant.path, occupant.value, item)
     raw = raw_value(layout.device, occupant.path, occupant.value, text)
     known = encoded_value(occupant.path, occupant.value, raw, layout.device)
-    built: bytes = value_construct(occupant.value, occupant.order, occupant.swapped).build(known)
+    built: bytes = value_construct(occupant.value, occupant.order, occupant.is_swapped(operation)).build(known)
     return built

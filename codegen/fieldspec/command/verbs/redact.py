@@ -57,7 +57,7 @@ class _Output:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Writes the redacted files into `--out`. Exit code 1 if a file is left out. Raises UsageError."""
+    """Writes the redacted files into `--out`. If a file is left out, the exit code is 1. Raises UsageError."""
     require_captures()
     spec, version = specs.sound_at(arguments.specs, arguments.device)
     layout = specs.layout_of(spec, version)

@@ -251,7 +251,7 @@ class _Offsets:
     """The offsets of fields, or of parts of a frame, by their identity in memory, and their size.
 
     An offset is a run and a number of bytes: a frame has one run before its body, and one from there on; fields have
-    one run up to each list that extends to the end or that another field measures, and one after the last of these.
+    one up to each choice and each list that extends to the end or that another field measures, and one after the last.
     """
 
     def __init__(self, sizes: RecordSizes, items: Sequence[Any]) -> None:
@@ -278,7 +278,7 @@ def _end_of_run(index: int, item: Any) -> int | None:
     """Where the first run ends, if it does so at an item: before the body of a frame, and after a list."""
     if isinstance(item, Part):
         return index if item.role == "body" else None
-    return index + 1 if isinstance(item, Field) and item.repeat is not None else None
+    return index + 1 if isinstance(item, Field) and (item.repeat is not None or item.choice is not None) else None
 
 
 def _field_lists(

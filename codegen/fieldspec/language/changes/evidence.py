@@ -134,7 +134,7 @@ def _coded(message: Message) -> str:
 EVIDENCE: dict[type, Evidence] = {
     Link: Evidence(
         lambda link, _: (
-            link.encoding,
+            link.transmission,
             link.delimiters("request"),
             link.delimiters("response"),
             *((part.name, part.role, part.algorithm) for part in (*link.request, *link.response)),

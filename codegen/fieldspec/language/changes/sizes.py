@@ -32,7 +32,7 @@ def field_offsets(sizes: RecordSizes, fields: Sequence[Field | Part]) -> FieldOf
 def _field_size(sizes: RecordSizes, field: Field) -> int:
     """The bytes of a field, the fewest where they vary; 0 where nothing decides them.
 
-    It is 0 as well for a choice and for a field that repeats to the end: these are last, and move no other field.
+    It is 0 as well for a choice and for a field that repeats: these are last in their run, and move no field of it.
     """
     if field.choice is not None or field.repeat is not None:
         return 0

@@ -2,13 +2,11 @@
 carries, or changes the bits of one register by two masks. All of its numbers are integers, and each step has values of
 its own.
 
-Why: a simulated device carries out the steps, and explanations show their registers. A message with one access states
-it under `accesses`, so that clients use it.
+Why: a simulated device carries out the steps, and explanations show their registers.
 
-Example: a step that writes without `values` and without masks; a step for a space of coils; `access_steps` with a
-single step that reads.
+Example: a step that writes without `values` and without masks; a step for a space of coils.
 
-Fix: Correct the keys of the step. State a single access under `accesses`, and leave out steps that access single bits.
+Fix: Correct the keys of the step, and leave out steps that access single bits.
 """
 
 from __future__ import annotations
@@ -33,14 +31,14 @@ def access_steps_fit_space(device: Device) -> Iterator[Diagnostic]:
             continue
         if message.accesses is not None:
             text = f"{message.name} has both `accesses` and `access_steps`"
-            yield finding(_CODE, message.place, "access_steps", text, "remove one of them")
+            yield finding(_CODE, message.place, "accesses", text, "remove one of them")
         if len(steps) == 1 and not steps[0].and_mask:
             text = f"{message.name} has a single access, which clients look for under `accesses`"
-            yield finding(_CODE, message.place, "access_steps", text, "state it under `accesses`")
+            yield finding(_CODE, message.place, "accesses", text, "state it under `accesses`")
         for (operation, name), times in Counter((step.operation, step.values) for step in steps).items():
             if name and times > 1:
                 text = f"{name} are the values of {times} steps that {operation} in {message.name}"
-                yield finding(_CODE, message.place, "access_steps", text, "name a field of its own in each step")
+                yield finding(_CODE, message.place, "accesses", text, "name a field of its own in each step")
         for step in steps:
             if step.space in ("", *device.spaces):
                 yield from _step(message, step, device.space(step.space))
@@ -51,8 +49,8 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
     related_labels = () if not space.name else (label(space.place, "name", "the space"),)
     if space.unit == BIT:
         text = f"a step of {does} single bits"
-        help = "leave out `access_steps`, or state messages with `accesses` for the bits"
-        yield finding(_CODE, message.place, "access_steps", text, help, *related_labels)
+        help = "state a message of one access for the bits"
+        yield finding(_CODE, message.place, "accesses", text, help, *related_labels)
         return
     has_masks = bool(step.and_mask and step.or_mask)
     wrong = ""
@@ -64,13 +62,13 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
         wrong = "no `values`"
     if wrong:
         help = "a step has `values`, or writes one register with `and_mask` and `or_mask`"
-        yield finding(_CODE, message.place, "access_steps", f"a step of {does} {wrong}", help)
+        yield finding(_CODE, message.place, "accesses", f"a step of {does} {wrong}", help)
     carried = (step.and_mask, step.or_mask, step.values)
     own = (step.start, step.count, step.and_mask, step.or_mask, step.values if step.operation == "write" else "")
     shared = next((name for name, times in Counter(filter(None, own)).items() if times > 1), "")
     if shared:
         text = f"{shared} is stated for two purposes in a step of {message.name}"
-        yield finding(_CODE, message.place, "access_steps", text, "name a field of its own for each purpose")
+        yield finding(_CODE, message.place, "accesses", text, "name a field of its own for each purpose")
     holder = message.response if step.operation == "read" else message.request
     for name in filter(None, (step.start, step.count, *carried)):
         record = holder if name == step.values else message.request

@@ -93,6 +93,7 @@ def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Valu
         ("unit", value.unit, same.unit),
         (range_key(fact.place), value.ranges, same.ranges),
         ("write_range", value.write_ranges, same.write_ranges),
+        ("write_word_order", value.write_word_order, same.write_word_order),
         ("enum", value.enum, same.enum),
         ("flags", value.flags, same.flags),
     ):

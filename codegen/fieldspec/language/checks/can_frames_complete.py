@@ -1,5 +1,6 @@
 """The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
-data have at most eight bytes. Numbers fit into their bits. Only links on a CAN bus have parts with `bits`.
+data have at most eight bytes. Numbers fit into their bits. Nothing else than a CAN bus has parts with bits, and remote
+requests; these have all their parts in the identifier, and a code among them.
 
 Why: the value of a bit without a part would be undefined, and a frame with more data cannot be sent.
 
@@ -20,12 +21,15 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.escape import CAN_DATA
 from fieldspec.language.model.link import Link, Part
-from fieldspec.language.model.sizes import RecordSizes, messages_on, messages_sent, part_size
+from fieldspec.language.model.record import Message
+from fieldspec.language.model.sizes import RecordSizes, messages_on, messages_sent, part_size, sent_on
 
 _CODE = "can_frames_complete"
-_FOREIGN = ("start", "end", "delimiters", "encoding", "escape", "serial", "network", "silence")
+_FOREIGN = ("start", "end", "delimiters", "transmission", "escape", "serial", "network", "silence")
 _MOST_PARTS = 7
 """The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
+_REMOTE_CODE = 4
+"""The bytes of a code on a bus with remote requests."""
 
 
 def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
@@ -43,9 +47,12 @@ def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
             help = "give the parts before the data the same types and bits in both directions"
             yield finding(_CODE, link.place, "can", text, help)
         for direction in ("request", "response"):
-            yield from _of_parts(link, direction)
+            yield from _of_parts(device, link, direction)
         yield from _data(device, link)
         yield from _numbers(device, link)
+    for message in device.messages.values():
+        if message.remote is not None:
+            yield from _remote_request(device, message)
 
 
 def _identifier(parts: tuple[Part, ...]) -> list[tuple[object, ...]]:
@@ -62,7 +69,7 @@ def _without_foreign_keys(link: Link) -> Iterator[Diagnostic]:
             yield finding(_CODE, link.place, key, f"`{key}` has no effect on a CAN bus", f"remove `{key}`")
 
 
-def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _of_parts(device: Device, link: Link, direction: str) -> Iterator[Diagnostic]:
     assert link.escape is not None
     parts = link.parts(direction)
     identifier_end = next((index for index, part in enumerate(parts) if part.bits is None), len(parts))
@@ -92,7 +99,9 @@ def _of_parts(link: Link, direction: str) -> Iterator[Diagnostic]:
         text = f"no part of a {direction} on {link.name} has bit {max(free)} of the identifier"
         help = "give every bit to a part; one without a meaning is `reserved`"
         yield finding(_CODE, link.place, direction, text, help)
-    if sum(map(part_size, parts[:identifier_end])) > _MOST_PARTS:
+    is_remote = any(message.remote is not None for message in messages_on(device, link))
+    sizes = [_REMOTE_CODE if is_remote and part.role == "code" else part_size(part) for part in parts[:identifier_end]]
+    if sum(sizes) > _MOST_PARTS:
         text = f"the parts of the identifier on {link.name} have more than {_MOST_PARTS} bytes"
         yield finding(_CODE, link.place, direction, text, "use narrower types, or join neighbouring parts")
 
@@ -102,7 +111,7 @@ def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Ite
     span = link.span(direction, part)
     if span is None or span[0] >= identifier_end:
         return
-    verb, key = ("counts", "counts") if part.role == "length" else ("covers", "covers")
+    verb, key = ("counts", "measures") if part.role == "length" else ("covers", "covers")
     parts = link.parts(direction)
     own = [other.name for other in parts[identifier_end:] if other is not part or part.role == "length"]
     text = f"{part.name} {verb} {parts[span[0]].name}, whose bits are in the identifier"
@@ -131,6 +140,26 @@ def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
         size = record_bounds[1] + parts_size
         text = f"an exception response on {link.name} has {size} bytes, and a CAN frame {CAN_DATA}"
         yield finding(_CODE, link.place, "exception_response", text, "shorten the record")
+
+
+def _remote_request(device: Device, message: Message) -> Iterator[Diagnostic]:
+    """A remote request has no data, so its code and all other parts are in the identifier."""
+    for link in device.links.values():
+        if not sent_on(link, message):
+            continue
+        data_parts = [part for part in link.request if part.bits is None and part.role != "body"]
+        if not link.is_can:
+            text = f"{message.name} is a remote request, but {link.name} is not a CAN bus"
+            help = "name the CAN buses on which it is sent under `links`, or state its `request`"
+        elif data_parts:
+            text = f"{message.name} is a remote request, which has no room for {data_parts[0].name} of {link.name}"
+            help = "name the links whose requests have all their parts in the identifier under `links`"
+        elif not any(part.role == "code" for part in link.request):
+            text = f"{message.name} is a remote request, but no part of the identifier on {link.name} has its code"
+            help = "give the part of the identifier that tells the messages apart the role `code`"
+        else:
+            continue
+        yield finding(_CODE, message.place, "remote", text, help)
 
 
 def _numbers(device: Device, link: Link) -> Iterator[Diagnostic]:

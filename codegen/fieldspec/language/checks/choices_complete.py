@@ -1,66 +1,75 @@
-"""A choice is the last field of its record. The field that decides it comes before it and is a single
-unsigned number with an enum; each member of that enum is in at most one case.
+"""The field that decides a choice comes before it in its record and is a single unsigned number with an enum; each
+member of that enum is in at most one case. A choice with several elements ends the data of a message or of an
+exception, and all before it has a fixed size. No field measures another choice, no parameter is in one, and no table
+has a choice.
 
 Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members without a case,
-because the data after them is unknown.
+without a case, because nothing says what follows them. Where elements of a choice end, only the end of the data tells.
 
 Example: `choice: {by: format, cases: [...]}` where two cases have `when: [unsigned16]`, or where the field
 `format` comes after the values.
 
 Fix: List the fields in the order of the wire, name a deciding field with an enum, or remove the member from
-one of the cases. A record with a choice is the data of a message or of an exception response, and is not part
-of another record.
+one of the cases.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.facts import fields, layers
+from fieldspec.language.checks.facts import fields, layers, nested_fields
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.record import Case, Choice, Field, Record
-from fieldspec.language.model.registers import Table
+from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
 _CODE = "choices_complete"
 
 
 def choices_complete(device: Device) -> Iterator[Diagnostic]:
+    sizes = RecordSizes(device)
+    part_names = {field.record for field in fields(device)}
     for layer in layers(device):
+        is_part = device.records.get(layer.name) is layer and layer.name in part_names
         for field in layer.fields:
             if field.choice is not None:
-                yield from _check_place(layer, field)
+                yield from _check_place(sizes, layer, field, is_part)
                 yield from _decided(device, layer, field, field.choice)
                 yield from _apart(field.choice)
-    choosing = {name: record for name, record in device.records.items() if any(f.choice for f in record.fields)}
-    holders: list[Field | Table] = [*fields(device), *device.tables.values()]
-    for holder in holders:
-        record = choosing.get(holder.record)
-        if record is not None:
-            text = f"{record.name} has a choice, so it cannot be part of {holder.name}"
+    for table in device.tables.values():
+        record = device.records.get(table.record)
+        parts = nested_fields(device, record.fields) if record is not None else iter(())
+        own = next((field for field in parts if field.choice is not None), None)
+        if own is not None:
+            text = f"{own.name} has a choice, so it cannot be part of {table.name}"
             help = "move the choice to the data of a message"
-            related_label = label(record.place, "fields", record.name)
-            yield finding(_CODE, holder.place, "record", text, help, related_label)
+            yield finding(_CODE, table.place, "record", text, help, label(own.place, "name", own.name))
 
 
-def _check_place(layer: Record, field: Field) -> Iterator[Diagnostic]:
-    if field is not layer.fields[-1]:
-        last_field = layer.fields[-1]
-        text = f"{last_field.name} comes after {field.name}, whose size depends on another field"
-        related_label = label(last_field.place, "name", "comes after it")
-        selector = field.choice.by if field.choice else ""
-        help = (
-            "list the fields in the order of the wire"
-            if selector in [other.name for other in layer.fields[layer.fields.index(field) :]]
-            else f"where the device has fields after it, write a message for each case, with a `const` for {selector}"
-        )
-        yield finding(_CODE, field.place, "choice", text, help, related_label)
+def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool) -> Iterator[Diagnostic]:
+    other_fields = [other for other in layer.fields if other is not field]
+    varying = next((other for other in other_fields if not sizes.is_fixed(other)), None)
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
         yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
+    elif field.repeat is not None and (is_part or varying is not None or field is not layer.fields[-1]):
+        text = f"{field.name} has a choice and several elements, so only the end of the data determines where they end"
+        help = "list it last in a message in which all else has a fixed size, or remove `repeat`"
+        labels = [label(varying.place, "name", "has no fixed size")] if varying is not None else []
+        yield finding(_CODE, field.place, "repeat", text, help, *labels)
+    if field is layer.fields[-1] and not is_part and varying is None:
+        return
+    for other in other_fields:
+        if other.measures is not None and other.measures.field == field.name:
+            text = f"{other.name} measures {field.name}, whose size {field.choice.by if field.choice else ''} decides"
+            yield finding(_CODE, other.place, "measures", text, "remove `measures`, or state a message for each case")
+    for case in field.choice.cases if field.choice is not None else ():
+        if case.value.parameter is not None:
+            text = f"{case.name} carries a part of a parameter, and {field.name} does not end a message alone"
+            yield finding(_CODE, case.place, "parameter", text, "list it last, after fields of fixed size")
 
 
 def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:

@@ -2,7 +2,7 @@
 express. A signed hexadecimal number has the digits of its whole type. Constants, reserved fields, sizes of other
 fields, selectors, and fields that read or write registers are not sent as digits; a part of a frame may be any of
 these, and its digits have no sign. `padding: space` needs decimal digits of a fixed width with room for a blank. On
-links with `encoding: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
+links with `transmission: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
 misread the characters as a number.
@@ -10,8 +10,8 @@ misread the characters as a number.
 Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
 
 Fix: Use the next wider type with a `range`, or correct `length`. Write a constant of a text line as the bytes of its
-characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `encoding: hex_ascii`, state the number as
-a binary one: its bytes become the hexadecimal digits.
+characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `transmission: hex_ascii`, state the number
+as a binary one: its bytes become the hexadecimal digits.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from fieldspec.language.checks.facts import layers, values
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import NIBBLES, digit_bounds, digit_count, digits_text
+from fieldspec.language.model.digits import NIBBLES, NO_CHARACTERS, digit_bounds, digit_count, digits_text
 from fieldspec.language.model.encoding import MACHINE_BITS, Octets, Real, Sign, Text, Truth, Whole, is_count, is_signed
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
@@ -55,24 +55,28 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
             continue
         use = binary_uses.get(id(fact)) or _use(fact, value)
         if use:
-            text = f"{fact.name} {use}, and is sent as digits"
+            text = f"{fact.name} {use}, and is sent {'by a codec' if value.codec else 'as digits'}"
             yield finding(
-                _CODE, fact.place, "digits", text, "state it as a binary number, or as the bytes of its characters"
+                _CODE,
+                fact.place,
+                "codec" if value.codec else "digits",
+                text,
+                "state it as a binary number, or as the bytes of its characters",
             )
 
 
 def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
     """The first digits on a link that sends every byte as two characters."""
-    if link.encoding != "hex_ascii":
+    if link.transmission != "hex_ascii":
         return
     bodies = (body for message in messages_on(device, link) for body in (message.request, message.response))
     facts: chain[Part | Field] = chain(link.request, link.response, *(body.fields for body in bodies))
     for fact in facts:
         digits = fact.digits if isinstance(fact, Part) and fact.value is None else fact.value and fact.value.digits
-        if digits and digits not in NIBBLES:
+        if digits and digits not in NO_CHARACTERS:
             text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
             help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
-            related_label = label(link.place, "encoding", "sends every byte as two characters")
+            related_label = label(link.place, "transmission", "sends every byte as two characters")
             yield finding(_CODE, fact.place, "digits", text, help, related_label, severity=Severity.WARNING)
             return
 
@@ -82,7 +86,9 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     kind = value.type
     if isinstance(fact, Part) and (not is_count(kind.encoding) or is_signed(kind.encoding)):
         return  # the type is refused anyway, by `_of_part` or by other rules, and a wider one of its kind would be too
-    if not _has_digits(kind):
+    if value.codec:
+        yield from _of_codec(fact, value)
+    elif not _has_digits(kind):
         text = f"{fact.name} is {kind.name}, but digits need a whole number of 8, 16, 32 or 64 bits"
         yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
     elif value.places and value.digits != "decimal":
@@ -103,6 +109,19 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
         yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
+
+
+def _of_codec(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    """The finding of a number of a codec that its type does not have, or that has no digits to vary."""
+    low, high = digit_bounds(value)
+    if not _has_digits(value.type) or low < value.type.low or high > value.type.high:
+        text = f"{fact.name} is {value.type.name}, and the codec {value.codec} has whole numbers from {low} to {high}"
+        yield finding(
+            _CODE, fact.place, "type", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64 that has all"
+        )
+    elif value.places or value.width:
+        text = f"{fact.name} is sent by the codec {value.codec}, which has no digits"
+        yield finding(_CODE, fact.place, "places" if value.places else "varies", text, "remove it, or use `digits`")
 
 
 def _has_digits(primitive: Primitive) -> bool:

@@ -79,7 +79,7 @@ def _keys(part: Part) -> dict[str, object]:
     """How a part is computed, by the keys that say it; bytes before or after often name the direction."""
     span = part.span, part.unit_size, part.plus
     if part.role == "length":
-        return {"counts": span, "byte_order": part.value.byte_order if part.value is not None else ""}
+        return {"measures": span, "byte_order": part.value.byte_order if part.value is not None else ""}
     return {
         "covers": span,
         "algorithm": part.stated_algorithm,

@@ -50,7 +50,7 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
             yield from _accessed(device, addresses, access, start, message, example)
         writes = access.operation == "write"
         data = _data(device, message, example) if bits is None else _bits(device, message, bits, example, request)
-        for address, occupant, number in addresses.numbers(access.space, start, data):
+        for address, occupant, number in addresses.numbers(access.space, start, data, writes):
             yield from _valued(occupant, address, number, legal, writes, example)
 
 

@@ -95,7 +95,7 @@ def _is_another(device: Device, field: Field, start: int, offset: int, mark: byt
     if value.digits and any(byte not in _bytes_of_digits(value) for byte in marked_bytes):
         return True
     order, swapped = orders_of(value, device.byte_order, device.word_order)
-    if value.has_characters:
+    if value.is_as_sent:
         return False
     if swapped:
         # The words have their places exchanged, and the bytes in each keep theirs.
@@ -112,7 +112,12 @@ def _is_another(device: Device, field: Field, start: int, offset: int, mark: byt
 
 
 def _bytes_of_digits(value: Value) -> bytes:
-    """The bytes of which the digits of a value consist: decimal ones in two halves of a byte, or characters."""
+    """The bytes of which the digits of a value consist: decimal ones in two halves of a byte, or characters.
+
+    A codec may have all bytes.
+    """
+    if value.codec:
+        return bytes(range(256))
     if not value.has_characters:
         return bytes(16 * upper + lower for upper in range(10) for lower in range(10))
     letters = b"" if value.digits == "decimal" else b"abcdefABCDEF"

@@ -25,11 +25,11 @@ def facts(device: Device) -> tuple[Fact, ...]:
 
 
 def _facts(device: Device) -> tuple[Fact, ...]:
-    return tuple(item for item in descendants(device) if isinstance(item, Fact) and not _is_separator(item))
+    return tuple(item for item in descendants(device) if isinstance(item, Fact) and not _is_implied(item))
 
 
-def _is_separator(fact: Fact) -> bool:
-    return isinstance(fact, Field) and fact.is_separator
+def _is_implied(fact: Fact) -> bool:
+    return isinstance(fact, Field) and fact.is_implied
 
 
 def values(device: Device) -> tuple[tuple[Fact, Value], ...]:

@@ -46,6 +46,7 @@ def _from_defaults(fact: Fact) -> frozenset[str]:
         "characters": value.characters is not None,
         "byte_order": bool(value.byte_order),
         "word_order": bool(value.word_order),
+        "write_word_order": bool(value.write_word_order),
         "scale": value.scaled,
         "offset": bool(value.offset),
         "unit": bool(value.quantity_unit),

@@ -42,7 +42,7 @@ from fieldspec.language.model.value import Value
 
 _NAMED = ("enum", "flags", "const")
 _SCALED = ("scale", "offset")
-_NONE_OF_ARRAYS = (*_NAMED, *_SCALED, "byte_order", "word_order", "range", "sentinels", "unit")
+_NONE_OF_ARRAYS = (*_NAMED, *_SCALED, "byte_order", "word_order", "write_word_order", "range", "sentinels", "unit")
 _OF_BITS = ("const", "byte_order", "range", "unit")
 _INTEGER_HELP = "remove it, or use an integer type"
 
@@ -77,18 +77,20 @@ def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
             yield from _of_names(fact, value)
         if is_truth(value.encoding) and value.enum:
             yield from _of_truths(device.enums.get(value.enum), fact, value)
-        if value.type.is_number and not value.digits and "length" in fact.place:
+        if value.type.is_number and not value.digits and "length" in fact.place and "codec" not in fact.place:
             text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
             yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
-        if value.has_characters and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
-            text = f"{fact.name} is sent as characters, the most significant digit first, and has no byte order"
+        if value.is_as_sent and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
+            manner = "as characters, the most significant digit first," if value.has_characters else "by a codec"
+            text = f"{fact.name} is sent {manner} and has no byte order"
             yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
         elif value.type.is_number and value.size == 1 and "byte_order" in fact.place and value.type.name != BIT:
             text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"
             yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or correct the type")
-        if value.type.is_number and value.word_order and not value.has_words:
-            text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
-            yield finding("keys_fit_type", fact.place, "word_order", text, "remove it, or correct the type")
+        for key in ("word_order", "write_word_order"):
+            if value.type.is_number and _has(value, key) and not value.has_words:
+                text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
+                yield finding("keys_fit_type", fact.place, key, text, "remove it, or correct the type")
         if is_count(value.encoding) and value.absent_nan:
             text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f16, f32 or f64"
             yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
@@ -154,6 +156,7 @@ def _has(value: Value, key: str) -> bool:
         "offset": value.offset,
         "byte_order": value.byte_order,
         "word_order": value.word_order,
+        "write_word_order": value.write_word_order,
         "range": value.ranges is not None,
         "sentinels": value.sentinels,
         "unit": value.quantity_unit,

@@ -137,7 +137,7 @@ def _of_words(frames: list[_Frame]) -> Iterator[Diagnostic]:
             text = f"{part.name} counts words, but no frame has a whole number of them: the {odd[0].name}"
             text += f" has {odd[0].least} counted bytes"
             help = "remove `in: words`, or correct the parts that are counted"
-            yield finding(_CODE, part.place, "counts", text, help)
+            yield finding(_CODE, part.place, "measures", text, help)
             continue
         for frame in odd:
             text = f"the {frame.name} has {frame.least} counted bytes, which is not a whole number of words"

@@ -47,6 +47,7 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
         yield from _escapable(link)
+        yield from _preambled(link)
         yield from _marked(link)
         if link.unit_addresses is not None and not any(
             part.role == "unit_address" for part in (*link.request, *link.response)
@@ -174,7 +175,7 @@ def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> st
             f"nothing in a response counts or covers {name} of the request: correct the name; or, where a checksum is "
             "also that of bytes of the request, state it as the last field of each response, and compare it yourself"
         )
-    marks = dict(zip(("start", "end"), link.delimiters(direction), strict=True))
+    marks = dict(zip(("start", "end"), link.marks(direction), strict=True))
     if not marks.get(name):
         return near(name, names)
     size, place = len(marks[name]), "first" if name == "start" else "last"
@@ -189,7 +190,7 @@ def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> st
 def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
     """Whether a length counts, or a check covers, neighbouring parts that it can."""
     parts = link.parts(direction)
-    key = "counts" if part.role == "length" else "covers"
+    key = "measures" if part.role == "length" else "covers"
     names = [part.name for part in parts]
     for name in (part.span.first, part.span.last):
         if name and name not in names:
@@ -260,7 +261,7 @@ def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
     start, stop = link.escaped_span(direction) or (0, -1)
     for index, part in enumerate(link.parts(direction)):
         if part.span.before_escape and (link.escape is None or link.is_can or start <= index <= stop):
-            key = "counts" if part.role == "length" else "covers"
+            key = "measures" if part.role == "length" else "covers"
             text = f"`before_escape` has no effect: {part.name} is escaped itself, so that it is of the original bytes"
             if link.escape is None or link.is_can:
                 text = f"`before_escape` has no effect: the link {link.name} escapes no bytes"
@@ -288,6 +289,26 @@ def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
         yield finding(_CODE, link.place, "escape", text, f'add `end: "{mark:02X}"`, or remove `escape`')
 
 
+def _preambled(link: Link) -> Iterator[Diagnostic]:
+    """Whether frames show where their preamble ends, and have a length, by which framers find them."""
+    preamble, key = link.preamble, "preamble"
+    if preamble is None:
+        return
+    if link.transmission != "binary" or link.is_can or (link.escape is not None and not link.escape.first):
+        text = f"the link {link.name} has a preamble, but the first parts of its frames are not sent as they are"
+        yield finding(_CODE, link.place, key, text, "state the bytes that are always there as `start`")
+        return
+    for direction in ("request", "response"):
+        opening = link.opening(direction)
+        if not opening or opening[0] == preamble.byte:
+            text = f"nothing shows where the preamble of {_frame(link, direction)} ends"
+            help = "state a `start`, or a `const` of one byte as the first part, with another byte first"
+            yield finding(_CODE, link.place, key, text, help)
+        elif not any(part.role == "length" for part in link.parts(direction)):
+            text = f"{_frame(link, direction)} has a preamble, but no length shows where it ends"
+            yield finding(_CODE, link.place, key, text, "add the part with `role: length`, or state `start`")
+
+
 def _constant_bytes(value: Value) -> bytes:
     """The bytes of a constant, in any order."""
     return ((value.const or 0) & (1 << 8 * value.size) - 1).to_bytes(value.size, "big")
@@ -298,9 +319,9 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
     escape = link.escape
     if escape is None or link.is_can:
         return
-    if link.encoding != "binary":
+    if link.transmission != "binary":
         text = f"the link {link.name} escapes bytes, but sends characters"
-        yield finding(_CODE, link.place, "escape", text, "remove `escape`, or state `encoding: binary`")
+        yield finding(_CODE, link.place, "escape", text, "remove `escape`, or state `transmission: binary`")
     for direction in ("request", "response"):
         parts = link.parts(direction)
         names = [part.name for part in parts]

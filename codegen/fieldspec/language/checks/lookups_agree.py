@@ -42,7 +42,7 @@ def lookups_agree(device: Device) -> Iterator[Diagnostic]:
 
 
 def _by_key(lookup: Lookup, key_index: int, column_index: int) -> _Cells:
-    """The cells of one column by those of another, or nothing if these do not distinguish the rows."""
+    """The cells of one column by the cells of a key column; empty if the keys do not distinguish the rows."""
     cells: _Cells = {}
     for row in lookup.rows:
         key = row.cells[key_index]

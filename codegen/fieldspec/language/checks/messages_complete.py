@@ -41,12 +41,13 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
 def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
     by_code: dict[int, list[Message]] = {}
     for message in messages_on(device, link):
-        if message.code is None:
+        code = message.code_of("request")
+        if code is None:
             text = f"{message.name} has no code"
             help = "state its `code`, or name the links without codes on which it is sent"
             yield finding(_CODE, message.place, "code", text, help)
             continue
-        by_code.setdefault(message.code, []).append(message)
+        by_code.setdefault(code, []).append(message)
     sizes = RecordSizes(device)
     for messages in by_code.values():
         yield from _shared(device, sizes, [message for message in messages if message.is_requested])
@@ -122,10 +123,10 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
     silent = [name for name in link_names if not message.is_answered_on(name)]
     if not silent:
         return
-    for key, accesses in (("accesses", (message.accesses,)), ("access_steps", message.access_steps)):
-        if any(access is not None and access.operation == "read" for access in accesses):
-            text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
-            yield finding(_CODE, message.place, "answered_on", text, f"remove `{key}`, or `answered_on`")
+    accesses = (message.accesses, *message.access_steps)
+    if any(access is not None and access.operation == "read" for access in accesses):
+        text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
+        yield finding(_CODE, message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
     if message.number is not None and message.code is None:
         text = f"{message.name} has no code: its request and its response are sent without each other"
         help = "remove `answered_on`, and add `response: []` if there is none"

@@ -94,7 +94,9 @@ class Addresses:
         for address in range(start, start + units):
             yield from self.at(space, address)
 
-    def numbers(self, space: str, start: int, data: bytes) -> Iterator[tuple[int, Addressed, int | float | None]]:
+    def numbers(
+        self, space: str, start: int, data: bytes, writes: bool
+    ) -> Iterator[tuple[int, Addressed, int | float | None]]:
         """The address, the fact and the number of every value that is whole in the bytes at neighbouring addresses.
 
         In a space of bits, each has a byte. The number is None where the bytes are not the digits of one.
@@ -109,4 +111,5 @@ class Addresses:
                 own = data[first : first + value.size]
                 if len(own) == value.size:
                     order, swapped = orders_of(value, self._device.byte_order, self._device.word_order)
+                    swapped = value.write_swapped(swapped) if writes else swapped
                     yield start + index, occupant, number_in(value, own, order, swapped)

@@ -1,7 +1,7 @@
 """All links of a device have the same byte order and the same word order. If the device has values of several words,
 such as registers or data counted in words, at least one link states the word order, and so does every link whose data
 is counted in words, and every link with values of several words if another link exchanges words. A value may override
-the order.
+value may state an order of its own, and that of a write only where it can be written and differs from that of a read.
 
 Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have two
 orders. A protocol with only bytes needs no word order.
@@ -22,6 +22,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.record import Case, Field, Record
+from fieldspec.language.model.registers import Register
 from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
@@ -47,6 +48,21 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
                 return
     for link in links:
         yield from _in_words(device, link)
+    for register in device.registers():
+        if register.value.write_word_order:
+            yield from _of_write(device, register)
+
+
+def _of_write(device: Device, register: Register) -> Iterator[Diagnostic]:
+    """Whether the order of a register's words differs between writing and reading."""
+    value, key = register.value, "write_word_order"
+    if register.access == "ro":
+        text = f"{register.name} is read-only, so that its words are never written"
+        related_label = label(register.place, "access", "its access")
+        yield finding(_CODE, register.place, key, text, "correct one of them", related_label)
+    elif value.write_word_order == (value.word_order or device.word_order or value.byte_order or device.byte_order):
+        text = f"the words of {register.name} are read in the same order"
+        yield finding(_CODE, register.place, key, text, "remove it, or correct the `word_order`")
 
 
 def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:

@@ -171,9 +171,8 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
     yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
     yield from _within(device, message.request, None)
     yield from _within(device, message.response, message.request)
-    yield from _of_access(device, message, "accesses", message.accesses)
-    for step in message.access_steps:
-        yield from _of_access(device, message, "access_steps", step)
+    for access in (message.accesses, *message.access_steps):
+        yield from _of_access(device, message, "accesses", access)
 
 
 def _of_access(device: Device, message: Message, key: str, access: RegisterAccess | None) -> Iterator[Diagnostic]:

@@ -40,14 +40,15 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
                 if field.count is not None:
                     text = f"{field.name} has a `count` and a `repeat`"
                     yield finding(_CODE, field.place, "count", text, "remove one of them")
-            if field.choice is not None or field.record in sizes.endless or (field.value and field.value.width):
+            if field.record in sizes.endless or (field.value and field.value.width):
                 continue
-            differs = bool(field.record) and sizes.element(field) is None
-            if differs:
+            is_element = bool(field.record) and sizes.element(field) is None
+            if is_element:
                 yield from _differing(sizes, device.records.get(field.record), layer, field)
+            differs = is_element or field.choice is not None
             if field is not layer.fields[-1] and (differs or field.repeat is not None):
                 yield from _followed(sizes, layer, field, id(layer) in bodies)
-            elif not differs:
+            elif not is_element:
                 continue
             yield from _at_the_end(layer, field, bodies.get(id(layer)), layer.name in refusing)
 
@@ -71,14 +72,14 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
 
 
 def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Iterator[Diagnostic]:
-    """The findings of what is after a list, or after a record that differs in size."""
+    """The findings of fields after a list, a choice, or a record that differs in size."""
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
     counts = [
         other for other in layer.fields[:index] if other.measures is not None and other.measures.field == field.name
     ]
     varying = next((other for other in later_fields if not sizes.is_fixed(other)), None)
-    is_open = field.repeat is not None and (varying is not None or not is_body)
+    is_open = field.repeat is not None and field.choice is None and (varying is not None or not is_body)
     last = varying or later_fields[-1]
     if is_open and not counts:
         problem = "after it has no fixed size" if varying is not None else "comes after it in a record"
@@ -89,11 +90,8 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is not a binary `u8` or `u16`"
         help = "state the number as `u8` or `u16`, or a message of its own"
         yield finding(_CODE, counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
-    for other in later_fields:
-        if other.choice is not None:
-            text = f"{other.name} has several types after {field.name}, which has no fixed size"
-            related_label = label(field.place, "name", "has no fixed size")
-            yield finding(_CODE, other.place, "choice", text, "state a message of its own for each", related_label)
+    has_size = field.choice is not None and sizes.element(field) is not None
+    for other in () if has_size else later_fields:
         for key in ("span", "word_span"):
             if key in other.place:
                 text = f"{other.name} has no place of its own, as {field.name} before it has no fixed size"

@@ -24,7 +24,7 @@ from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import NIBBLES, digits_letters, has_sign
+from fieldspec.language.model.digits import digits_letters, has_sign
 from fieldspec.language.model.encoding import is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
@@ -78,7 +78,7 @@ def _form(value: Value) -> str:
         ):
             return "varies in width, and has no UTF-16, packed ASCII, byte order, padding or terminator of its own"
         return ""
-    if not value.digits or value.digits in NIBBLES:
+    if not value.has_characters:
         return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"
     if is_signed(value.encoding) and not has_sign(value):
         return "is a signed hexadecimal number, whose sign is in its first digit"

@@ -137,7 +137,7 @@ MODEL_CLASSES: dict[type, ModelClass] = {
     Field: ModelClass(
         "field",
         (Content(Case, "choice.cases", has_more=True),),
-        (*_FACT, "at", "words", "span", "word_span", "signal", "is_separator"),
+        (*_FACT, "at", "words", "span", "word_span", "signal", "is_implied"),
     ),
     Case: ModelClass("case", documentation=_FACT),
     Enum: ModelClass(

@@ -12,6 +12,7 @@ from fieldspec.foundation.classes import dataclass, replace
 class Checksum:
     """An algorithm. Its `method` is `crc`, `sum`, `xor` or `fletcher`; `width` is the number of bits of its result.
 
+    The method `codec` has only the width and the name of the `codec` of a package.
     The polynomial of a CRC is without its highest bit. `reflect_in` takes the lowest bit of each byte first, and
     `reflect_out` reverses the bits of the result. A sum or an xor takes `unit_size` bytes at a time as one number; a
     last number that is not complete is filled up with zeros after its bytes. The bytes of a number are in the order
@@ -36,6 +37,7 @@ class Checksum:
     unit_order: str = ""
     avoided: bytes = b""
     replacements: bytes = b""
+    codec: str = ""
 
     @property
     def size(self) -> int:
@@ -84,6 +86,7 @@ FLETCHER = {
 
 _DERIVED_CRC = re.compile(r"crc(\d+)_([0-9a-f]+)_([0-9a-f]+)_([fr])([fr])_([0-9a-f]+)(?:_of(\d))?")
 _DERIVED_SUM = re.compile(r"(sum|xor)(\d+)(?:_of(\d)([bl]?))?(?:_from_([0-9a-f]+))?(?:_(ones|twos))?")
+_OF_CODEC = re.compile(r"codec(\d+)_(\w+)")
 _SUFFIX = re.compile(r"(\w+)_then_((?:[0-9a-f]{2})+)")
 _AVOIDED = re.compile(r"(\w+)_but_((?:[0-9a-f]{2})+)_as_((?:[0-9a-f]{2})+)")
 _DERIVED_FLETCHER = re.compile(r"fletcher(\d+)_of(\d)([bl]?)_modulo_([0-9a-f]+)_from_([0-9a-f]+)")
@@ -113,6 +116,9 @@ def public_crcs() -> dict[str, Checksum]:
 @cache
 def checksum_named(name: str) -> Checksum:
     """The algorithm with a name: a word of the schema, or what `algorithm_name` returns. Raises KeyError."""
+    own = _OF_CODEC.fullmatch(name)
+    if own is not None:
+        return Checksum("codec", int(own[1]), codec=own[2])
     avoiding = _AVOIDED.fullmatch(name)
     if avoiding is not None:
         avoided, replacements = bytes.fromhex(avoiding[2]), bytes.fromhex(avoiding[3])
@@ -159,6 +165,8 @@ def catalogue_name(name: str) -> str:
 
 def algorithm_name(checksum: Checksum) -> str:
     """The name of an algorithm: the public one where it has one, else one that states its parameters."""
+    if checksum.codec:
+        return f"codec{checksum.width}_{checksum.codec}"
     if checksum.avoided:
         name = algorithm_name(replace(checksum, avoided=b"", replacements=b""))
         return f"{name}_but_{checksum.avoided.hex()}_as_{checksum.replacements.hex()}"

@@ -1,8 +1,9 @@
-"""Numbers that are sent as digits: characters, or two decimal digits in each byte."""
+"""Numbers that are sent as digits, characters or two decimal digits in each byte, or by the codec of a package."""
 
 from __future__ import annotations
 
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model import codecs
 from fieldspec.language.model.encoding import is_signed
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
         def places(self) -> int: ...
         @property
         def has_blanks(self) -> bool: ...
+        @property
+        def codec(self) -> str: ...
 
 
 BCD = "bcd"
@@ -43,8 +46,14 @@ BCD = "bcd"
 PACKED_DECIMAL = "packed_decimal"
 """Two decimal digits in each byte, and the sign in the last nibble: C and D, or F where there is none."""
 
+CODEC = "codec"
+"""The form of a number that the codec of a package reads and writes."""
+
 NIBBLES = (BCD, PACKED_DECIMAL)
-"""The forms with two digits in each byte; in all others, digits are characters."""
+"""The forms with two digits in each byte."""
+
+NO_CHARACTERS = (*NIBBLES, CODEC)
+"""The forms without characters."""
 
 _LAST_NIBBLES = {False: {"f": 1}, True: {"c": 1, "d": -1}}
 
@@ -94,6 +103,9 @@ def widest_digits(value: Digits) -> int:
 
 def digit_bounds(value: Digits) -> tuple[int, int]:
     """The least and the greatest number that the digits of a value can express."""
+    if value.codec:
+        codec = codecs.number_codec(value.codec)
+        return codec.low, codec.high
     count = max(digit_count(value), 0)
     if value.digits in ("upper_hex", "lower_hex"):
         high = 16**count - 1
@@ -116,6 +128,8 @@ def _least_below_zero(value: Digits, count: int) -> int:
 
 def digits_number(value: Digits, data: bytes) -> int | None:
     """The number of digits in `data`, the most significant digit first; None for anything but such digits."""
+    if value.codec:
+        return codecs.decoded(value.codec, data)
     if value.digits in NIBBLES:
         return _number_of_nibbles(value, data.hex())
     if value.is_low_first:
@@ -182,6 +196,8 @@ def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
 
 def digits_bytes(value: Digits, number: int) -> bytes:
     """The digits of a number within the bounds of a value, the most significant digit first."""
+    if value.codec:
+        return codecs.encoded(value.codec, number)
     count = digit_count(value)
     if value.digits in NIBBLES:
         return bytes.fromhex(_nibbles_of(value, number))
@@ -198,6 +214,8 @@ def digits_bytes(value: Digits, number: int) -> bytes:
 
 def digits_text(value: Digits) -> str:
     """How people call the digits: `5 decimal digits, 2 of them after a point, with a sign`."""
+    if value.codec:
+        return f"{value.size} byte{'s' * (value.size != 1)} of the codec {value.codec}"
     name = {"decimal": "decimal", BCD: "BCD", PACKED_DECIMAL: "BCD"}.get(value.digits, "hexadecimal")
     if value.width:
         return _varying_text(value, name)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, field
 
 CAN_BITS = (11, 29)
 """The bits that identifiers of CAN frames have."""
 
-CAN_EXTENDED = 1 << 31
-"""The flag of an identifier of 29 bits."""
+CAN_EXTENDED, CAN_REMOTE = 1 << 31, 1 << 30
+"""The flags of an identifier of 29 bits, and of a remote request; a request by one has this bit in its code too."""
 
 SLIP = ((0xC0, 0xDB, 0xDC), (0xDB, 0xDB, 0xDD))
 """The pairs of SLIP: the byte that ends frames, and the one that begins an escape."""
@@ -24,7 +24,8 @@ class Escape:
     `can` packs the first parts into the identifier of a CAN frame, which has `bits` bits. `fields` has the size, the
     byte order, the first bit and the number of bits of each of these parts. The sent bytes are a frame as SocketCAN
     writes it in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data;
-    three zeros; the data.
+    zeros; the data. Where there are remote requests, `remote` is the place of the code in `fields`, and the code of one
+    has the bit `CAN_REMOTE`. It is sent without data, and its only byte of data is the number of the data.
 
     `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
     each occurrence of `pattern`; the search restarts after it. `add` sends each byte plus `inserted`, without the
@@ -40,6 +41,7 @@ class Escape:
     last: str
     fields: tuple[tuple[int, str, int, int], ...] = ()
     bits: int = 0
+    remote: int | None = field(default=None, repr=False)
 
     @property
     def fields_size(self) -> int:
@@ -54,34 +56,48 @@ class Escape:
     def packed(self, data: bytes) -> int | None:
         """The four bytes of the identifier for the bytes of its parts; None for a number that has too many bits."""
         identifier, offset = self.flags, 0
-        for size, order, first, width in self.fields:
+        for row, (size, order, first, width) in enumerate(self.fields):
             number = int.from_bytes(data[offset : offset + size], "little" if order == "little" else "big")
-            if number >> width:
+            remote = number & CAN_REMOTE if row == self.remote else 0
+            if (number ^ remote) >> width:
                 return None
-            identifier |= number << first
+            identifier |= (number ^ remote) << first | remote
             offset += size
         return identifier
 
     def unpacked(self, identifier: int) -> bytes:
         """The bytes of the parts of an identifier."""
+        remote = identifier & CAN_REMOTE
         numbers = (
-            (identifier >> first & (1 << width) - 1).to_bytes(size, "little" if order == "little" else "big")
-            for size, order, first, width in self.fields
+            (identifier >> first & (1 << width) - 1 | (remote if row == self.remote else 0)).to_bytes(
+                size, "little" if order == "little" else "big"
+            )
+            for row, (size, order, first, width) in enumerate(self.fields)
         )
         return b"".join(numbers)
 
+    def is_remote(self, data: bytes) -> bool:
+        """Whether the bytes of a frame are a remote request, if the link has any."""
+        return self.remote is not None and bool(data[0] & CAN_REMOTE >> 24)
+
     def wrong_header(self, data: bytes) -> int | None:
         """The offset at which bytes are not a CAN frame with such an identifier; None where they are."""
-        if len(data) < CAN_HEADER or int.from_bytes(data[:4], "big") & ~((1 << self.bits) - 1) != self.flags:
+        if len(data) < CAN_HEADER:
             return 0
-        if data[4] != len(data) - CAN_HEADER or data[4] > CAN_DATA:
+        is_remote = self.is_remote(data)
+        if int.from_bytes(data[:4], "big") & ~((1 << self.bits) - 1) != self.flags | CAN_REMOTE * is_remote:
+            return 0
+        if len(data) != CAN_HEADER + (0 if is_remote else data[4]) or data[4] > CAN_DATA:
             return 4
         return 5 if any(data[5:CAN_HEADER]) else None
 
     def header_fault(self, data: bytes, offset: int) -> str:
         """The fault of a CAN frame at an offset that `wrong_header` returns."""
-        if offset == 4 and data[4] != len(data) - CAN_HEADER:
-            return f"byte 4 says {data[4]} bytes of data, but there are {len(data) - CAN_HEADER}"
+        size = len(data) - CAN_HEADER
+        if offset == 4 and size and self.is_remote(data):
+            return f"a remote request has no data, but there are {size} bytes"
+        if offset == 4 and data[4] != size and not self.is_remote(data):
+            return f"byte 4 says {data[4]} bytes of data, but there are {size}"
         if offset == 4:
             return f"a CAN frame has at most {CAN_DATA} bytes of data, not {data[4]}"
         if offset == 5:

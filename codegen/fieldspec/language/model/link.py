@@ -8,6 +8,7 @@ from decimal import Decimal
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.escape import Escape
 from fieldspec.language.model.fact import Citation, Fact, Place
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.value import Value
 
@@ -174,13 +175,14 @@ class Network:
 class Link(Fact):
     """A frame: `start`, the parts, encoded and escaped, `end`. Requests go to the device, responses come from it.
 
-    The delimiters of a response are `response_start` and `response_end`, and of a request `start` and `end`; mostly
-    they are the same. `message_name`, `request_name` and `response_name` are the manual's names of a message and of the
-    two directions. A device with factory settings uses the link that `is_default`.
+    The least bytes of a `preamble` are the first ones of `start`. The delimiters of a response are `response_start` and
+    `response_end`, in a request they are `start` and `end`; mostly they are the same. `message_name`, `request_name`
+    and `response_name` are the manual's names of a message and of the two directions. A device with factory settings
+    uses the link that `is_default`.
     """
 
     title: str
-    encoding: str
+    transmission: str
     start: bytes
     end: bytes
     response_start: bytes
@@ -199,6 +201,7 @@ class Link(Fact):
     silence_milliseconds: Decimal | None
     silence_sources: tuple[Citation, ...]
     escape: Escape | None = None
+    preamble: Preamble | None = None
     network: Network | None = None
     is_default: bool = False
 
@@ -207,15 +210,20 @@ class Link(Fact):
         """The ports of a network on which the device listens: `("tcp", 502)`."""
         return self.network.ports if self.network is not None else ()
 
+    def marks(self, direction: str) -> tuple[bytes, bytes]:
+        """The delimiters in a direction without a preamble."""
+        start, end = self.delimiters(direction)
+        return start[self.preamble.least if self.preamble is not None else 0 :], end
+
     @property
     def sends_characters(self) -> bool:
         """Whether people write its frames as characters: parts of them are digits, or all bytes are."""
         values = (part.value for part in (*self.request, *self.response))
-        return self.encoding == "hex_ascii" or any(value is not None and value.has_characters for value in values)
+        return self.transmission == "hex_ascii" or any(value is not None and value.has_characters for value in values)
 
     def opening(self, direction: str) -> bytes:
         """The bytes with which each frame in a direction begins: the start delimiter, else a first constant byte."""
-        start, _ = self.delimiters(direction)
+        start, _ = self.marks(direction)
         first = next(iter(self.parts(direction)), None)
         value = first.value if first is not None and not first.reserved else None
         if start or value is None or value.const is None or value.size != 1:

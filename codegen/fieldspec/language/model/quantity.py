@@ -20,12 +20,12 @@ _FIFTEEN_DIGITS = 1e15
 
 
 def count_of(text: str) -> int | None:
-    """The whole number that a text is, in decimal or hexadecimal; None where it is none."""
+    """The whole number that a text is, in decimal or hexadecimal; None for other texts."""
     return int(text, 0) if _COUNT.fullmatch(text) else None
 
 
 def number_of(text: str) -> float | None:
-    """The finite number that a text such as `-0.5` or `2.5e-3` is; None where it is none."""
+    """The finite number that a text such as `-0.5` or `2.5e-3` is; None for other texts."""
     number = float(text) if _NUMBER.fullmatch(text) else math.inf
     return number if math.isfinite(number) else None
 

@@ -69,11 +69,11 @@ def printable(precision: Precision, number: float) -> float:
 
 
 def orders_of(value: Value | None, byte: str, word: str) -> tuple[str, bool]:
-    """The byte order of a value, and whether its words are swapped; digits that are characters are big-endian.
+    """The byte order of a value, and whether its words are swapped; characters and the bytes of a codec are big-endian.
 
     `byte` and `word` are the orders of values without their own; `word` is empty where nothing has words.
     """
-    if value is not None and value.has_characters:
+    if value is not None and value.is_as_sent:
         return "big", False
     own_byte = value.byte_order if value and value.byte_order else byte
     own_word = value.word_order if value and value.word_order else word

@@ -6,6 +6,7 @@ from itertools import takewhile
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import is_count, is_signed, is_text
+from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.value import Handling, Value
@@ -50,7 +51,7 @@ class Field(Fact):
 
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
     places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
-    that `is_separator` stands for a byte of the record's `separator`, after one of its fields.
+    that `is_implied` is not in the spec: a byte of the record's `separator`, or a DLC.
     """
 
     value: Value | None
@@ -70,7 +71,7 @@ class Field(Fact):
     atomic: bool
     handling: Handling
     same_as: str
-    is_separator: bool = False
+    is_implied: bool = False
 
     @property
     def is_list(self) -> bool:
@@ -94,13 +95,13 @@ class Record(Fact):
     @property
     def separator(self) -> bytes:
         """The bytes between each two fields that the spec states, none where nothing separates them."""
-        constants = takewhile(lambda field: field.is_separator, self.fields[1:])
+        constants = takewhile(lambda field: field.is_implied, self.fields[1:])
         return bytes(field.value.const or 0 for field in constants if field.value is not None)
 
     @property
     def stated_fields(self) -> tuple[Field, ...]:
         """The fields that the spec states one by one: all but the separators."""
-        return tuple(field for field in self.fields if not field.is_separator)
+        return tuple(field for field in self.fields if not field.is_implied)
 
     def named(self, name: str) -> Field | None:
         """The field with a name, None if there is none."""
@@ -217,7 +218,8 @@ class Message(Fact):
     people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
     those that it `supplements`. It is answered on the links in `answered_on`, which is None for all. The lengths of the
     frame are in bytes, and the words count the data, as printed. A message that does more with registers than one
-    access has `access_steps` in place of `accesses`; it is never chosen to read or to write a register.
+    access has `access_steps`; outputs never choose it to read or to write a register. A request that
+    is `remote` goes over a CAN bus as a remote request for bytes, whose number its only field repeats.
     """
 
     title: str
@@ -240,10 +242,22 @@ class Message(Fact):
     response_code: int | None = None
     is_requested: bool = True
     access_steps: tuple[RegisterAccess, ...] = ()
+    remote: int | None = None
 
     def code_of(self, direction: str) -> int | None:
-        """The code in one direction, `request` or `response`; None where the message has none."""
-        return self.code if direction == "request" or self.response_code is None else self.response_code
+        """The code in one direction, `request` or `response`, as frames have it; None where the message has none."""
+        if direction == "response":
+            return self.code if self.response_code is None else self.response_code
+        return self.code if self.code is None or self.remote is None else self.code | CAN_REMOTE
+
+    def printed_code(self, direction: str) -> int | None:
+        """The code in one direction as people know it; None where the message has none."""
+        return self.code if direction == "request" else self.code_of("response")
+
+    @property
+    def has_response_code(self) -> bool:
+        """Whether the code of its response differs from the code of its request."""
+        return self.code_of("request") != self.code_of("response")
 
     @property
     def codes(self) -> tuple[tuple[str, int], ...]:

@@ -25,7 +25,7 @@ class RecordSizes:
             for name in ready:
                 record = waiting.pop(name)
                 self._bounds[name] = self.bounds(record)
-                if any(field.repeat is not None or field.record in self._open for field in record.fields):
+                if any(f.repeat is not None or f.choice is not None or f.record in self._open for f in record.fields):
                     self._open.add(name)
             if not ready:
                 break
@@ -81,8 +81,8 @@ class RecordSizes:
         return self.untold(record) is None
 
     def is_fixed(self, field: Field) -> bool:
-        """Whether a field has the same number of bytes in all data."""
-        return field.repeat is None and self.element(field) is not None
+        """Whether a field has the same number of bytes in all data, and no other field decides its type."""
+        return field.repeat is None and field.choice is None and self.element(field) is not None
 
     def untold(self, record: Record) -> Field | None:
         """The first field of a record whose end is not determined by earlier fields, None if there is none."""
@@ -91,7 +91,7 @@ class RecordSizes:
             if self.is_fixed(field):
                 continue
             has_end = field.repeat is None or list_count(record, field) is not None
-            has_end &= self.element(field) is not None or self.tells_size(field.record)
+            has_end &= self.element(field) is not None or self.tells_size(field.record) or field.choice is not None
             if not (text_count(record, field) is not None and not field.is_list if has_texts else has_end):
                 return field
         return None
@@ -128,8 +128,9 @@ class Shape:
         if self.link.is_can:
             return data
         parts = self.around + data
-        coded = 2 * parts if self.link.encoding == "hex_ascii" else parts
-        return sum(map(len, self.link.delimiters(self.direction))) + coded
+        coded = 2 * parts if self.link.transmission == "hex_ascii" else parts
+        further = len(self.link.preamble.further) if self.link.preamble is not None else 0
+        return sum(map(len, self.link.delimiters(self.direction))) + further + coded
 
     def span_size(self, part: Part, data: int) -> int:
         """The bytes that a length part counts in a frame with `data` bytes of data."""

@@ -6,7 +6,7 @@ from decimal import Context, Decimal
 
 from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.digits import NIBBLES, digit_bounds
+from fieldspec.language.model.digits import NO_CHARACTERS, digit_bounds
 from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.primitives import Primitive
@@ -122,12 +122,14 @@ class Value:
     `scale` is a fraction where no decimal number is it, and `scale_text` what the spec writes. `ranges`,
     `write_ranges`, `default` and `const` are raw counts. `write_ranges` is None where the same values may be read and
     written. `enum` and `flags` are names, or empty. `byte_order` and `word_order` are empty where the value has the
-    orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number; `places` is
-    how many of them follow a point. `scale_by` names the register with the exponent of a scale that is read from the
-    device, else it is empty; `unit` then begins with that power of ten. `text_form` is how a text is sent, None for
-    ASCII that is padded with zeros. `width` is the most bytes of a value that varies in width, else
+    orders of its link. `digits` is the form of the digits that it is sent as, empty for a binary number, and
+    CODEC where the codec of a package with the name `codec` reads and writes it; `places` is how many digits follow a
+    point. `scale_by` names the register with the exponent of a scale that is read from the device, else it is empty;
+    `unit` then begins with that power of ten. `text_form` is how a text is sent, None for ASCII that is padded with
+    zeros. `width` is the most bytes of a value that varies in width, else
     it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
     `has_blanks` says that decimal digits have blanks in place of leading zeros, and a sign below zero only.
+    `write_word_order` is empty where a write has the words in the order of a read.
     """
 
     type: Primitive
@@ -153,6 +155,8 @@ class Value:
     text_form: TextForm | None = None
     width: int = 0
     has_blanks: bool = False
+    codec: str = ""
+    write_word_order: str = ""
 
     @property
     def encoding(self) -> Encoding:
@@ -205,7 +209,17 @@ class Value:
     @property
     def has_words(self) -> bool:
         """Whether it consists of several words of 16 bits, whose order matters."""
-        return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.has_characters
+        return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.is_as_sent
+
+    def write_swapped(self, swapped: bool) -> bool:
+        """Whether the words of a write are swapped, by whether the words of a read are."""
+        return swapped != bool(self.write_word_order)
+
+    @property
+    def write_order_text(self) -> str:
+        """`high word first when it is written`; empty where a write has the words in the order of a read."""
+        words = {"": "", "big": "high", "little": "low"}[self.write_word_order]
+        return f"{words} word first when it is written" if words else ""
 
     @property
     def least_width(self) -> int:
@@ -217,12 +231,17 @@ class Value:
         """Whether the order of its bytes matters."""
         if self.text_form is not None and (self.text_form.encoding == UTF_16 or self.text_form.is_turned):
             return True
-        return self.type.size > 1 and not self.has_characters
+        return self.type.size > 1 and not self.is_as_sent
 
     @property
     def has_characters(self) -> bool:
         """Whether its digits are characters, of which the first is the most significant whatever the byte order."""
-        return self.digits not in ("", *NIBBLES)
+        return self.digits not in ("", *NO_CHARACTERS)
+
+    @property
+    def is_as_sent(self) -> bool:
+        """Whether its bytes are in the order of the wire whatever the byte order: characters and bytes of a codec."""
+        return self.has_characters or bool(self.codec)
 
     @property
     def is_low_first(self) -> bool:

@@ -82,6 +82,16 @@ SYNONYMS = {
 }
 """Words of other tools for keys of the language, the likeliest key first."""
 
+FORMER = {
+    "access_steps": "accesses",
+    "check_code_correct": "checksum_correct",
+    "counts": "measures",
+    "encoding": "transmission",
+    "error_reply_changed": "exception_response_changed",
+    "wrong_check": "wrong_checksum",
+}
+"""Keys and words of earlier versions of the language, with their names today."""
+
 _LONGEST = 60
 _MOST_NAMES = 100
 _SEARCHED = 2000
@@ -102,6 +112,11 @@ def quoted(text: str) -> str:
     return f"`{text}`" if len(text) <= _LONGEST else f"`{text[:_LONGEST]}...`"
 
 
+def former(word: str, known: Collection[str]) -> str:
+    """The help for a key or a word with a new name; empty for others."""
+    return f"it is called `{name}` now" if (name := FORMER.get(word)) in known else ""
+
+
 def synonym(word: str, known: Collection[str]) -> str:
     """The known key for which other tools use a word; empty for other words."""
     return next((key for key in SYNONYMS.get(word.lower(), ()) if key in known), "")
@@ -114,6 +129,8 @@ def near(word: str, known: Collection[str], description: str = "") -> str:
     """
     from difflib import get_close_matches
 
+    if help := former(word, known):
+        return help
     letters = sorted(word)
     swapped = [name for name in known if sorted(name) == letters] if len(known) <= _SEARCHED else []
     if swapped:

@@ -78,9 +78,7 @@ def _starts(tree: Mapping, removed_fact: RemovedFact) -> dict[str, frozenset[str
     space = (_scalar_text(holder.values.get("space")) if isinstance(holder, Mapping) else "") or first
     starts = {}
     for message in mappings(tree.values.get("messages")):
-        accesses = [*mappings(message.values.get("access_steps"))]
-        single = message.values.get("accesses")
-        accesses += [single] if isinstance(single, Mapping) else []
+        accesses = mappings(message.values.get("accesses"))
         own = (access for access in accesses if (_scalar_text(access.values.get("space")) or first) == space)
         starts[identity(message) or ""] = frozenset(_scalar_text(access.values.get("start")) for access in own)
     return starts

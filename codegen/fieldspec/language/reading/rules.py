@@ -19,6 +19,16 @@ Example: a list of ten aliases, each of which is a list of ten aliases, and so o
 
 Fix: Write the data out.
 """,
+    "codec_usable": """A codec that a spec names is one of an installed package, and passes its judges.
+Its Python is run on random numbers and bytes, the same at every run: `encode` gives the bytes of its size, and
+`decode` gives the number again, or with `rounds` one that keeps its bytes. A codec that raises, or does not end, fails.
+
+Why: without the codec, a reader does not know the bytes; with a wrong one, it reads them as something else.
+
+Example: `codec: acme_flaot` where the package has `acme_float`.
+
+Fix: Correct the name, install the package, or correct its codec.
+""",
     "device_id_unique": """No two devices have the same id.
 
 Why: the id names the generated files; one device would overwrite the other.

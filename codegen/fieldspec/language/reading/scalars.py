@@ -17,7 +17,7 @@ from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.fact import ScalarValue
-from fieldspec.language.reading.findings import MOST_FINDINGS, near, quoted, synonym
+from fieldspec.language.reading.findings import MOST_FINDINGS, former, near, quoted, synonym
 from fieldspec.language.reading.help_on_algorithms import algorithm_help
 from fieldspec.language.reading.help_on_forms import form_help
 from fieldspec.language.reading.help_on_scalars import number_help
@@ -276,7 +276,13 @@ def _kind_text(node: Node) -> str:
 
 def _unknown_key(node: Mapping, key: str, part: Schema) -> Diagnostic:
     known = part.get("properties", {})
-    hint = _comma(node, key, known) or _known_key(key, known) or _misplaced(key, known) or near(key, list(known))
+    hint = (
+        former(key, known)
+        or _comma(node, key, known)
+        or _known_key(key, known)
+        or _misplaced(key, known)
+        or near(key, list(known))
+    )
     return Diagnostic("unknown_key", f"there is no key {quoted(key)} here", key_span(node, key), help=hint)
 
 

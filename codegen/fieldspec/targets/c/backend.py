@@ -9,8 +9,11 @@ from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.omissions import Expressed, Omission, expressed, listing
+from fieldspec.codec.layout.package_codecs import codec_refusals
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, stem, version_word
+from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.targets.c.absent import absent_values, declare_absent, declare_out_of_range, ranged_values
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
@@ -73,13 +76,23 @@ class FactBlock:
     declare: Callable[[], Block]
 
 
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """The refusals of codecs without C."""
+    return [finding for layout in versions for finding in _remaining(layout).findings]
+
+
+def _remaining(layout: DeviceLayout) -> Expressed:
+    return expressed(layout, codec_refusals(layout, "C", lambda codec: codec.c))
+
+
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """For each version of a device its headers, a self-test and a fuzz target; and the header that takes a version."""
     texts = _selecting_header(versions)
-    for layout in versions:
+    for remaining in map(_remaining, versions):
+        layout = remaining.layout
         name = stem(layout.device.id, layout.device.version)
         naming = Naming(layout.device.id)
-        texts |= headers(layout, naming)
+        texts |= headers(layout, naming, remaining.omissions)
         texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
         texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
         cache_spelling("c", layout, partial(usage_rows, layout, naming))
@@ -90,7 +103,7 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for each version of a device, by the version."""
     return {
         layout.device.version: version_usages(layout, spelling("c", layout, partial(_spell, layout)))
-        for layout in versions
+        for layout in (_remaining(layout).layout for layout in versions)
     }
 
 
@@ -103,7 +116,7 @@ def shared() -> dict[str, str]:
     return {}
 
 
-def headers(layout: DeviceLayout, naming: Naming) -> dict[str, str]:
+def headers(layout: DeviceLayout, naming: Naming, omissions: Sequence[Omission] = ()) -> dict[str, str]:
     """The headers of a version by path. They decide the names: other files of the version need the same naming."""
     device, name = layout.device, stem(layout.device.id, layout.device.version)
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
@@ -113,6 +126,7 @@ def headers(layout: DeviceLayout, naming: Naming) -> dict[str, str]:
         "title": escape_comment(f"{device.name} ({device.vendor}), version {device.version}"),
         "manual": escape_comment(f"{device.manual.title} {device.manual.edition}".strip()),
         "identity": layout.identity,
+        "omissions": listing(omissions, escape_comment),
     }
     switches = _describe_switches(
         naming,
@@ -282,12 +296,15 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         companions = f"Sent only together with {', '.join(message.supplements)}." if message.supplements else ""
         links = f"On {', '.join(message.links)}." if message.links and len(layout.links) > 1 else ""
         sender = "" if message.is_requested else "Only the device sends it, of its own accord."
+        if message.remote is not None:
+            sender = f"A remote request with the DLC {message.remote}."
         description = " ".join(
             text for text in (message.title and f"{message.title}.", links, companions, sender) if text
         )
         subcodes = subcodes_of(layout, layout_of_message)
         subcode = subcodes[0][0] if len(subcodes) == 1 and subcodes[0][0] == subcodes[0][1] else None
-        codes = (("code", message.code), ("response_code", message.response_code))
+        codes = [("code", message.code_of("request"))]
+        codes += [("response_code", message.code_of("response"))] if message.has_response_code else []
         numbers = (*codes, ("subcode", subcode), ("number", message.number))
         comment_of_message = describe_fact(message, description)
         block: list[Declaration] = [comment_of_message] if comment_of_message.lines else []

@@ -9,11 +9,12 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.checksums import DIGITS, SIMPLE, Checksum, algorithm_name, checksum_named
+from fieldspec.language.model.codecs import checksum_codec
 from fieldspec.targets.c.declarations import Declaration, Source
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, add, add_size, different, negate
 from fieldspec.targets.c.literals import decimal, hexadecimal, unsigned
 from fieldspec.targets.c.naming import Naming
-from fieldspec.targets.c.runtime_files import copy_runtime
+from fieldspec.targets.c.runtime_files import copy_runtime, package_text
 from fieldspec.targets.c.statements import Evaluation, Statement
 from fieldspec.targets.c.values import access_name, store
 
@@ -63,7 +64,8 @@ def _computed_name(part: PartLayout) -> str:
 def _ordered_name(algorithm: str, order: str) -> str:
     kind = checksum_named(algorithm)
     has_order = kind.method != "crc" and kind.unit_size > 1
-    return f"{algorithm}_{'le' if order == 'little' else 'be'}" if has_order else algorithm
+    name = f"{kind.codec}_checksum" if kind.codec else algorithm
+    return f"{name}_{'le' if order == 'little' else 'be'}" if has_order else name
 
 
 def _is_number(part: PartLayout) -> bool:
@@ -77,6 +79,8 @@ def _bits(width: int) -> int:
 
 def _function(naming: Naming, name: str, part: PartLayout) -> Source:
     kind = checksum_named(part.algorithm)
+    if kind.codec:
+        return package_text(naming, checksum_codec(kind.codec))
     result, order = _bits(kind.width), kind.unit_order or part.order
     if kind.method == "crc":
         form, words = _crc_words(kind, result)

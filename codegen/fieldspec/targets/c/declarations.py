@@ -202,6 +202,7 @@ def describe_value(value: Value | None) -> str:
         facts.append(f"Range: {value.ranges.text()}.")
     if value.write_ranges is not None:
         facts.append(f"Writable: {value.write_ranges.text()}.")
+    facts += [f"The {value.write_order_text}."] if value.write_word_order else []
     if value.enum or value.flags:
         facts.append(f"See {value.enum or value.flags}.")
     facts += [f"{sentinel.text} means {sentinel.name}." for sentinel in value.sentinels]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.targets.c.declarations import Declaration, Function, comment
 from fieldspec.targets.c.expressions import (
     CAPACITY,
@@ -21,6 +22,7 @@ from fieldspec.targets.c.expressions import (
     Type,
     add,
     any_of,
+    at_least,
     dereference,
     different,
     greater,
@@ -30,7 +32,7 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, hexadecimal_digits, unsigned
 from fieldspec.targets.c.naming import Naming
-from fieldspec.targets.c.statements import Assignment, Body, CountDown, CountUp, Statement, Variable, assign
+from fieldspec.targets.c.statements import Assignment, Body, Break, CountDown, CountUp, If, Statement, Variable, assign
 from fieldspec.targets.c.values import refuse, return_ok, status_type
 
 _FRAME, _SIZE, _TOTAL = Identifier("frame"), Identifier("size"), Identifier("total")
@@ -39,9 +41,9 @@ _BYTE = Identifier("byte")
 
 def is_wrapped(link: LinkLayout) -> bool:
     """Whether a frame is more than its bytes: it has delimiters or escapes, or is written in characters."""
-    if link.link.encoding == "hex_ascii" or link.link.escape:
+    if link.link.transmission == "hex_ascii" or link.link.escape:
         return True
-    return any(frame.start or frame.end for frame in (link.request, link.response))
+    return any(frame.is_marked for frame in (link.request, link.response))
 
 
 def unwrap_function(naming: Naming, link: LinkLayout, direction: str) -> str:
@@ -58,13 +60,13 @@ def declare_unwrap(naming: Naming, link: LinkLayout, direction: str) -> list[Dec
     start, end = link.link.delimiters(direction)
     length = dereference(LENGTH)
     delimiters = len(start) + len(end)
-    body: list[Statement] = [Variable(SIZE_TYPE, "at")]
+    body: list[Statement] = [Variable(SIZE_TYPE, "at"), *_skip_preamble(link.link.preamble)]
     if delimiters:
         body += refuse(naming, less(_SIZE, unsigned(delimiters)), "err_wrong_mark")
         body += refuse(naming, any_of(_wrong_delimiters(start, end)), "err_wrong_mark")
     body.append(assign(length, subtract(_SIZE, unsigned(delimiters))))
     too_small = refuse(naming, less(CAPACITY, length), "err_capacity")
-    if link.link.encoding == "binary":
+    if link.link.transmission == "binary":
         byte = Element(_FRAME, add(unsigned(len(start)), INDEX))
         body += [*too_small, CountUp(INDEX, length, (assign(Element(OUT, INDEX), byte),))]
     else:
@@ -81,6 +83,19 @@ def declare_unwrap(naming: Naming, link: LinkLayout, direction: str) -> list[Dec
         comment("Removes the delimiters and writes the bytes between them. `out` may be the frame itself."),
         Function(status_type(naming), unwrap_function(naming, link, direction), parameters, tuple(body)),
     ]
+
+
+def _skip_preamble(preamble: Preamble | None) -> Body:
+    """Steps over the bytes of a preamble before the least ones, which are the first of the start delimiter."""
+    if preamble is None or not preamble.spare:
+        return ()
+    following = add(INDEX, unsigned(preamble.least))
+    is_other = different(Element(_FRAME, following), hexadecimal(preamble.byte, 1))
+    return (
+        CountUp(INDEX, unsigned(preamble.spare), (If(any_of([at_least(following, _SIZE), is_other]), (Break(),)),)),
+        Assignment(_FRAME, INDEX, "+="),
+        Assignment(_SIZE, INDEX, "-="),
+    )
 
 
 def _wrong_delimiters(start: bytes, end: bytes) -> list[Expression]:
@@ -109,8 +124,9 @@ def _read_characters(naming: Naming, start: int, length: Expression, too_small: 
 
 def wrap_frame(naming: Naming, link: LinkLayout, direction: str) -> Body:
     """Turns the bytes at `out` into a frame with delimiters, the last byte first, as they overwrite themselves."""
-    start, end = link.link.delimiters(direction)
-    if link.link.encoding == "hex_ascii":
+    shape = link.frame(direction)
+    start, end = shape.further + shape.start, shape.end
+    if link.link.transmission == "hex_ascii":
         digit = naming.own("hex_digit")
         high = Cast("uint8_t", Operation(">>", (_BYTE, decimal(4))))
         low = Cast("uint8_t", Operation("&", (_BYTE, unsigned(15))))

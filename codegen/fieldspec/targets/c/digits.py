@@ -17,6 +17,8 @@ def digits_test(naming: Naming, value: Value, source: Expression, number: Expres
     """`is_digits(in + 4, 6u, 2u, 0u)`: whether bytes are the digits of a value; `number` is what BCD is loaded as."""
     if value.digits in NIBBLES:
         return Call(naming.own(f"is_{nibbles_name(value)}"), (number, *_sign_place(value)))
+    if value.codec:
+        return Call(naming.own(f"is_codec_{value.codec}"), (source,))
     size, places = unsigned(value.size), unsigned(value.places)
     if value.has_blanks:
         signed = TRUE if is_signed(value.encoding) else FALSE
@@ -29,6 +31,8 @@ def digits_test(naming: Naming, value: Value, source: Expression, number: Expres
 def load_digits(naming: Naming, value: Value, source: Expression, number: Expression) -> Expression:
     """`(uint16_t)load_digits(in + 4, 6u, 10u)`: the number of digits, as the type of the value."""
     kind = machine(value.encoding)
+    if value.codec:
+        return Cast(kind.type, Call(naming.own(f"load_codec_{value.codec}"), (source,)))
     if has_sign(value):
         loaded = Call(naming.own("load_signed_digits"), (source, unsigned(value.size)))
         return Cast(kind.type, loaded)
@@ -50,6 +54,8 @@ def digits_call(
     naming: Naming, value: Value, target: Expression, number: Expression
 ) -> tuple[str, tuple[Expression, ...]]:
     """The function that writes digits as characters, and its arguments."""
+    if value.codec:
+        return naming.own(f"{value.codec}_encode"), (Cast("int64_t", number), target)
     size, places = unsigned(value.size), unsigned(value.places)
     if value.has_blanks:
         sign = "signed_" if is_signed(value.encoding) else ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
-from fieldspec.language.model.escape import Escape
+from fieldspec.language.model.escape import CAN_REMOTE, Escape
 from fieldspec.targets.c.declarations import Source
 from fieldspec.targets.c.expressions import Call, Expression
 from fieldspec.targets.c.literals import unsigned
@@ -37,6 +37,8 @@ def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
             "FLAGS": f"0x{escape.flags:08X}u",
             "MASKED": f"0x{0xFFFFFFFF & ~((1 << escape.bits) - 1):08X}u",
             "SIZE": f"{escape.fields_size}u",
+            "REMOTE": f"0x{0 if escape.remote is None else CAN_REMOTE:08X}u",
+            "REMOTE_ROW": f"{escape.remote or 0}u",
         }
         return copy_runtime(naming, _FORMS, escape.method, can_words)
     special = dict.fromkeys([byte for byte, _, _ in escape.pairs] + [first for _, first, _ in escape.pairs])

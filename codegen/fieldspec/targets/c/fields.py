@@ -139,7 +139,7 @@ def struct_argument(record: RecordLayout, struct: Expression) -> tuple[Expressio
 
 def element_size(record: RecordLayout, field: FieldLayout) -> Expression:
     """The size of an element; where it differs from case to case, the variable that has it."""
-    return ELEMENT_SIZE if field.cases and record.size is None else unsigned(field.size)
+    return ELEMENT_SIZE if field.splits_record and record.size is None else unsigned(field.size)
 
 
 def measured_size(record: RecordLayout, field: FieldLayout, struct: Expression) -> Expression:
@@ -194,30 +194,40 @@ def decoded_selector(naming: Naming, selector: FieldLayout) -> Expression:
 def check_selector(naming: Naming, record: RecordLayout, selector: Expression) -> Statement:
     """Refuses a selector that chooses nothing; sets `element` where the size differs from case to case."""
     cases = record.fields[-1].cases
+    assert record.selector is not None
     if record.size is not None:
-        return _switch(naming, record, selector, [(list(cases), ())])
+        return select(record.selector, selector, [(list(cases), ())], _unknown_value(naming))
     sizes: dict[int, list[CaseLayout]] = {}
     for case in cases:
         sizes.setdefault(case.value.size, []).append(case)
     branches = [(chosen, (Assignment(ELEMENT_SIZE, unsigned(size)),)) for size, chosen in sizes.items()]
-    return _switch(naming, record, selector, branches)
+    return select(record.selector, selector, branches, _unknown_value(naming))
 
 
 def switch_cases(
-    naming: Naming, record: RecordLayout, selector: Expression, case_body: Callable[[CaseLayout], Body]
+    naming: Naming,
+    field: FieldLayout,
+    selector: FieldLayout,
+    number: Expression,
+    case_body: Callable[[CaseLayout], Body],
 ) -> Statement:
-    """Statements that differ from case to case."""
-    return _switch(naming, record, selector, [([case], case_body(case)) for case in record.fields[-1].cases])
+    """Statements that differ from case to case of a field; `number` is that of its selector."""
+    branches = [([case], case_body(case)) for case in field.cases]
+    return select(selector, number, branches, _unknown_value(naming))
 
 
-def _switch(
-    naming: Naming, record: RecordLayout, selector: Expression, branches: Iterable[tuple[list[CaseLayout], Body]]
+def _unknown_value(naming: Naming) -> Body:
+    return (Return(naming.status("err_unknown_value")),)
+
+
+def select(
+    selector: FieldLayout, number: Expression, branches: Iterable[tuple[list[CaseLayout], Body]], unknown: Body
 ) -> Switch:
-    assert record.selector is not None
-    assert record.selector.value is not None
-    value = record.selector.value
+    """Statements by the number of a selector, and those for a number that decides nothing."""
+    value = selector.value
+    assert value is not None
     labels = []
     for cases, body in branches:
         numbers = sorted(number for case in cases for number in case.numbers)
-        labels.append((tuple([literal(value.encoding, number) for number in numbers]), body))
-    return Switch(selector, tuple(labels), (Return(naming.status("err_unknown_value")),))
+        labels.append((tuple([literal(value.encoding, own) for own in numbers]), body))
+    return Switch(number, tuple(labels), unknown)

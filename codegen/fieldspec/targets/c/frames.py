@@ -70,7 +70,7 @@ def declare_link(naming: Naming, layout: DeviceLayout, link: LinkLayout) -> list
 
 
 def _describe_form(link: LinkLayout) -> str:
-    text = "binary" if link.link.encoding == "binary" else "hexadecimal characters"
+    text = "binary" if link.link.transmission == "binary" else "hexadecimal characters"
     escaped = ", escaped" if link.link.escape is not None else ""
     if link.link.has_common_delimiters:
         delimiters = _describe_delimiters(link.request)
@@ -84,9 +84,11 @@ def _describe_form(link: LinkLayout) -> str:
 
 def _describe_delimiters(frame: FrameLayout) -> str:
     """`begin with 3A and end with 0D 0A`"""
-    start = [f"begin with {frame.start.hex(' ').upper()}"] if frame.start else []
+    mark = frame.start[frame.preamble.least :] if frame.preamble is not None else frame.start
+    preamble = [f"begin with a preamble, {frame.preamble.text()}"] if frame.preamble is not None else []
+    start = [f"begin with {mark.hex(' ').upper()}"] if mark else []
     end = [f"end with {frame.end.hex(' ').upper()}"] if frame.end else []
-    return " and ".join([*start, *end])
+    return " and ".join([*preamble, *start, *end])
 
 
 def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[Declaration]:
@@ -186,7 +188,7 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
             continue
         computed = compute_checksum(naming, checksum, IN, LENGTH)
         test = is_wrong(naming, checksum, computed, part_pointer(IN, checksum, LENGTH))
-        body += refuse(naming, test, "err_wrong_check")
+        body += refuse(naming, test, "err_wrong_checksum")
     for part in frame.constants if is_original else ():
         body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
     return body
@@ -239,8 +241,8 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     if frame.role("code") is not None:
         parameters.append(Variable(CODE_TYPE, "code"))
     parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
-    width = 2 if link.link.encoding == "hex_ascii" else 1
-    delimiters = len(frame.start) + len(frame.end)
+    width = 2 if link.link.transmission == "hex_ascii" else 1
+    delimiters = len(frame.further) + len(frame.start) + len(frame.end)
     parts_size = frame.header_size + frame.trailer_size
     body: list[Statement] = [
         Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, parts_size), storage="" if frame.escape else "const"),

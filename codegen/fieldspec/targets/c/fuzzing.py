@@ -168,6 +168,8 @@ def _value_macro(
         return Call("ARRAY", (declared, *functions, exact, unsigned(size)))
     sizes = unsigned(wire.size), unsigned(size)
     argument = Identifier(accessed_type(naming, device, wire.value))
+    if wire.value.write_word_order:
+        return Call("TURNED", (kind, argument, *functions, unsigned(size)))
     if not has_single_bytes(wire.encoding):
         return Call("SEVERAL_FORMS", (kind, argument, *functions, unsigned(size)))
     if answer == wire.value:
@@ -249,7 +251,7 @@ def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: in
     start, end = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else (_DATA, _SIZE)
     is_within_buffer = all_of([at_least(body_member, start), at_most(add(body_member, body_length), add(start, end))])
     tests: list[Expression] = [equal(_LENGTH, _SIZE)]
-    if link.link.encoding != "hex_ascii":
+    if link.link.transmission != "hex_ascii":
         # Characters have two ways to write a digit; bytes have one.
         tests.append(equal(Call("memcmp", (_OUT, _DATA, _SIZE)), ZERO))
     closed = Call(

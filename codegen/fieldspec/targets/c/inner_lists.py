@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
-from fieldspec.codec.layout.record import RecordLayout, inner_lists_of
-from fieldspec.targets.c.declarations import Source
-from fieldspec.targets.c.fields import words_around_images
+from fieldspec.codec.layout.record import CaseLayout, RecordLayout, inner_lists_of
+from fieldspec.targets.c.declarations import BLANK, Declaration, Function, Source, comment
+from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier
+from fieldspec.targets.c.fields import decoded_selector, select, words_around_images
+from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.statements import Return, Variable
 
 _ENCODE = """static inline {status} {encode}({argument}uint8_t *out, size_t capacity, size_t *length)
 {{
@@ -33,7 +36,7 @@ _DECODE = """static inline {status} {decode}(const uint8_t *in, size_t length{re
 }}
 """
 
-_SENT_SIZE = """/** The bytes of {struct} in front of others, maybe more than `left`; 0 for a wrong count. */
+_SENT_SIZE = """/** The bytes of {struct} in front of others; `left` as in {measure}. */
 static inline size_t {sent_size}(const uint8_t *in, size_t left)
 {{
 {lists}
@@ -84,11 +87,33 @@ def _table(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 
 
 def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> str:
-    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL}`: see the struct."""
+    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL, NULL}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     count = (inner.count_at, inner.count_size if inner.count else 0, inner.unit)
     is_little = "true" if inner.count_order == "little" else "false"
     field = record.named(inner.name)
     element = field.record if field is not None and inner.parts is not None else None
     measure = naming.function("record", element.name, "sent_size") if element is not None else "NULL"
-    return f"{{{', '.join(f'{number}u' for number in (*numbers, *count))}, {inner.plus}L, {is_little}, {measure}}}"
+    decide = "NULL"
+    if inner.decision is not None:
+        decide = naming.function("record", record.name, f"{inner.name}_decided_size")
+    places = ", ".join(f"{number}u" for number in (*numbers, *count))
+    return f"{{{places}, {inner.plus}L, {is_little}, {measure}, {decide}}}"
+
+
+def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
+    """`size_t tag_value_decided_size(const uint8_t *in)`, for each field of a record whose type another one decides."""
+    functions: list[Declaration] = []
+    for field in record.fields:
+        if field.selector is None:
+            continue
+        cases: dict[int, list[CaseLayout]] = {}
+        for case in field.cases:
+            cases.setdefault(case.value.size, []).append(case)
+        branches = [(own, (Return(unsigned(size)),)) for size, own in cases.items()]
+        number, unknown = decoded_selector(naming, field.selector), (Return(Identifier("SIZE_MAX")),)
+        text = f"The bytes of {field.name}, which {field.selector.name} decides; SIZE_MAX where that decides nothing."
+        name = naming.function("record", record.name, f"{field.name}_decided_size")
+        body = (select(field.selector, number, branches, unknown),)
+        functions += [BLANK, comment(text), Function(SIZE_TYPE, name, (Variable(INPUT_BYTES, "in"),), body)]
+    return functions

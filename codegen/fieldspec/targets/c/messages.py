@@ -76,7 +76,7 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     """The function that writes an exception response to a code: `code | 128u`"""
     error = link.link.exception_response
     assert error is not None
-    function = naming.function("link", link.name, "encode", "error")
+    function = naming.function("link", link.name, "encode", "exception_response")
     record = layout.records[error.record]
     if link.has_uncoded_exceptions:
         description = comment("Writes the whole frame of an exception response.")

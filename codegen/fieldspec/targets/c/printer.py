@@ -222,7 +222,7 @@ class Printer(ExpressionPrinter):
         for labels, body in node.branches:
             if labels:
                 self.lines += [f"{indent}case {self._expression_text(label)}:" for label in labels]
-                self._body((*body, Break()), indent + INDENT)
+                self._body(body if body and isinstance(body[-1], Return) else (*body, Break()), indent + INDENT)
         self.lines.append(f"{indent}default:")
         self._body(node.default, indent + INDENT)
         self.lines.append(f"{indent}}}")

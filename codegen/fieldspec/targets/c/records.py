@@ -49,7 +49,7 @@ from fieldspec.targets.c.fields import (
     switch_cases,
     walk_elements,
 )
-from fieldspec.targets.c.inner_lists import decode_inner_lists, encode_inner_lists
+from fieldspec.targets.c.inner_lists import decided_sizes, decode_inner_lists, encode_inner_lists
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.packing import check_members, check_unpacked, declare_packing, is_packed
@@ -107,6 +107,7 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, descrip
         decode = decode_widths(naming, varying) if inner is None else decode_inner_lists(naming, varying, inner)
         return [
             *declarations,
+            *decided_sizes(naming, record),
             *(BLANK, comment(f"Writes the image of {name}, {about_image}.")),
             _encode_function(naming, device, record, bool(checks), "encode_image"),
             *(BLANK, writing, encode),
@@ -142,7 +143,7 @@ def _encode_function(
             body += _check_count(naming, record, field)
         size = _encoded_size(record)
         body += refuse(naming, less(CAPACITY, size), "err_capacity")
-        body += _write_fields(naming, device, record, selector, checked)
+        body += _write_fields(naming, device, record, checked)
         body.append(assign(dereference(LENGTH), size))
     else:
         body += [discard("out"), discard("capacity"), assign(dereference(LENGTH), ZERO)]
@@ -161,7 +162,7 @@ def _decode_function(naming: Naming, device: Device, record: RecordLayout, verb:
     if selector is not None:
         body.append(check_selector(naming, record, selector))
     body += _check_repeated_length(naming, record)
-    body += _read_fields(naming, device, record, selector)
+    body += _read_fields(naming, device, record)
     if not contains(tuple(body), IN):
         body.insert(0, discard("in"))
     body.append(return_ok(naming))
@@ -197,9 +198,7 @@ def _measuring_last(record: RecordLayout) -> list[FieldLayout]:
     return sorted(record.fields, key=lambda field: field.field.measures is not None)
 
 
-def _write_fields(
-    naming: Naming, device: Device, record: RecordLayout, selector: Expression | None, checked: bool
-) -> Body:
+def _write_fields(naming: Naming, device: Device, record: RecordLayout, checked: bool) -> Body:
     """Checks the values of a record and writes them. `checked` says that a packed one has a function for checks."""
     if is_packed(record):
         check, pack = (naming.function("record", record.name, verb) for verb in ("check", "pack"))
@@ -207,7 +206,8 @@ def _write_fields(
         return (*checks, call(pack, IN, OUT))
     body: Body = ()
     for field in _measuring_last(record):
-        if field.cases and selector is not None:
+        decider = field.selector or record.selector
+        if field.cases and decider is not None:
 
             def write_case(case: CaseLayout, field: FieldLayout = field) -> Body:
                 def write(target: Expression, value: Expression) -> Body:
@@ -218,7 +218,8 @@ def _write_fields(
 
                 return walk_elements(record, field, write, IN, OUT, case)
 
-            body = (*body, switch_cases(naming, record, selector, write_case))
+            number = encoded_selector(decider)
+            body = (*body, switch_cases(naming, field, decider, number, write_case))
         else:
             body += walk_elements(record, field, _field_writer(naming, device, record, field), IN, OUT)
     return (*body, *check_bit_count(naming, record, IN))
@@ -301,7 +302,7 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
     size, repeat = element_size(record, last), last.field.repeat
     low, high = (repeat.low, repeat.high) if repeat is not None else (last.count or 1, last.count or 1)
     body: Body = ()
-    if last.cases:
+    if last.splits_record:
         minimum, maximum = (add(unsigned(last.offset), multiply(unsigned(bound), size)) for bound in (low, high))
         if low:
             body += refuse(naming, less(LENGTH, minimum), "err_incomplete")
@@ -310,7 +311,7 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
         return (*body, *_counts_in_image(naming, record))
     # Where the list begins with the record, `- 0u` stays, so that all records read alike.
     rest = Operation("-", (LENGTH, unsigned(last.offset)))
-    if last.cases or last.size > 1:
+    if last.splits_record or last.size > 1:
         body += refuse(naming, different(Operation("%", (rest, size)), ZERO), "err_wrong_length")
     count = PointerMember(OUT, count_member(record, last))
     return (*body, *_counts_in_image(naming, record), Assignment(count, Operation("/", (rest, size))))
@@ -334,14 +335,15 @@ def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
     return body
 
 
-def _read_fields(naming: Naming, device: Device, record: RecordLayout, selector: Expression | None) -> Body:
+def _read_fields(naming: Naming, device: Device, record: RecordLayout) -> Body:
     """Reads the values of a record and checks them."""
     if is_packed(record):
         unpack = call(naming.function("record", record.name, "unpack"), IN, OUT)
         return (unpack, *check_unpacked(naming, device, record))
     body: Body = ()
     for field in _measuring_last(record):
-        if field.cases and selector is not None:
+        decider = field.selector or record.selector
+        if field.cases and decider is not None:
 
             def read_case(case: CaseLayout, field: FieldLayout = field) -> Body:
                 def read(source: Expression, value: Expression) -> Body:
@@ -349,7 +351,8 @@ def _read_fields(naming: Naming, device: Device, record: RecordLayout, selector:
 
                 return walk_elements(record, field, read, OUT, IN, case)
 
-            body = (*body, switch_cases(naming, record, selector, read_case))
+            number = decoded_selector(naming, decider)
+            body = (*body, switch_cases(naming, field, decider, number, read_case))
         else:
             body += walk_elements(record, field, _field_reader(naming, device, record, field), OUT, IN)
     return (*body, *check_bit_count(naming, record, OUT))

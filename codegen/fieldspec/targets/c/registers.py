@@ -105,7 +105,10 @@ def access_functions(
     `codec_status reg_speed_decode(const uint8_t *in, uint16_t *out)`, `reg_speed_encode(uint16_t value, uint8_t *out)`
     """
     value = wire.value
-    answer = replace(wire, value=value.as_answer(trigger))
+    answer, wire = (
+        replace(wire, value=value.as_answer(trigger)),
+        replace(wire, swapped=value.write_swapped(wire.swapped)),
+    )
     result_type = Type(accessed_type(naming, device, answer.value), pointer=True)
     result = declare_value(wire, "out") if wire.is_array else Variable(result_type, "out")
     inputs, outputs = (Variable(INPUT_BYTES, "in"), result), [Variable(OUTPUT_BYTES, "out")]

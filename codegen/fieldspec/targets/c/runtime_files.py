@@ -11,9 +11,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.package_codecs import number_codecs
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.language.model.address_space import BIT
+from fieldspec.language.model.codecs import Codec, NumberCodec
 from fieldspec.language.model.digits import NIBBLES
 from fieldspec.language.model.encoding import Sign, Whole, is_odd, is_text
 from fieldspec.language.model.value import Value
@@ -82,7 +84,7 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     encodings |= {signal.value.encoding for signal in layout.device.signals.values() if signal.value.sentinels}
     functions = {machine(encoding).from_bits for encoding in encodings}
     usual_texts = any(is_text(wire.encoding) and wire.value.text_form is None for wire in wires)
-    characters = any(link.link.encoding == "hex_ascii" for link in layout.links.values())
+    characters = any(link.link.transmission == "hex_ascii" for link in layout.links.values())
     parts = [
         *_accesses(layout, wires),
         *(["bits"] if has_bits(layout) else []),
@@ -109,13 +111,14 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
     inner = any(record.inner_lists is not None for record in all_records(layout))
     odd += [[copy_runtime(naming, "inner_lists.h", "inner_lists")]] * inner
+    odd += [_codec(naming, name, codec) for name, codec in number_codecs(layout).items()]
     additional = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
     return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + additional
 
 
 def _accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> list[str]:
     """The widths and orders of the device's numbers, as in the names of the functions that load and store them."""
-    used = {wire.access for wire in wires if not wire.is_array and not wire.value.has_characters}
+    used = {wire.access for wire in wires if not wire.is_array and not wire.value.is_as_sent}
     for link in layout.links.values():
         for frame in (link.request, link.response):
             used |= {access_name(part.size, part.order, False) for part in frame.parts if not part.form}
@@ -130,6 +133,18 @@ def _odd_accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
     odd = (wire for wire in wires if is_odd(wire.encoding) or wire.value.digits in NIBBLES)
     parts = (part for part in _parts_of_frames(layout) if part.value is not None and is_odd(part.value.encoding))
     return {wire.access for wire in odd} | {access_name(part.size, part.order, False) for part in parts}
+
+
+def package_text(naming: Naming, codec: Codec) -> Source:
+    """The C of a package, with the names of a device."""
+    return Source(_PREFIXED.sub(lambda match: _device_name(naming, match), codec.c.strip() + "\n"))
+
+
+def _codec(naming: Naming, name: str, codec: NumberCodec) -> list[Source]:
+    """The C of a codec, and the functions that test what bytes are before they load it."""
+    words = {"codec_decode": f"{name}_decode", "is_codec": f"is_codec_{name}", "load_codec": f"load_codec_{name}"}
+    words |= {"LOW": f"INT64_C({codec.low})", "HIGH": f"INT64_C({codec.high})"}
+    return [package_text(naming, codec), copy_runtime(naming, "number_forms.h", "codec", words)]
 
 
 def _magnitude_words(bits: int) -> dict[str, str]:
@@ -159,7 +174,9 @@ def _wire_values(layout: DeviceLayout) -> Iterator[WireValue]:
             yield from (WireValue(case.value, case.order, case.swapped) for case in field.cases)
     for register in layout.registers:
         if not is_bit(register):
-            yield WireValue(register.register.value, register.order, register.swapped)
+            value = register.register.value
+            for swapped in {register.swapped, value.write_swapped(register.swapped)}:
+                yield WireValue(value, register.order, swapped)
     for parameters in device.parameters.values():
         for parameter in parameters.parameters:
             for value in (parameter.value, *(inner.value for inner in parameter.subindices)):

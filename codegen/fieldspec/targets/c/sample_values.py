@@ -10,7 +10,7 @@ from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import data_of
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
@@ -65,17 +65,22 @@ def lone_values(layout: DeviceLayout) -> Iterator[tuple[Noun, tuple[str, ...], W
 class RecordForm:
     """A record without cases, and the record with cases of which it is a form: that one has the struct.
 
-    `case` is the member of the union, empty where there is none.
+    `cases` are the members of unions, by the names of the fields that are unions; empty for one of a constant.
     """
 
     record: RecordLayout
     struct: RecordLayout
-    case: str
+    cases: Mapping[str, str]
+
+    @property
+    def case(self) -> str:
+        """The cases in a description."""
+        return ".".join(filter(None, self.cases.values()))
 
     def member_names(self, field: FieldLayout) -> tuple[str, ...]:
         """The member that has a field's values, and the member in that one where it is a union."""
-        name = member(field.name)
-        return (name, self.case) if self.case and field is self.record.fields[-1] else (name,)
+        name, case = member(field.name), self.cases.get(field.name)
+        return (name, case) if case else (name,)
 
     def count_name(self, field: FieldLayout) -> str:
         """The member that has the number of elements."""
@@ -85,7 +90,9 @@ class RecordForm:
 def all_forms(device: Device, record: RecordLayout) -> Iterator[tuple[RecordForm, dict[str, Any]]]:
     """Each form of a record, and the value of the selector that chooses it, if the selector may have it."""
     if record.selector is None:
-        yield RecordForm(record, record, ""), {}
+        for selection in _selections(device, record):
+            values = record_value(device, record, selection)
+            yield form_of_values(record, values), {name: values[name] for name in selection if name in values}
         return
     in_struct = record.selector in members(record)
     selector = record.selector.value
@@ -101,11 +108,60 @@ def all_forms(device: Device, record: RecordLayout) -> Iterator[tuple[RecordForm
 def form_of_values(record: RecordLayout, values: Mapping[str, Any]) -> RecordForm:
     """The form of a record that has some values."""
     if record.selector is None:
-        return RecordForm(record, record, "")
+        cases = {
+            field.name: case_member(case)
+            for field in record.fields
+            for case in field.cases
+            if _number(field, values) in case.numbers
+        }
+        fields = tuple(_decided(field, values) for field in record.fields)
+        return RecordForm(replace(record, fields=fields) if cases else record, record, cases)
     constant = record.selector.value.const if record.selector.value is not None else None
     number = values[record.selector.name] if constant is None else constant
     case = next(case for case in record.fields[-1].cases if number in case.numbers)
-    return RecordForm(record.chosen[number], record, case_member(case))
+    return RecordForm(record.chosen[number], record, {record.fields[-1].name: case_member(case)})
+
+
+def _number(field: FieldLayout, values: Mapping[str, Any]) -> Any:
+    """The number of the selector of a field among some values, or its constant."""
+    assert field.selector is not None
+    assert field.selector.value is not None
+    constant = field.selector.value.const
+    return values[field.selector.name] if constant is None else constant
+
+
+def _decided(field: FieldLayout, values: Mapping[str, Any]) -> FieldLayout:
+    """A field as the values of its record decide it."""
+    return field if field.selector is None else field.forms[_number(field, values)]
+
+
+def _selections(device: Device, record: RecordLayout) -> Iterator[dict[str, int]]:
+    """Numbers of all selectors of a record, so that each case of each field is in one of them."""
+    numbers = {
+        field.selector.name: selecting_numbers(device, record, field.selector)
+        for field in record.fields
+        if field.selector is not None
+    }
+    usual = {name: own[0] for name, own in numbers.items()}
+    selections = [{**usual, name: number} for name, own in numbers.items() for number in own]
+    yield from selections or [{}]
+
+
+def selecting_numbers(device: Device, record: RecordLayout, selector: FieldLayout) -> list[int]:
+    """The numbers of a selector with which each field that it decides has a type, and which may be sent."""
+    deciding = ((field.forms, field.selector) for field in record.fields)
+    tables = [forms for forms, own in deciding if own is not None and own.name == selector.name]
+    value = selector.value
+    if not tables or value is None:
+        return []
+    enum = device.enums[value.enum]
+    barred = {member.value for member in enum.members if member.unavailable} if not enum.open else set()
+    ranges = value.writable_ranges
+    return [
+        number
+        for number in sorted(set.intersection(*(set(table) for table in tables)) - barred)
+        if (value.const is None or number == value.const) and (ranges is None or number in ranges)
+    ]
 
 
 # Values
@@ -169,9 +225,21 @@ def legal_numbers(device: Device, value: Value) -> list[int]:
     return numbers
 
 
-def record_value(device: Device, record: RecordLayout) -> dict[str, Any]:
-    """Low values for all members of a record; lists are as short as they may be, but not empty."""
-    return fitting({field.name: field_sample(device, field, low_value) for field in members(record)}, record)
+def record_value(
+    device: Device, record: RecordLayout, selection: Mapping[str, int] | None = None, pick: ValuePicker = low_value
+) -> dict[str, Any]:
+    """Values for all members of a record, low ones usually; lists are as short as they may be, but not empty.
+
+    `selection` are the numbers of some selectors.
+    """
+    values: dict[str, Any] = {}
+    for field in members(record):
+        numbers = selecting_numbers(device, record, field)
+        if numbers:
+            values[field.name] = (selection or {}).get(field.name, numbers[0] if pick is low_value else numbers[-1])
+        else:
+            values[field.name] = field_sample(device, _decided(field, values), pick)
+    return fitting(values, record)
 
 
 def fitting(values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:
@@ -197,7 +265,7 @@ def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
         if field.record is None:
             assert field.value is not None
             return pick(device, field.value)
-        return {inner.name: field_sample(device, inner, pick) for inner in members(field.record)}
+        return record_value(device, field.record, pick=pick)
 
     if not field.is_list:
         return sample()
@@ -211,6 +279,7 @@ def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
 
 def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
     """The bytes of a record on the wire for some values of its fields."""
+    record = record.decided_by(values)
     data = b""
     for field in record.fields:
         if field.field.measures is not None:

@@ -16,6 +16,7 @@ from fieldspec.targets.c.assertions import (
     LENGTH,
     clear_variable,
     expect,
+    expect_bytes,
     expect_equal,
     expect_members,
     same_array,
@@ -86,7 +87,7 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     if has_struct:
         body.append(Variables(Type(naming.type("record", record.name)), ("in", "out")))
     shape = link.frame(example.direction)
-    room = add(_SIZE_OF_FRAME, decimal(len(shape.start) + len(shape.end)))
+    room = add(_SIZE_OF_FRAME, decimal(len(shape.further) + len(shape.start) + len(shape.end)))
     body += [Variable(_BYTE, "again", (room,)), _LENGTH_VARIABLE]
     if has_struct:
         body += _CLEAR_STRUCTS
@@ -99,8 +100,11 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     body += set_members(naming, form, _complete(layout.device, form.record, struct_values), _IN)
     encoded = Call(*_encode_frame(layout, naming, example, values, record))
     body.append(expect_equal(f"{description} encodes", encoded, naming.status("ok")))
-    body.append(expect(_SAME_FRAME, f"{description} bytes"))
-    return body
+    sent_frame = shape.as_sent(example.frame)
+    if sent_frame == example.frame:
+        return [*body, expect(_SAME_FRAME, f"{description} bytes")]
+    same_size = expect_equal(f"{description} size", LENGTH, unsigned(len(sent_frame)))
+    return [*body, same_size, expect_bytes(f"{description} bytes", _AGAIN, sent_frame)]
 
 
 def _complete(device: Device, record: RecordLayout, values: dict[str, Any]) -> dict[str, Any]:
@@ -143,9 +147,9 @@ def _header_number(part: PartLayout, number: int) -> Expression:
 def _frame_code(link: LinkLayout, example: Example) -> tuple[int | None, bool]:
     """The code in a frame without the flag of an error reply, and whether that is set; None where there is none."""
     shape = link.frame(example.direction)
-    start, end = len(shape.start), len(example.frame) - len(shape.end)
+    start, end = shape.surplus(example.frame) + len(shape.start), len(example.frame) - len(shape.end)
     data, part = example.frame[start:end], shape.role("code")
-    if link.link.encoding == "hex_ascii":
+    if link.link.transmission == "hex_ascii":
         pairs = [data[offset : offset + 2] for offset in range(0, len(data), 2)]
         data = bytes(int(pair, 16) for pair in pairs if all(digit in b"0123456789ABCDEFabcdef" for digit in pair))
     shape = link.frame(example.direction)
@@ -212,7 +216,7 @@ def _encode_frame(
         arguments.append(_code(link, example))
     if members(record):
         arguments.append(_IN_POINTER)
-    name = "error" if example.exception_response else example.message
+    name = "exception_response" if example.exception_response else example.message
     direction = () if example.exception_response else (example.direction,)
     function = naming.function("link", link.name, "encode", name, *direction)
     return function, (*arguments, *_ENCODE_ARGUMENTS)

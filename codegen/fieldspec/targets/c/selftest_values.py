@@ -18,6 +18,7 @@ from fieldspec.targets.c.enums import available_members, code_tables, enum_type
 from fieldspec.targets.c.expressions import (
     Call,
     Cast,
+    Element,
     Expression,
     Identifier,
     PointerMember,
@@ -155,7 +156,9 @@ def _test_code_texts(naming: Naming, enum: Enum) -> Iterator[Statement]:
 def _test_messages(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
     for message in layout.messages.values():
         own = message.message
-        for kind, number in (("code", own.code), ("response_code", own.response_code), ("number", own.number)):
+        request_code = own.code_of("request")
+        response_code = own.code_of("response") if own.has_response_code else None
+        for kind, number in (("code", request_code), ("response_code", response_code), ("number", own.number)):
             if number is not None:
                 yield _expect_constant(naming.macro("message", message.name, kind), unsigned(number))
 
@@ -230,7 +233,7 @@ def test_value(
     body: list[Statement] = [Variable(Type("uint8_t"), "bytes", (decimal(size),))]
     kind = Type(type_name(value))
     if value.const is not None:
-        data = value_bytes(value, *order, value.const).ljust(size, b"\0")
+        data = _write_bytes(value, order, value.const, size)
         other = 0 if value.const else 1
         other_data = byte_initializer(value_bytes(value, *order, other).ljust(size, b"\0"))
         yield [
@@ -255,16 +258,24 @@ def test_value(
     body += [Variable(out_type, "out", value=out_start), Variable(in_type, "in", value=in_start, storage="volatile")]
     encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
     for number in numbers:
-        data = value_bytes(value, *order, number).ljust(size, b"\0")
+        data, answer = _write_bytes(value, order, number, size), value_bytes(value, *order, number)
+        answer_bytes = enumerate(answer if value.write_word_order else b"")
         description = f"{label} {number}"
         body += [
             assign(_IN, encoded_constants[number]),
             expect_equal(description, encoded, ok),
             expect_bytes(f"{description} bytes", _BYTES, data),
+            *(assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1)) for place, byte in answer_bytes),
             expect_equal(description, decoded, ok),
             expect_equal(description, _OUT, decoded_constants[number]),
         ]
     yield body
+
+
+def _write_bytes(value: Value, order: tuple[str, bool], number: int, size: int) -> bytes:
+    """The bytes of a number in a write, whose word order may differ from the word order of a read."""
+    byte_order, swapped = order
+    return value_bytes(value, byte_order, value.write_swapped(swapped), number).ljust(size, b"\0")
 
 
 def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:

@@ -135,7 +135,7 @@ class _Usages:
         longest_body = max(message.request.most or 0 for message in link.messages.values())
         parts = link.request.header_size + link.request.trailer_size + longest_body
         return (
-            (2 if link.link.encoding == "hex_ascii" or link.request.escape else 1) * parts
+            (2 if link.link.transmission == "hex_ascii" or link.request.escape else 1) * parts
             + len(link.request.start)
             + len(link.request.end)
         )

@@ -308,7 +308,7 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
 
 def store_number(naming: Naming, wire: WireValue, number: Expression, target: Expression) -> Evaluation:
     """`store_digits(out + 4, 6u, 2u, 0u, in->speed);`: writes a number as digits."""
-    if wire.value.has_characters:
+    if wire.value.is_as_sent:
         function, arguments = digits_call(naming, wire.value, target, number)
         return call(function, *arguments)
     word = machine(Whole(8 * wire.size, Sign.NONE)).type

@@ -32,6 +32,8 @@ def _unsupported(link: LinkLayout) -> Iterator[tuple[Fact, str, str]]:
         yield link.link, "can", f"{link.name} is a CAN bus"
     elif link.link.escape is not None:
         yield link.link, "escape", f"{link.name} escapes bytes"
+    elif link.link.preamble is not None:
+        yield link.link, "preamble", f"{link.name} has a preamble of varying length"
     if link.has_uncoded_exceptions:
         yield link.link, "exception_response", f"{link.name} marks exception responses that carry no code"
     for frame in (link.request, link.response):

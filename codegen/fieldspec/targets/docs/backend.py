@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.html_text import clean
+from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.targets import PageLink
 from fieldspec.targets.docs import fact_index, html, lab, markdown, search_index
 from fieldspec.targets.docs.changes import NAME, changed, link, page_name, steps, versions
@@ -19,6 +20,11 @@ from fieldspec.targets.docs.site import SCRIPTS, device_place
 from fieldspec.targets.templates import text
 
 _ANCHOR = re.compile(r' id="([^"]+)"')
+
+
+def refusals(layouts: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """The warnings of what the frame lab does not read. Pages say everything else."""
+    return [*lab.refusals(layouts)]
 
 
 def files(layouts: Sequence[DeviceLayout], links: Sequence[PageLink] = ()) -> dict[str, str]:

@@ -7,7 +7,7 @@ from difflib import SequenceMatcher
 
 from fieldspec.codec.explain.examples import Printed, explained_example, printed
 from fieldspec.codec.explain.explanation import Explanation, Meaning
-from fieldspec.codec.explain.row import IDENTIFIER
+from fieldspec.codec.explain.row import DLC, IDENTIFIER
 from fieldspec.codec.explain.row import ExplanationRow as ByteRow
 from fieldspec.codec.layout.values import Raw
 from fieldspec.language.model.link import Link
@@ -60,7 +60,7 @@ REFUSALS = {
     "wrong_length": "its length is wrong",
     "wrong_mark": "a delimiter is wrong or missing",
     "not_hex": "a character is not a hexadecimal digit",
-    "wrong_check": "its checksum is wrong",
+    "wrong_checksum": "its checksum is wrong",
     "unknown_code": "its code is unknown",
     "unknown_value": "a value is not a member of its enum",
     "wrong_const": "a constant has a different value",
@@ -190,8 +190,8 @@ def raw_text(number: Raw | None) -> str:
 
 
 def _byte_row(row: ByteRow) -> TableRow:
-    is_identifier = row.can_place == IDENTIFIER
-    place = row.at if row.length < 2 or is_identifier else f"{row.at}..{int(row.at) + row.length - 1}"
+    is_named = row.can_place in (IDENTIFIER, DLC)
+    place = row.at if row.length < 2 or is_named else f"{row.at}..{int(row.at) + row.length - 1}"
     name = code(row.path, f"#{row.fact}" if row.fact else "") if row.path else styled("left over", "wrong")
     return TableRow(
         (

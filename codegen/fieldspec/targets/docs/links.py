@@ -11,7 +11,7 @@ from fieldspec.foundation.classes import replace
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
 from fieldspec.targets.docs.checksums import DIGITS, checksum_text
-from fieldspec.targets.docs.context import Context, cited, many, names, sources
+from fieldspec.targets.docs.context import Context, many, names, sources
 from fieldspec.targets.docs.document import (
     Cell,
     DocumentTable,
@@ -27,8 +27,8 @@ from fieldspec.targets.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.targets.docs.link_settings import address_facts, network_facts, serial_facts
-from fieldspec.targets.docs.positions import Position, field_starts
+from fieldspec.targets.docs.link_settings import link_facts
+from fieldspec.targets.docs.positions import Position, placed_fields
 from fieldspec.targets.docs.sources import Inferences
 from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
 
@@ -59,16 +59,20 @@ class FrameTable:
         self.shape = link.frame(direction)
         self.marks = Inferences(anchor)
         self.anchored = anchored
-        characters = link.link.encoding == "hex_ascii"
-        self.start, self.width = len(self.shape.start), 2 if characters else 1
+        characters = link.link.transmission == "hex_ascii"
+        self.start, self.width = len(self.shape.further) + len(self.shape.start), 2 if characters else 1
         if link.link.escape is not None and link.link.is_can:
             self.start = -link.link.escape.fields_size  # places are those in the data, after the identifier
         self.unit = "Character" if characters else "Byte"
 
     def table(self, caption: str, record: RecordLayout | None, code: int | None = None) -> DocumentTable:
         """All parts of the frame in order, with the fields of a record where one is given."""
-        start, end = self.shape.start, self.shape.end
-        rows = [*self._mark("start", _span(0, len(start)), start)]
+        preamble, (start, end) = self.shape.preamble, self.link.link.marks(self.direction)
+        size = self.start - len(start)
+        rows: list[TableRow] = []
+        if preamble is not None:
+            rows.append(self._frame_row(_span(0, size), cell("preamble"), cell((text_piece(preamble.text()),))))
+        rows += self._mark("start", _span(max(size, 0), len(start)), start)
         rows += [self._part(part, Position(part.offset), record, code) for part in self.shape.header]
         rows += self._body(record)
         rows += self._tail(record)
@@ -94,7 +98,8 @@ class FrameTable:
     def _part(
         self, part: PartLayout, position: Position, record: RecordLayout | None, message_code: int | None
     ) -> TableRow:
-        value = part.value
+        parts = self.context.device.links[self.link.name].parts(self.direction)
+        value = next(stated.value for stated in parts if stated.name == part.name)
         inferred = part.part.inferred
         cells = value_cells(value, inferred, self.marks) if value else (_check_type(part), Cell(), Cell())
         return TableRow(
@@ -155,9 +160,8 @@ class FrameTable:
 
     def _body(self, record: RecordLayout | None) -> Iterator[TableRow]:
         if record is not None:
-            for field, start in zip(record.sent_fields, field_starts(record), strict=True):
-                if not field.field.is_separator:
-                    yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
+            for field, start in placed_fields(record):
+                yield from field_rows(self, field, start.shifted(self.shape.header_size), field.name, "k")
             return
         place = code(f"from {self.start + self.shape.header_size * self.width}")
         for part in self.link.link.parts(self.direction):
@@ -205,18 +209,23 @@ def _from_end(distance: int, length: int) -> str:
 
 def field_rows(holder: FrameTable, field: FieldLayout, start: Position, path: str, letter: str) -> Iterator[TableRow]:
     """The row of a field; of a field that is a record, the rows of the record, once for all elements."""
-    position = start.shifted(field.offset)
+    position = start
     elements = ""
     if field.is_list:
-        step = (1, f"bytes of earlier {field.name}") if differs_in_size(field) else (field.size, letter)
-        position = position.stepped(*step)
+        position = element_position(field, start, letter)
         path = f"{path}[{letter}]"
         elements = elements_text(field, letter)
     yield holder.field_row(field, position, path, elements)
     if field.record is not None:
         later = chr(ord(letter) + 1) if field.is_list else letter
-        for inner in field.record.stated_fields:
-            yield from field_rows(holder, inner, position, f"{path}.{inner.name}", later)
+        for inner, place in placed_fields(field.record):
+            inner_start = Position(position.fixed + place.fixed, (*position.steps, *place.steps))
+            yield from field_rows(holder, inner, inner_start, f"{path}.{inner.name}", later)
+
+
+def element_position(field: FieldLayout, start: Position, letter: str) -> Position:
+    """Where each element of a list begins."""
+    return start.stepped(*((1, f"bytes of earlier {field.name}") if differs_in_size(field) else (field.size, letter)))
 
 
 def field_cells(context: Context, field: FieldLayout, path: str, elements: str, marks: Inferences) -> tuple[Cell, ...]:
@@ -304,10 +313,6 @@ def length_text(framing_size: int, record: RecordLayout) -> str:
     return f"{framing_size + last.offset} + {step} bytes, n = {spoken(repeat.text())}"
 
 
-ENCODINGS = {"binary": "bytes as they are", "hex_ascii": "each byte as two hexadecimal characters, the high one first"}
-ORDERS = {"big": "the most significant first", "little": "the least significant first"}
-
-
 def links(context: Context) -> Section:
     """The section of all links: their frames, settings and times."""
     inner = tuple(_link(context, link_layout) for link_layout in context.layout.links.values())
@@ -317,7 +322,7 @@ def links(context: Context) -> Section:
 def _link(context: Context, link_layout: LinkLayout) -> Section:
     link = link_layout.link
     blocks = context.opening(link)
-    blocks.append(Facts(tuple(_facts(link))))
+    blocks.append(Facts(tuple(link_facts(link))))
     if _has_equal_parts(link):
         frame = FrameTable(context, link_layout, "request", f"{link.place.path}/frame", "links/")
         blocks.append(frame.table("Requests and responses", None))
@@ -353,42 +358,3 @@ def _has_equal_parts(link: Link) -> bool:
         )
 
     return [facts_of(part) for part in link.request] == [facts_of(part) for part in link.response]
-
-
-def _facts(link: Link) -> Iterator[tuple[str, tuple[Line, ...]]]:
-    yield "Name", ((code(link.name),),)
-    yield "Encoding", ((text_piece(ENCODINGS[link.encoding]),),)
-    common = link.has_common_delimiters
-    for direction in ("request",) if common else ("request", "response"):
-        frames = "" if common else f", {link.direction_name(direction)}s"
-        for verb, mark in zip(("Starts", "Ends"), link.delimiters(direction), strict=True):
-            if mark:
-                yield f"{verb} with{frames}", ((code(mark.hex(" ").upper()),),)
-    if link.escape is not None:
-        yield "Identifier" if link.is_can else "Escaped bytes", ((text_piece(link.escape.text()),),)
-    if link.byte_order:
-        yield "Bytes of a number", ((text_piece(ORDERS[link.byte_order]),),)
-    if link.word_order:
-        yield "Words of a number", ((text_piece(ORDERS[link.word_order]),),)
-    if link.silence_characters is not None:
-        yield "Silence between frames", ((text_piece(f"{link.silence_characters:f} characters"),),)
-    if link.silence_milliseconds is not None:
-        yield "Silence between frames", ((text_piece(f"{link.silence_milliseconds:f} ms"),),)
-    if link.silence_sources:
-        yield "Source of the silence", (cited(link.silence_sources),)
-    if link.exception_response is not None:
-        error = link.exception_response
-        text = f"the code of the request with the bits 0x{error.flag:02X} set, and the record "
-        if not error.flag:
-            text = f"{error.mark_text}, and the record "
-        yield (
-            "Refusals",
-            ((text_piece(text), code(link.exception_response.record, f"#records/{link.exception_response.record}")),),
-        )
-    if link.is_default:
-        yield "Factory setting", ((text_piece("the device uses this link with factory settings"),),)
-    yield from address_facts(link)
-    yield from serial_facts(link)
-    yield from network_facts(link)
-    if link.sources:
-        yield "Source", (cited(link.sources),)

@@ -128,7 +128,7 @@ def _cell(cell: Cell, lost: tuple[str, ...] = ()) -> str:
 
 
 class _Page:
-    """Writes the blocks of a page. Of the links within it those to headings are kept: it has no other anchors."""
+    """Writes the blocks of a page. Links within the page are kept if they lead to headings: it has no other anchors."""
 
     def __init__(self, document: Document) -> None:
         self._anchors = Anchors(document.sections)

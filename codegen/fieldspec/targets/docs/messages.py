@@ -82,18 +82,19 @@ def _frame(
     anchor = f"{message_layout.message.place.path}/{link.name}-{direction}"
     record = message_layout.data(direction)
     title = link.link.direction_name(direction).capitalize()
-    length = _length(link, direction, record)
+    remote = message_layout.message.remote if direction == "request" else None
+    length = _length(link, direction, record) if remote is None else f"a remote request for {many(remote, 'byte')}"
     caption = f"{title} on {link.link.title or link.name}: {length}"
     return FrameTable(context, link, direction, anchor, anchored).table(
-        caption, record, message_layout.message.code_of(direction)
+        caption, record, message_layout.message.printed_code(direction)
     )
 
 
 def _length(link: LinkLayout, direction: str, record: RecordLayout) -> str:
     """The length of a frame, as its table counts: with its delimiters, and without the identifier of a CAN frame."""
     shape, escape = link.frame(direction), link.link.escape
-    parts_size, marks = shape.header_size + shape.trailer_size, len(shape.start) + len(shape.end)
-    if link.link.encoding == "hex_ascii":
+    parts_size, marks = shape.header_size + shape.trailer_size, len(shape.further + shape.start) + len(shape.end)
+    if link.link.transmission == "hex_ascii":
         text = f"{length_text(parts_size, record)}, as two characters each"
         return f"{text}, and {many(marks, 'character')} as delimiters" if marks else text
     if escape is not None and link.link.is_can:
@@ -176,6 +177,8 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
         yield "Group", ((text_piece(" ".join(message.group.split("_"))),),)
     if message.code is not None:
         yield "Code", (_code_pieces(context, message, message.code),)
+    if message.remote is not None:
+        yield "Request", ((text_piece(f"a remote request for {many(message.remote, 'byte')}, without data"),),)
     if message.response_code is not None:
         yield "Code of the response", (_code_pieces(context, message, message.response_code),)
     if message.code is not None:

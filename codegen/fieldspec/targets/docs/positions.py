@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.codec.layout.inner_lists import InnerLists
-from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass
 
 
@@ -38,15 +40,20 @@ def _step(size: int, letter: str) -> str:
     return f" + {size}{times}{letter}" if size > 1 else f" + {letter}"
 
 
-def field_starts(record: RecordLayout) -> list[Position]:
-    """Where each field of a record, in the order of the wire, begins, less its offset."""
+def placed_fields(record: RecordLayout) -> Iterator[tuple[FieldLayout, Position]]:
+    """The fields that the spec states, in the order of the wire, each with the place where it begins."""
+    starts = [Position(0)] * len(record.fields)
     if record.inner_lists is not None:
-        return _starts_around(record, record.inner_lists)
-    return _varying_starts(record) if record.spans else [Position(0)] * len(record.fields)
+        starts = _starts_around(record, record.inner_lists)
+    elif record.spans:
+        starts = _varying_starts(record)
+    for field, start in zip(record.sent_fields, starts, strict=True):
+        if not field.field.is_implied:
+            yield field, start.shifted(field.offset)
 
 
 def _starts_around(record: RecordLayout, inner: InnerLists) -> list[Position]:
-    """Where each field of a record begins with fields after a list: `4 + 2 times number of samples`."""
+    """The start of each field that follows lists in a record, less its offset: `4 + 2 times number of samples`."""
     lists = {own.name: own for own in inner.lists}
     position = Position(0)
     starts = []
@@ -56,7 +63,7 @@ def _starts_around(record: RecordLayout, inner: InnerLists) -> list[Position]:
             starts.append(position)
             continue
         starts.append(position.shifted(own.first - own.room))
-        if own.parts is not None:
+        if own.parts is not None or own.decision is not None:
             position = position.stepped(1, f"bytes of {field.name}")
             continue
         number = f"number of {field.name}"

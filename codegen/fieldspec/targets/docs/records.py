@@ -27,7 +27,8 @@ from fieldspec.targets.docs.document import (
     table,
     text_piece,
 )
-from fieldspec.targets.docs.links import elements_text, field_cells, separator
+from fieldspec.targets.docs.links import element_position, elements_text, field_cells, separator
+from fieldspec.targets.docs.positions import Position, placed_fields
 from fieldspec.targets.docs.sources import Inferences
 from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, access_cell, default_cell, restart_cell
 
@@ -292,7 +293,7 @@ def _record(context: Context, record_layout: RecordLayout) -> Section:
         facts.append(("Used by", (users,)))
     blocks.append(Facts(tuple(facts)))
     marks = Inferences(path)
-    rows = [_record_row(context, field, marks) for field in record_layout.stated_fields]
+    rows = [_record_row(context, field, start, marks) for field, start in placed_fields(record_layout)]
     blocks.append(table(f"Fields of {record.name}", OF_RECORD, rows, marks.footnotes(), heading=2))
     return Section(path, (code(record.name), *context.section_title("", record)[1:]), tuple(blocks))
 
@@ -303,9 +304,10 @@ def _size(record_layout: RecordLayout) -> str:
     return f"{record_layout.least} to {record_layout.most} bytes"
 
 
-def _record_row(context: Context, field: FieldLayout, marks: Inferences) -> TableRow:
+def _record_row(context: Context, field: FieldLayout, start: Position, marks: Inferences) -> TableRow:
     elements = elements_text(field, "k") if field.is_list else ""
     path = f"{field.name}[k]" if field.is_list else field.name
-    step = f" + {field.size}k" if field.is_list else ""
+    place = (element_position(field, start, "k") if field.is_list else start).text(1)
+    size = str(field.size) if field.least_size == field.size else f"{field.least_size} to {field.size}"
     cells = field_cells(context, field, path, elements, marks)
-    return TableRow((cell(code(f"{field.offset}{step}")), cell(str(field.size)), *cells), field.field.place.path)
+    return TableRow((cell(code(place)), cell(size), *cells), field.field.place.path)

@@ -70,6 +70,8 @@ def type_lines(value: Value) -> list[Line]:
         lines.append((text_piece(f"{value.characters} characters at most"),))
     if value.byte_order:
         lines.append((text_piece(f"{value.byte_order} endian"),))
+    if value.write_word_order:
+        lines.append((text_piece(value.write_order_text),))
     if value.const is not None:
         lines.append((text_piece("always "), code(_constant_text(value, value.const))))
     return lines

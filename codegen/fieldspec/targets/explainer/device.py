@@ -10,6 +10,7 @@ from fieldspec.codec.explain.row import citations
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Erratum, Example
+from fieldspec.targets.explainer.codecs import codec_constants
 from fieldspec.targets.explainer.links import link_data
 from fieldspec.targets.explainer.literals import Data, lines
 from fieldspec.targets.explainer.records import message_data, record_data
@@ -21,8 +22,11 @@ _LINES = 2
 
 
 def explainer_data(layout: DeviceLayout) -> str:
-    """The data of the explainer as a literal of JavaScript."""
-    return lines(device_data(layout), _LINES)
+    """The data of the explainer as an expression of JavaScript: a literal, or after codecs the result of a function."""
+    data, codecs = lines(device_data(layout), _LINES), codec_constants(layout)
+    if not codecs:
+        return data
+    return "\n".join(["(() => {", *codecs, f"return {data};", "})()"])
 
 
 def device_data(layout: DeviceLayout) -> dict[str, Data]:

@@ -9,7 +9,9 @@ from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.escape import Escape
 from fieldspec.language.model.link import ExceptionResponse
-from fieldspec.targets.explainer.literals import Data
+from fieldspec.language.model.preamble import Preamble
+from fieldspec.targets.explainer.codecs import constant_name
+from fieldspec.targets.explainer.literals import Code, Data
 from fieldspec.targets.explainer.values import fact_data, intervals, stated, value_data
 
 DIRECTIONS = ("request", "response")
@@ -24,7 +26,7 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
         **stated(
             {
                 "title": own.title,
-                "encoding": own.encoding,
+                "transmission": own.transmission,
                 "messageName": own.message_name,
                 "addresses": stated({"ranges": intervals(addresses.ranges), "broadcast": addresses.broadcast})
                 if addresses is not None
@@ -43,7 +45,8 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
                 else None,
             }
         ),
-        "delimiters": {direction: [mark.hex() for mark in own.delimiters(direction)] for direction in DIRECTIONS},
+        "delimiters": {direction: [mark.hex() for mark in own.marks(direction)] for direction in DIRECTIONS},
+        **stated({"preamble": _preamble(own.preamble)}),
         "subcodes": {direction: _subcodes(link, direction) for direction in DIRECTIONS},
         "codes": {direction: _code_texts(link, direction) for direction in DIRECTIONS},
         **stated({"openings": _openings(link)}),
@@ -67,6 +70,13 @@ def _exception(exception: ExceptionResponse, mark: ExceptionMark | None) -> Data
         **stated({"code": exception.code, "part": exception.part, "normal": intervals(exception.normal)}),
         **({"mark": {"offset": mark.offset, "bytes": list(mark.pattern)}} if mark is not None else {}),
     }
+
+
+def _preamble(preamble: Preamble | None) -> Data:
+    """The byte before frames, how often it is sent, and how often receivers take it."""
+    if preamble is None:
+        return None
+    return {"byte": preamble.byte, "least": preamble.least, "most": preamble.most, "sent": preamble.sent}
 
 
 def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
@@ -117,6 +127,7 @@ def _part(part: PartLayout) -> dict[str, Data]:
         "role": part.role,
         "offset": part.offset,
         "size": part.size,
+        **({"numberSize": part.number_size} if part.number_size != part.size else {}),
         **stated(
             {
                 "order": part.order,
@@ -140,6 +151,8 @@ def _part(part: PartLayout) -> dict[str, Data]:
 def _algorithm(part: PartLayout) -> dict[str, Data]:
     """The parameters of a checksum; numbers that may be wide are texts of digits."""
     kind = checksum_named(part.algorithm)
+    if kind.codec:
+        return {"codec": Code(constant_name(kind.codec))}
     surrounding: dict[str, Data] = {
         key: code.hex()
         for key, code in (("suffix", kind.suffix), ("avoided", kind.avoided), ("replacements", kind.replacements))
@@ -176,6 +189,7 @@ def _escape(escape: Escape) -> dict[str, Data]:
             "pattern": escape.pattern.hex(),
             "inserted": escape.inserted,
             **({"bits": escape.bits, "fields": _fields(escape)} if escape.method == "can" else {}),
+            "remote": escape.remote,
         }
     )
 

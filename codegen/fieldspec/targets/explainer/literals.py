@@ -10,6 +10,13 @@ from fieldspec.foundation.classes import TYPE_CHECKING
 if TYPE_CHECKING:
     from typing import TypeAlias
 
+
+class Code(str):
+    """An expression of JavaScript, which stands among data as it is."""
+
+    __slots__ = ()
+
+
 Data: TypeAlias = "bool | int | float | str | Sequence[Data] | Mapping[str, Data] | None"
 
 _EXACT = 2**53
@@ -18,6 +25,8 @@ _EXACT = 2**53
 
 def literal(data: Data) -> str:
     """The literal of some data, in one line. Whole numbers that a number does not hold exactly are bigints."""
+    if isinstance(data, Code):
+        return data
     if isinstance(data, str):
         return json.dumps(data).replace("</", "<\\/").replace("<!--", "<\\u0021--")
     if isinstance(data, Mapping):

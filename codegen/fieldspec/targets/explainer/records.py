@@ -43,6 +43,11 @@ def _sent(record: RecordLayout) -> list[Data]:
     return [field.name for field in record.sent_fields]
 
 
+def _forms(device: Device, record: RecordLayout, field: FieldLayout) -> list[Data]:
+    """The forms of a field with the numbers that decide them."""
+    return [[sorted(case.numbers), _field(device, record, field.forms[min(case.numbers)])] for case in field.cases]
+
+
 def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str, Data]:
     own = field.field
     measures, repeat = own.measures, own.repeat
@@ -64,7 +69,9 @@ def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str
                 "valueOrder": [field.order, field.swapped] if _is_read_again(field) else None,
                 "record": field.record.name if field.record is not None else "",
                 "parts": _parts(field),
-                "cases": bool(field.cases),
+                "cases": field.splits_record,
+                "by": field.selector.name if field.selector is not None else "",
+                "forms": _forms(device, record, field) if field.forms else None,
                 "reserved": own.reserved,
                 "measures": [measures.of, measures.field, *plus] if measures is not None else None,
                 "bitsOf": field.bits_of,
@@ -113,8 +120,8 @@ def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
         **stated(
             {
                 "title": own.title,
-                "code": own.code,
-                "responseCode": own.response_code,
+                "code": own.code_of("request"),
+                "responseCode": own.code_of("response") if own.has_response_code else None,
                 "number": own.number,
                 "unrequested": not own.is_requested,
             }

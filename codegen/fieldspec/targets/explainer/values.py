@@ -19,7 +19,8 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import encoding_title, text_form_title
 from fieldspec.language.model.value import Value
-from fieldspec.targets.explainer.literals import Data
+from fieldspec.targets.explainer.codecs import constant_name, has_no_text
+from fieldspec.targets.explainer.literals import Code, Data
 from fieldspec.targets.runtime_values import kind_of, sign_data
 
 if TYPE_CHECKING:
@@ -41,9 +42,15 @@ def fact_data(fact: Fact) -> dict[str, Data]:
             "label": fact.label,
             "doc": fact.doc,
             "source": citations(fact.sources),
-            "notes": list(fact.notes),
+            "notes": [*fact.notes, *_notes_on_codec(getattr(fact, "value", None))],
         }
     )
+
+
+def _notes_on_codec(value: Value | None) -> list[str]:
+    if value is None or not has_no_text(value):
+        return []
+    return [f"These are the bytes of the codec {value.codec}, which has no JavaScript."]
 
 
 def intervals(ranges: Ranges | None) -> Data:
@@ -53,13 +60,15 @@ def intervals(ranges: Ranges | None) -> Data:
 
 def value_data(value: Value, order: str = "", swapped: bool = False) -> dict[str, Data]:
     """A value with the places of its bytes. Its keys are named like the attributes of `Value` with the same meaning."""
+    turned = bool(value.write_word_order)
     parameter = value.parameter
     return stated(
         {
-            "kind": kind_of(value.encoding),
+            "kind": "bytes" if has_no_text(value) else kind_of(value.encoding),
             "size": value.size,
             "signed": sign_data(value.encoding),
             "order": _order(places_of(value, order, swapped) if order else ()),
+            "writePlaces": list(places_of(value, order, not swapped)) if turned else None,
             **_digits(value),
             **_text_form(value),
             "const": value.const,
@@ -97,9 +106,10 @@ def _order(places: Places) -> Data:
 
 def _digits(value: Value) -> dict[str, Data]:
     """The form of the digits that a number is sent as, what they are called, and their bounds."""
-    if not value.digits:
+    if not value.digits or has_no_text(value):
         return {}
     return {
+        **({"codec": Code(f"{constant_name(value.codec)}.codec")} if value.codec else {}),
         "digits": value.digits,
         "places": value.places,
         "hasSign": has_sign(value),

@@ -8,11 +8,12 @@ from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import Name, version_word
+from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.targets import explainer as script
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.explainer import explainer_files
 from fieldspec.targets.js.index import index_texts
-from fieldspec.targets.js.module import declarations, module_texts
+from fieldspec.targets.js.module import declarations, module_texts, remaining
 from fieldspec.targets.js.naming import module_scope
 from fieldspec.targets.js.usages import usage_rows
 from fieldspec.targets.js.usages import usages as usages
@@ -66,21 +67,28 @@ def shared() -> dict[str, str]:
     }
 
 
+def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
+    """The refusals of codecs without JavaScript."""
+    return [finding for layout in versions for finding in remaining(layout).findings]
+
+
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """The modules of a device: one for each version, and `index` with the newest one and the choice by firmware."""
     device = versions[-1].device
     folder = Name.of(device.id).snake().replace("_", "-")
     modules = {layout.device.version: version_word(layout.device.version) for layout in versions}
     texts: dict[str, str] = {}
-    for layout in versions:
+    for whole in versions:
+        remaining_device = remaining(whole)
+        layout = remaining_device.layout
         names = Names(layout, module_scope())
         declared = declarations(names)
-        code, types = module_texts(layout, declared)
+        code, types = module_texts(layout, declared, remaining_device.omissions)
         cache_spelling("js", layout, partial(usage_rows, names, declared))
         texts[f"{folder}/{modules[layout.device.version]}.js"] = code
         texts[f"{folder}/{modules[layout.device.version]}.d.ts"] = types
         if layout.links:
-            texts |= explainer_files(layout, f"{folder}/{modules[layout.device.version]}_explain")
+            texts |= explainer_files(whole, f"{folder}/{modules[layout.device.version]}_explain")
     modules |= {equal: modules[layout.device.version] for layout in versions for equal in layout.equal_versions}
     newest = modules[device.version]
     if versions[-1].links:

@@ -40,9 +40,9 @@ def framer(
         _addresses(link, frame, direction),
     ]
     length, code = frame.role("length"), frame.role("code")
-    if frame.start and frame.end and link.link.encoding == "hex_ascii":
+    if frame.start and frame.end and link.link.transmission == "hex_ascii":
         return f"delimiterFramer({{ {', '.join(rows)} }})"
-    if link.link.encoding != "binary":
+    if link.link.transmission != "binary":
         return None
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) == (0, None):
         if not frame.end:
@@ -124,7 +124,7 @@ def _part_number(part: PartLayout, wide: bool = False) -> str:
 def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
     smallest = min(record.least for record in bodies)
     largest = max(record.most if record.most is not None else LONGEST for record in bodies)
-    width = 2 if link.link.encoding == "hex_ascii" else 1
+    width = 2 if link.link.transmission == "hex_ascii" else 1
     parts_size = frame.header_size + frame.trailer_size
     marks = len(frame.start) + len(frame.end)
     shortest, longest = (marks + width * (parts_size + size) for size in (smallest, largest))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 from fieldspec.codec.layout.inner_lists import inner_lists_data
-from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import members_of
 from fieldspec.targets.js.text import literal
@@ -30,6 +30,16 @@ def list_table(record: RecordLayout, name: str) -> list[str]:
     ]
 
 
+def _decided_size(record: RecordLayout, field: FieldLayout, selector: FieldLayout) -> str:
+    """The bytes of a field whose type a selector decides: the bytes of the longest type if it decides none."""
+    key = next(member.key for member in members_of(record) if member.field.name == selector.name)
+    if not key:
+        assert selector.value is not None
+        return str(field.forms[selector.value.const or 0].size)
+    rows = ", ".join(f"{number}: {form.size}" for number, form in sorted(field.forms.items()))
+    return f"({{ __proto__: null, {rows} }}[value.{key}] ?? {field.size})"
+
+
 def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The functions that write a value and count its bytes."""
     assert record.inner_lists is not None
@@ -40,6 +50,9 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
             continue
         items = list_length(member.key, repeat.high) if repeat is not None else str(field.count)
         lengths.append(items if field.size == 1 else f"{items} * {field.size}")
+        if field.selector is not None:
+            sizes.append(_decided_size(record, field, field.selector))
+            continue
         if field.record is None or field.record.size is not None:
             sizes.append(lengths[-1])
             continue

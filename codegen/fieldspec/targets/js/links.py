@@ -12,6 +12,7 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.checksums import algorithm_name, checksum_named
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.ranges import Ranges
+from fieldspec.targets.explainer.codecs import constant_name
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.framing import framer, is_wide_part
@@ -37,9 +38,10 @@ def declare_message(message: MessageLayout, names: Names) -> Declaration:
     request = names.records[message.request.name] if own.is_requested else "null"
     response = names.records[message.response.name] if own.is_answered else "null"
     number = f", {own.number}" if own.number is not None else ""
-    if own.response_code is not None:
-        number = f"{number or ', undefined'}, 0x{own.response_code:02X}"
-    code = "null" if own.code is None else f"0x{own.code:02X}"
+    request_code, response_code = own.code_of("request"), own.code_of("response")
+    if own.has_response_code:
+        number = f"{number or ', undefined'}, 0x{response_code:02X}"
+    code = "null" if request_code is None else f"0x{request_code:02X}"
     arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
     request_type, response_type = (data if data != "null" else "never" for data in (request, response))
     return Declaration(
@@ -63,7 +65,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     code = [f"const {frames} = /* @__PURE__ */ frames({{"]
     code += [
         f"  name: {literal(link.name)},",
-        f"  hex: {'true' if link.link.encoding == 'hex_ascii' else 'false'},",
+        f"  hex: {'true' if link.link.transmission == 'hex_ascii' else 'false'},",
     ]
     for direction in ("request", "response"):
         frame = link.frame(direction)
@@ -73,6 +75,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         code += [
             f"    start: {list(frame.start)},",
             f"    end: {list(frame.end)},",
+            *_preamble(frame),
             f"    checksums: {order},",
             f"    escape: {_escape(frame)},",
             f"    escapeStart: {frame.escape_start},",
@@ -206,6 +209,16 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
     return [*lines, "    ],"]
 
 
+def _preamble(frame: FrameLayout) -> list[str]:
+    """The line of a preamble, if frames have one."""
+    own = frame.preamble
+    if own is None:
+        return []
+    return [
+        f"    preamble: {{ byte: {own.byte}, least: {own.least}, further: {len(own.further)}, spare: {own.spare} }},"
+    ]
+
+
 def _escape(frame: FrameLayout) -> str:
     """The object that escapes bytes, or null."""
     escape = frame.escape
@@ -215,7 +228,8 @@ def _escape(frame: FrameLayout) -> str:
         return "cobs"
     if escape.method == "can":
         fields = [[size, int(order == "little"), first, width] for size, order, first, width in escape.fields]
-        return f"{PURE} canIdentifier({escape.bits}, {fields})"
+        remote = "" if escape.remote is None else f", {escape.remote}"
+        return f"{PURE} canIdentifier({escape.bits}, {fields}{remote})"
     if escape.method == "add":
         return f"{PURE} adding({escape.inserted})"
     if escape.method == "insert":
@@ -229,6 +243,8 @@ def checksum_function(algorithm: str, order: str) -> str:
     if short is not None:
         return short
     kind = checksum_named(algorithm)
+    if kind.codec:
+        return constant_name(kind.codec)
     if kind.avoided:
         function = checksum_function(algorithm_name(replace(kind, avoided=b"", replacements=b"")), order)
         return f"{PURE} avoiding({function}, {kind.size}, {list(kind.avoided)}, {list(kind.replacements)})"

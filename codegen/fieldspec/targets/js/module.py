@@ -7,7 +7,10 @@ from collections.abc import Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.omissions import Expressed, Omission, expressed, listing
+from fieldspec.codec.layout.package_codecs import codec_refusals
 from fieldspec.foundation.names import Name
+from fieldspec.targets.explainer.codecs import codec_constants, javascript
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.enums import declare_enum, declare_flags
@@ -21,7 +24,16 @@ from fieldspec.targets.js.units import declare_conversion
 IMPORTS = {
     "absent": ("absentValues",),
     "checksums": ("avoiding", "crc16", "crcOf", "fletcherOf", "followedBy", "lrc", "sum8", "swapping", "totalOf"),
-    "digits": ("bcdOf", "blankDigitsOf", "digitsOf", "putBcd", "putBlankDigits", "putDigits"),
+    "digits": (
+        "bcdOf",
+        "blankDigitsOf",
+        "codedNumberOf",
+        "digitsOf",
+        "putBcd",
+        "putBlankDigits",
+        "putCodedNumber",
+        "putDigits",
+    ),
     "end_framer": ("endFramer",),
     "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),
     "escapes": ("adding", "canIdentifier", "cobs", "inserting", "replacing"),
@@ -61,6 +73,11 @@ IMPORTS = {
 _WORDS = re.compile(r'"(?:[^"\\]|\\.)*"|[A-Za-z_$][\w$]*')
 
 
+def remaining(layout: DeviceLayout) -> Expressed:
+    """A device without what needs a codec that has no JavaScript."""
+    return expressed(layout, codec_refusals(layout, "JavaScript", javascript))
+
+
 def declarations(names: Names) -> list[Declaration]:
     """Everything that the module of a version declares, in an order in which nothing is used before it.
 
@@ -80,7 +97,8 @@ def declarations(names: Names) -> list[Declaration]:
         names.messages[message.name] = scope.take(
             Name.of(message.name).pascal(), f"{Name.of(message.name).pascal()}Message"
         )
-    rows = [declare_enum(enum, names.enums[enum.name]) for enum in device.enums.values()]
+    rows = [Declaration(codec_constants(layout), [])]
+    rows += [declare_enum(enum, names.enums[enum.name]) for enum in device.enums.values()]
     rows += [declare_flags(flags, names.flags[flags.name], device.enums) for flags in device.flags.values()]
     rows += [
         declare_record(record, names.records[name], names, sentence(Name.of(name).title()))
@@ -111,9 +129,11 @@ def _bodies(message: MessageLayout, names: Names) -> list[Declaration]:
     ]
 
 
-def module_texts(layout: DeviceLayout, rows: Sequence[Declaration]) -> tuple[str, str]:
+def module_texts(
+    layout: DeviceLayout, rows: Sequence[Declaration], omissions: Sequence[Omission] = ()
+) -> tuple[str, str]:
     """The module of a version that declares these `rows`, and its types."""
-    head = comment(about(layout))
+    head = comment([*about(layout), *listing(omissions, str)])
     device = layout.device
     constants = [("DEVICE", device.id), ("VERSION", device.version), ("IDENTITY", layout.identity)]
     code = [line for row in rows for line in row.code]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from fieldspec.codec.layout.inner_lists import InnerList
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.js.bit_counts import bit_count_check
@@ -75,6 +77,8 @@ def _read_member(record: RecordLayout, member: Member, names: Names) -> tuple[li
     field = member.field
     if field.field.reserved and not member.key:
         return [], ""
+    if field.selector is not None:
+        return _read_decided(field, field.selector, member.variable, names), member.variable
     if field.is_list:
         return _read_list(record, member, names), member.variable
     if field.record is not None:
@@ -85,6 +89,36 @@ def _read_member(record: RecordLayout, member: Member, names: Names) -> tuple[li
     if reading.throws and not reading.lines:
         return [f"const {member.variable} = {reading.expression};"], member.variable
     return list(reading.lines), reading.expression
+
+
+def _read_decided(field: FieldLayout, selector: FieldLayout, variable: str, names: Names) -> list[str]:
+    """The statements that read a field of the type that another one decides."""
+    number = slot_of(selector, names).number("o", selector.offset)
+
+    def branch(form: FieldLayout) -> list[str]:
+        reading = slot_of(form, names).read(f"{variable}of", "o", form.offset)
+        return [*reading.lines, f"{variable} = {reading.expression};"]
+
+    return [f"let {variable};", *by_selector(field, selector, number, names, branch, place("o", selector.offset))]
+
+
+def by_selector(
+    field: FieldLayout,
+    selector: FieldLayout,
+    number: str,
+    names: Names,
+    branch: Callable[[FieldLayout], list[str]],
+    position: str,
+) -> list[str]:
+    """A `switch` with the statements for each type of a field, by the number of its selector."""
+    suffix = "n" if slot_of(selector, names).wide else ""
+    lines = [f"switch ({number}) {{"]
+    for case in field.cases:
+        labels = " ".join(f"case {own}{suffix}:" for own in sorted(case.numbers))
+        statements = branch(field.forms[min(case.numbers)])
+        lines += [f"  {labels} {{", *(f"    {line}" for line in statements), "    break;", "  }"]
+    wrong = throw_wrong_number("unknown_value", selector.name, number, literal(CHOOSES_NOTHING), position)
+    return [*lines, f"  default: {wrong}", "}"]
 
 
 def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:

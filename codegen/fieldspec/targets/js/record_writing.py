@@ -12,7 +12,7 @@ from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.inner_lists import list_length, write_lists
 from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.targets.js.number_bytes import place
-from fieldspec.targets.js.record_reading import CHOOSES_NOTHING
+from fieldspec.targets.js.record_reading import CHOOSES_NOTHING, by_selector
 from fieldspec.targets.js.text import literal, plus
 from fieldspec.targets.js.values import throw_wrong_number
 from fieldspec.targets.js.widths import write_widths
@@ -46,6 +46,8 @@ def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
             continue
         if not member.key:
             lines += _write_implied(record, member, names, keys)
+        elif field.selector is not None:
+            lines += _write_decided(field, field.selector, member, keys, names)
         elif field.is_list:
             lines += _write_list(member, names)
         elif field.record is not None:
@@ -62,6 +64,27 @@ def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
     if not lines:
         return [f"function {name}() {{}}"]
     return [f"function {name}(value, b, o) {{", *(f"  {line}" for line in lines), "}"]
+
+
+def selector_number(selector: FieldLayout, keys: Mapping[str, str], names: Names) -> str:
+    """The expression of the number of a selector of a value, or its constant."""
+    key, slot = keys[selector.name], slot_of(selector, names)
+    return f"value.{key}" if key else f"{slot.value.const}{'n' * slot.wide}"
+
+
+def _write_decided(
+    field: FieldLayout, selector: FieldLayout, member: Member, keys: Mapping[str, str], names: Names
+) -> list[str]:
+    """The statements that write a field in the type that another one decides."""
+
+    def branch(form: FieldLayout) -> list[str]:
+        return slot_of(form, names).write(member.variable, "o", form.offset)
+
+    number = selector_number(selector, keys, names)
+    return [
+        f"const {member.variable} = value.{member.key};",
+        *by_selector(field, selector, number, names, branch, "null"),
+    ]
 
 
 def _write_list(member: Member, names: Names) -> list[str]:

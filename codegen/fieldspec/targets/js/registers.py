@@ -27,7 +27,9 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     register, device = layout.register, names.layout.device
     name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
     size = layout.size if register.value.type.name == BIT else register.value.size
-    request = Slot(layout.name, register.value, size, layout.order, layout.swapped, device)
+    request = Slot(
+        layout.name, register.value, size, layout.order, register.value.write_swapped(layout.swapped), device
+    )
     answer = register.answer
     read = Slot(layout.name, answer, size, layout.order, layout.swapped, device)
     reading = read.read("number", "o", 0)
@@ -64,6 +66,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
         facts.append({"ro": "Read only.", "rw": "Read and write.", "wo": "Write only."}[register.access])
     ranges = register.value.writable_ranges
     facts += [f"{ranges.text()}."] if ranges is not None else []
+    facts += [f"The {register.value.write_order_text}."] if register.value.write_word_order else []
     facts += [f"In counts of {register.value.unit}."] if register.value.scale_by else []
     documentation = comment(described(Name.of(layout.name).title(), register, " ".join(facts)))
     if layout.count > 1:

@@ -89,7 +89,7 @@ def absent_of(device: Device, value: Value, trigger: bool = False) -> str:
 
 
 def _stated(stated: StatedNumbers, suffix: str) -> str:
-    """What is stated of numbers, beside special values: `{ ranges: [[1, 10]], bits: [[0xen, [[0n, 10n]]]] }`"""
+    """The stated numbers without special values: `{ ranges: [[1, 10]], bits: [[0xen, [[0n, 10n]]]] }`"""
     ranges = ", ".join(f"[{low}{suffix}, {high}{suffix}]" for low, high in stated.intervals)
     images = ((bit, ", ".join(f"[{low}n, {high}n]" for low, high in bit.images)) for bit in stated.bits)
     bits = ", ".join(

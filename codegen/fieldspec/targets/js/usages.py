@@ -17,7 +17,7 @@ from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.enums import member_keys
 from fieldspec.targets.js.links import argument_keys, carries
 from fieldspec.targets.js.members import Member, members_of
-from fieldspec.targets.js.module import declarations
+from fieldspec.targets.js.module import declarations, remaining
 from fieldspec.targets.js.naming import module_scope
 from fieldspec.targets.js.registers import Access, accesses
 from fieldspec.targets.js.units import unit_of
@@ -42,7 +42,7 @@ _KEY = re.compile(r"  (\w+): ")
 def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
     """The code for each version of a device, by the version."""
     result = {}
-    for layout in versions:
+    for layout in (remaining(layout).layout for layout in versions):
         folder = Name.of(layout.device.id).snake().replace("_", "-")
         variables = {"folder": folder, "module": version_word(layout.device.version)}
         result[layout.device.version] = VersionUsages(

@@ -25,6 +25,7 @@ from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.text_form import UTF_16, TextForm
 from fieldspec.language.model.value import Value
+from fieldspec.targets.explainer.codecs import constant_name
 from fieldspec.targets.js.number_bytes import (
     BYTES_OF_OPERATOR,
     byte,
@@ -98,6 +99,8 @@ class Slot:
     def _digits(self, digits: Digits, base: str, offset: int) -> str:
         """The expression of the number of characters, or of two decimal digits in each byte."""
         name, wide, position = literal(self.name), flag(self.wide), place(base, offset)
+        if self.value.codec:
+            return f"codedNumberOf({name}, b, {position}, {wide}, {digits.size}, {constant_name(self.value.codec)})"
         if digits.form in NIBBLES:
             listing = ", ".join(self._bytes(base, offset))
             return f"bcdOf({name}, [{listing}], {position}, {wide}{_sign_nibble(digits)})"
@@ -126,6 +129,9 @@ class Slot:
             case Real() | Truth():
                 return stored_bits(number, self._bytes(base, offset))
             case Digits():
+                if self.value.codec:
+                    form = constant_name(self.value.codec)
+                    return [f"putCodedNumber({number}, b, {place(base, offset)}, {form});"]
                 if encoding.form in NIBBLES:
                     places = ", ".join(place(base, offset + index) for index in self.places)
                     return [f"putBcd({number}, b, [{places}]{_sign_nibble(encoding)});"]

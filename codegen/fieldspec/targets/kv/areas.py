@@ -226,7 +226,7 @@ def areas(layout: DeviceLayout) -> Iterator[Area]:
 
 def frames_in_words(link: LinkLayout) -> bool:
     """Whether the bytes that a link sends equal the parts of its frames, between the delimiters."""
-    return link.link.encoding == "binary" and link.link.escape is None
+    return link.link.transmission == "binary" and link.link.escape is None and link.link.preamble is None
 
 
 def has_frame_areas(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -> bool:

@@ -15,10 +15,18 @@ from fieldspec.targets.kv.areas import frames_in_words, has_frame_areas
 
 
 def register_refusals(layout: DeviceLayout) -> Iterator[Refusal]:
-    """A refusal of each register in a space of bits or bytes, with one finding per group."""
+    """A refusal of each register in a space of bits or bytes; the registers of a group have one finding.
+
+    Each register whose words are written in a different order from reads is refused too.
+    """
     for group in layout.device.groups:
         space = layout.device.space(group.space)
         if space.unit == WORD:
+            for register in group.registers:
+                if register.value.write_word_order:
+                    text = f"{register.name} is written in another order of words than a word map has, that of a read"
+                    place = register.place["write_word_order"]
+                    yield Refusal(register, Diagnostic("output_registers_words", text, place, help=LEAVE_OUT))
             continue
         text = (
             f"an address of the registers in {group.name} is a {space.unit}, and a word map has one register per word"
@@ -60,5 +68,13 @@ def _refused_links(layout: DeviceLayout) -> Iterator[tuple[LinkLayout, list[str]
         elif link.link.escape is not None:
             reason = f"{link.name} escapes bytes, so the words of its parts are not what is sent"
             yield link, messages, "escape", reason
+        elif link.link.preamble is not None:
+            reason = f"{link.name} has a preamble of varying length, so the words of its frames have no place"
+            yield link, messages, "preamble", reason
         else:
-            yield link, messages, "encoding", f"{link.name} sends each byte as two characters, which a word map has not"
+            yield (
+                link,
+                messages,
+                "transmission",
+                f"{link.name} sends each byte as two characters, which a word map has not",
+            )

@@ -48,7 +48,7 @@ def is_framed(link: LinkLayout) -> bool:
     """Whether anything stands around a body."""
     spoken = link.link
     return bool(
-        link.request.header or link.request.trailer or spoken.encoding == "hex_ascii" or spoken.start or spoken.end
+        link.request.header or link.request.trailer or spoken.transmission == "hex_ascii" or spoken.start or spoken.end
     )
 
 

@@ -157,8 +157,10 @@ def _messages(exchange: Exchange, links: list[LinkView], layout: DeviceLayout) -
     quiet = quiet if message.is_answered else "It is never answered."
     quiet = quiet if message.is_requested else "Only the device sends it, of its own accord."
     for direction in reversed(message.directions):
-        number_of_code = message.code_of(direction)
+        number_of_code = message.printed_code(direction)
         code = "" if number_of_code is None else f"Code {number_of_code:#04x}."
+        if direction == "request" and message.remote is not None:
+            code += f" It is a remote request with the DLC {message.remote}."
         shaped, name = exchange.side(direction)
         names = {link.direction_name(direction) for link in carrying} - {direction}
         direction_text = f"the {direction} ({', '.join(sorted(names))})" if names else f"the {direction}"

@@ -44,7 +44,7 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
             condition = f"body[{link.mark.offset}:{link.mark.end}] == {link.mark.pattern!r}"
         refusals = head_refusals(link, frame, is_exception=True)
         return ErrorView(
-            wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
+            wrapper=scope.take(f"{pascal}ExceptionResponse") if arguments else "_ExceptionResponse",
             condition=condition,
             code="kind.CODE or 0",
             record=words.records[error.record],
@@ -63,7 +63,7 @@ def error_view(link: LinkLayout, words: Words, pascal: str, scope: Scope) -> Err
     if error.normal is None:
         condition = f"code & {error.flag:#x}" if error.flag else f"code == {error.code}"
     return ErrorView(
-        wrapper=scope.take(f"{pascal}ErrorReply") if arguments else "_ErrorReply",
+        wrapper=scope.take(f"{pascal}ExceptionResponse") if arguments else "_ExceptionResponse",
         condition=condition,
         code=f"code & {~error.flag & code.value.type.high:#x}" if error.flag else "code",
         record=words.records[error.record],

@@ -97,7 +97,7 @@ def fixed_frame(
     writing = writing_lines(shaped, frozenset(field.title for field in shaped.stored) if looked_up else frozenset(), "")
     letters = ("<" if order == "little" else ">") + "".join(map(letter, frame.header)) + shaped.letters
     packed = [_slot(part, constants) for part in frame.header] + writing.values
-    marked = f"{frames}.marked" if frame.start or frame.end or link.link.encoding == "hex_ascii" else ""
+    marked = f"{frames}.marked" if frame.is_marked or link.link.transmission == "hex_ascii" else ""
     into = [_target(part) for part in frame.header]
     into += [target for field in shaped.fields for target in targets(field, "message", looked_up)]
     check: list[str] = []

@@ -10,6 +10,7 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.checksums import SIMPLE, Checksum, checksum_named
 from fieldspec.language.model.encoding import Sign, number_of, struct_letter
 from fieldspec.language.model.ranges import Ranges
+from fieldspec.targets.python.codecs import codec_key
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.slots import Words
 from fieldspec.targets.python.text import literal
@@ -126,10 +127,11 @@ def escape_call(frame: FrameLayout) -> str:
     places = {place: part for place, part in enumerate(frame.parts) if part.role in ("length", "checksum")}
     sent_places = sorted(place for place, part in places.items() if not part.before_escape)
     own = sorted(place for place, part in places.items() if part.before_escape)
+    remote = [] if escape.remote is None else [f"remote={escape.remote}"]
     construction = {
         "cobs": "_Cobs()",
         "replace": f"_Replace({escape.pairs})",
-        "can": f"_CanIdentifier({', '.join(map(str, (escape.bits, *escape.fields)))})",
+        "can": f"_CanIdentifier({', '.join(map(str, (escape.bits, *escape.fields, *remote)))})",
         "add": f"_Add({escape.inserted:#04x})",
         "insert": f'_Insert(bytes.fromhex("{escape.pattern.hex()}"), {escape.inserted:#04x})',
     }[escape.method]
@@ -161,6 +163,8 @@ def _checksum(check: PartLayout) -> str:
 
 
 def _function(kind: Checksum, byte_order: str) -> str:
+    if kind.codec:
+        return f"_CHECKSUMS[{literal(codec_key(kind.codec))}]"
     if kind.method == "crc":
         numbers = f"{kind.width}, {kind.polynomial:#x}, {kind.initial:#x}"
         return f"_Crc({numbers}, {kind.reflect_in}, {kind.reflect_out}, {kind.final_xor:#x})"
@@ -231,7 +235,10 @@ def frames_arguments(link: LinkLayout, frame: FrameLayout) -> list[str]:
     for name, mark in (("start", frame.start), ("end", frame.end)):
         if mark:
             arguments.append(f'{name}=bytes.fromhex("{mark.hex()}")')
-    if link.link.encoding == "hex_ascii":
+    if frame.preamble is not None:
+        own = frame.preamble
+        arguments.append(f"preamble=({own.byte}, {own.least}, {len(own.further)}, {own.spare})")
+    if link.link.transmission == "hex_ascii":
         arguments.append("hexadecimal=True")
     if is_simple(frame) and constants(frame):
         arguments.append(f"constants=({', '.join(constants(frame))},)")

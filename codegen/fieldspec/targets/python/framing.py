@@ -35,7 +35,7 @@ def framer(
         return "", [], []
     arguments = [frames, *_bounds(link, frame, bodies), *_unit_addresses(link, frame, direction)]
     paragraphs = [f"Finds the {direction}s in a stream."]
-    if frame.start and frame.end and link.link.encoding == "hex_ascii":
+    if frame.start and frame.end and link.link.transmission == "hex_ascii":
         paragraphs.append("A start delimiter within a frame begins another frame.")
         return "_MarkFramer", arguments, docstring(paragraphs, 8)
     length, code = frame.role("length"), frame.role("code")
@@ -56,7 +56,7 @@ def framer(
         kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
         size = [f"length_size={length.size}", *_own_order("length", length, frame)]
         return kind, [*arguments, *size], docstring(paragraphs, 8)
-    if link.link.encoding != "binary":
+    if link.link.transmission != "binary":
         return "", [], []
     extents = frame_extents(link, direction, carried if code is not None else (), refusal)
     if frame.end and (code is None or extents.has(OPEN)):
@@ -108,8 +108,8 @@ def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
 def _extent_row(extent: FrameExtent, frame: FrameLayout) -> tuple[int | str | bool, ...]:
     """The length without the repeated part; then offset and size of its count, and the bytes of each unit.
 
-    After these is the order of a count that has another one than the unit address, and whether the bytes of its words
-    have the opposite one.
+    After these is the byte order of a count if it differs from the order of the unit address, and whether the bytes of
+    its words have the opposite order.
     """
     if extent.kind == BY_COUNT:
         usual = extent.length, extent.offset, extent.size, extent.unit
@@ -134,7 +134,7 @@ def _order(frame: FrameLayout) -> str:
 def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) -> list[str]:
     smallest = min(record.least for record in bodies)
     largest = max(record.most if record.most is not None else 0xFFFF for record in bodies)
-    width = 2 if link.link.encoding == "hex_ascii" else 1
+    width = 2 if link.link.transmission == "hex_ascii" else 1
     marks = len(frame.start) + len(frame.end)
     sizes = [marks + width * (frame.header_size + size + frame.trailer_size) for size in (smallest, largest)]
     if frame.escape is not None and (frame.escape_start, frame.escape_stop) != (0, None):

@@ -52,9 +52,10 @@ _SHARED = {
     "_bits": "BitArray packed_bits single_bit unpacked_bits",
     "_checks": "BYTES CRC CRC_EXCHANGED crc16_modbus",
     "_checksums": "Avoiding Crc Fletcher Followed Sum Swapped Xor",
-    "_choices": "Choice",
+    "_choices": "Cases Choice",
     "_can": "CanFrame CanIdentifier",
     "_codes": "by_number by_printed_name",
+    "_codecs": "CHECKSUMS",
     "_conversions": (
         "UNFIT UNREAD Repeated booleans constants counts decoded_at decoded_each float_bytes float_of magnitude_bytes"
         " magnitude_of members new packing text texts turned"
@@ -66,8 +67,8 @@ _SHARED = {
     "_filled": "Filled",
     "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
-    "_frames": "ErrorReply Frames Request RequestOf Response",
-    "_inner_lists": "InnerList InnerLists Parts",
+    "_frames": "ExceptionResponse Frames Request RequestOf Response",
+    "_inner_lists": "Decision InnerList InnerLists Parts",
     "_mark_framer": "MarkFramer",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",

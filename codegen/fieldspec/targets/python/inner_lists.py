@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import filled, literal
 
@@ -24,7 +24,15 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     order = literal(inner.count_order)
     count = f", ({inner.count_at}, {inner.count_size}, {order}, {inner.unit}, {inner.plus})" if inner.count else ""
     parts = f", parts={_parts(inner.parts)}" if inner.parts is not None else ""
-    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {inner.first}, {inner.room}{count}{parts})"
+    decision = f", decision={_decision(inner.decision)}" if inner.decision is not None else ""
+    places = f"{inner.first}, {inner.room}"
+    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{count}{parts}{decision})"
+
+
+def _decision(decision: Decision) -> str:
+    """`_Decision("kind", 0, 1, "big", {1: 2})`: what decides the size of the only element."""
+    place = f"{decision.offset}, {decision.size}, {literal(decision.order)}"
+    return f"_Decision({literal(decision.name)}, {place}, {dict(decision.sizes)})"
 
 
 def _parts(parts: InnerLists) -> str:

@@ -181,7 +181,7 @@ def link_view(
     ]
     if error is not None and views["response"].head_parts:
         wrappers.append(
-            _wrapper(error.wrapper, "error_reply", ["code: int", "exception: _M"], views["response"].head_parts)
+            _wrapper(error.wrapper, "exception_response", ["code: int", "exception: _M"], views["response"].head_parts)
         )
     facts = [f"Unit addresses {unit_addresses.ranges.text()}."] if unit_addresses and unit_addresses.ranges else []
     if unit_addresses and unit_addresses.broadcast is not None:
@@ -205,7 +205,7 @@ def link_view(
 _KINDS = {
     "request": ("_Request", "A request on this link, with all parts of its header."),
     "response": ("_Response", "A response on this link, with all parts of its header."),
-    "error_reply": ("_ErrorReply", "An exception response on this link, with all parts of its header."),
+    "exception_response": ("_ExceptionResponse", "An exception response on this link, with all parts of its header."),
 }
 
 
@@ -275,7 +275,7 @@ def _direction(
     return DirectionView(
         direction=direction,
         frames=frames,
-        marked=bool(frame.start or frame.end or link.link.encoding == "hex_ascii"),
+        marked=frame.is_marked or link.link.transmission == "hex_ascii",
         kind="_EscapedFrames" if frame.escape else "_Frames" if is_simple(frame) else "_PartFrames",
         escape=escape_call(frame),
         arguments=frames_arguments(link, frame),

@@ -26,8 +26,8 @@ EXCEPTIONS = _words(
     " ZeroDivisionError"
 )
 SHARED = _words(
-    "CodecError ErrorReply Flags Framer Parameter ParameterSet ParameterSpace Register RegisterArray Request Response"
-    " Subindex Table"
+    "CodecError ExceptionResponse Flags Framer Parameter ParameterSet ParameterSpace Register RegisterArray Request"
+    " Response Subindex Table"
 )
 MODULE = _words(
     "DETECTED_BY DEVICE IDENTITY LATEST REGISTERS TABLES TYPE_CHECKING VERSION VERSIONS annotations for_firmware latest"

@@ -8,7 +8,7 @@ from collections.abc import Set as AbstractSet
 from functools import lru_cache
 
 MOST = 400_000
-"""The characters of classes and registers that a module has at most. Those of more are in parts of so many each."""
+"""The most characters of classes and registers in a module. Longer texts are divided into parts of this size."""
 
 _DEFINED = re.compile(r"^class (\w+)\(|^(\w+): _Final = ", re.MULTILINE)
 _WORDS = re.compile(r"\b[A-Za-z_]\w*")

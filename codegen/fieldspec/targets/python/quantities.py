@@ -12,6 +12,7 @@ from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.value import OUT_OF_RANGE, Conversion, Value
 from fieldspec.targets.fact_texts import described, sentence, unit_word
 from fieldspec.targets.python.naming import Scope
+from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.registers import absent_states, stated_arguments, value_expression
 from fieldspec.targets.python.scaling import in_unit, ratio
 from fieldspec.targets.python.slots import Slots
@@ -128,14 +129,15 @@ def _of_none(field: Slots) -> str:
     return f"None is refused: set `{field.name}` to that of {' or '.join(names)}."
 
 
-def state_views(stored: list[Slots], scope: Scope, selector: Slots | None) -> list[StateView]:
+def state_views(stored: list[Slots], scope: Scope, shaped: RecordShape) -> list[StateView]:
     """The properties with the names of states, of all fields with sentinels, and of those that may be out of range."""
     views = []
     for field in stored:
         arguments = [own for _, value in _values(field) if (own := _state_arguments(field, value))]
         if not arguments:
             continue
-        states = ", ".join(arguments[0]) if field.field.value is not None else _decided_states(field, selector)
+        has_value = field.field.value is not None
+        states = ", ".join(arguments[0]) if has_value else _decided_states(field, shaped.selector_of(field))
         read = (
             f"_state_of({', '.join(['item' if field.is_list else f'self.{field.name}', *([states] * bool(states))])})"
         )

@@ -21,7 +21,7 @@ from fieldspec.language.model.encoding import (
 )
 from fieldspec.targets.python.registers import value_expression
 from fieldspec.targets.python.slots import Slots
-from fieldspec.targets.python.text import literal
+from fieldspec.targets.python.text import filled, literal
 from fieldspec.targets.python.writing import digits_form, real_letters, sent_order, text_form, tuple_of
 
 
@@ -34,7 +34,7 @@ def targets(field: Slots, owner: str, bound: bool = False) -> list[str]:
     """The targets that the slots of a field are unpacked into: an attribute or locals; locals where it is `bound`."""
     if field.skipped:
         return []
-    star = "*" if field.is_list or field.decided else ""
+    star = "*" if field.is_list or field.splits else ""
     if field.field.field.reserved and not field.field.field.measures:
         return ["_"] * field.parted or [f"{star}_"]
     if (field.is_raw or field.deferred) and field.stored and not bound:
@@ -54,7 +54,7 @@ class ListPlace:
 
     def behind(self, field: Slots) -> ListPlace:
         """The place after a field."""
-        if field.in_room and not field.decided:
+        if field.in_room and not field.splits:
             return replace(self, lists=self.lists + 1)
         return replace(self, slots=self.slots + (0 if field.skipped else field.parted or field.count))
 
@@ -74,7 +74,7 @@ def sources(field: Slots, place: ListPlace) -> str:
     """The raw value of a field in a tuple `raws`, from a place on."""
     if field.in_room and not field.is_list:
         return f"raws[{place.text()}]"
-    if field.in_room or field.decided:
+    if field.in_room or field.splits:
         return f"raws[{place.rest}]"
     if field.is_list:
         return f"raws[{place.slots}:{place.slots + field.count}]"
@@ -291,6 +291,17 @@ def _case(case: CaseLayout, order: str, decided: Slots) -> str:
     letters = letters or f"{case.value.size}s"
     value = value_expression(case.value, case.order, case.swapped, decided.words)
     return f"({tuple_of(sorted(case.numbers))}, {literal(letters)}, {value})"
+
+
+def cases_lines(variable: str, field: Slots) -> list[str]:
+    """The statement that defines the types of a field, whichever another one decides."""
+    cases = [
+        f"({tuple_of(sorted(case.numbers))}, {value_expression(case.value, case.order, case.swapped, field.words)})"
+        for case in field.field.cases
+    ]
+    selector = field.field.selector
+    assert selector is not None
+    return filled(f"{variable} = _Cases(", [literal(selector.name), *cases], ")", 0)
 
 
 def decided_read(decided: Slots, owner: str, offset: int) -> list[str]:

@@ -25,7 +25,7 @@ class RecordShape:
     def tail(self) -> Slots | None:
         """The field that is repeated to the end, unless another one decides its type."""
         last = self.fields[-1] if self.fields else None
-        return last if last is not None and last.repeated and not last.decided else None
+        return last if last is not None and last.repeated and not last.splits else None
 
     @property
     def lists(self) -> list[Slots]:
@@ -37,6 +37,11 @@ class RecordShape:
         """The field that decides the type of the last one."""
         selector = self.record.selector
         return next(field for field in self.fields if field.title == selector.name) if selector is not None else None
+
+    def selector_of(self, field: Slots) -> Slots | None:
+        """The field that decides the type of another one."""
+        selector = field.field.selector or (self.record.selector if field.splits else None)
+        return next(own for own in self.fields if own.title == selector.name) if selector is not None else None
 
     @property
     def letters(self) -> str:
@@ -60,6 +65,6 @@ def shape(record: RecordLayout, words: Words, reserved: frozenset[str]) -> Recor
     scope = Scope(reserved, TYPES)
     order = native_order(record.fields)
     fields = [slots(field, scope.take(field.name), words, order) for field in record.fields]
-    selecting = record.selector.name if record.selector is not None else ""
-    deferred = [replace(field, deferred=field.deferrable and field.title != selecting) for field in fields]
+    selectors = {own.name for own in (record.selector, *(field.selector for field in record.fields)) if own is not None}
+    deferred = [replace(field, deferred=field.deferrable and field.title not in selectors) for field in fields]
     return RecordShape(record, order, tuple(deferred))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from fieldspec.foundation.classes import dataclass
 from fieldspec.targets.python.bit_counts import bit_count_refusal, fills
 from fieldspec.targets.python.reading import CASE, decided_values, local
@@ -9,6 +11,8 @@ from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal
 from fieldspec.targets.python.writing import conditions, fixed, measured, pairs, refusal, values, within
+
+NO_CASES: Mapping[str, str] = {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,8 +25,13 @@ class Writing:
     refusals: list[str]
 
 
-def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Writing:
-    """The code that writes a record; the fields in `bound` get a local even where no test needs one."""
+def writing_lines(
+    shaped: RecordShape, bound: frozenset[str], struct: str, cases: Mapping[str, str] = NO_CASES
+) -> Writing:
+    """The code that writes a record; the fields in `bound` get a local even where no test needs one.
+
+    `cases` are the variables of the types of fields, by the names of these, where other fields may follow them.
+    """
     expressions = {field.title: f"self.{field.slot}" for field in shaped.stored}
     bind: list[str] = []
     tests: dict[str, list[str]] = {}
@@ -51,12 +60,17 @@ def writing_lines(shaped: RecordShape, bound: frozenset[str], struct: str) -> Wr
                 size_tests.append(within(size, field.ranges))
             # In another order than its Struct, a number is not packed as it is.
             slot_values += values(field, f"({size})") if field.parted or field.foreign else [size]
-        elif field.decided:
+        elif field.title in cases:
+            number = _selector_number(shaped, field, expressions)
+            slot_values.append(
+                f"{cases[field.title]}.raw({literal(field.title)}, {number}, {expressions[field.title]})"
+            )
+        elif field.splits:
             slot_values.append(decided_values(field, expressions[field.title]))
         else:
             slot_values += values(field, expressions[field.title]) if field.stored else fixed(field)
     all_tests = [test for field_tests in tests.values() for test in field_tests] + size_tests
-    return Writing(bind, all_tests, slot_values, _refusals(shaped, struct))
+    return Writing(bind, all_tests, slot_values, _refusals(shaped, struct, cases))
 
 
 def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decided: str) -> str:
@@ -67,19 +81,29 @@ def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decide
     return measured(field, other, expressions[other.title], decided)
 
 
-def _refusals(shaped: RecordShape, struct: str) -> list[str]:
+def _selector_number(shaped: RecordShape, field: Slots, expressions: Mapping[str, str]) -> str:
+    """The expression of the number that decides the type of a field."""
+    selector = shaped.selector_of(field)
+    assert selector is not None
+    return expressions[selector.title] if selector.stored else str(selector.constant)
+
+
+def _refusals(shaped: RecordShape, struct: str, cases: Mapping[str, str]) -> list[str]:
     """The expressions of the refusals of all fields: first of the selector, which decides another type."""
     refusals = []
     selector = shaped.selector
     if selector is not None:
         refusals += [refusal(selector), f"{struct}.refused_by(self.{selector.name})"]
+    expressions = {field.title: f"self.{field.name}" for field in shaped.stored}
     for field in shaped.stored:
-        if field.decided and selector is not None:
+        if field.title in cases:
+            number = _selector_number(shaped, field, expressions)
+            refusals.append(f"{cases[field.title]}.refused({literal(field.title)}, {number}, self.{field.name})")
+        elif field.splits and selector is not None:
             function = "refused" if field.is_list else "refused_element"
             refusals.append(f"{struct}.{function}({literal(field.title)}, self.{selector.name}, self.{field.name})")
         elif field is not selector:
             refusals.append(refusal(field))
-    expressions = {field.title: f"self.{field.name}" for field in shaped.stored}
     for field in shaped.fields:
         if field.field.bits_of:
             refusals.append(bit_count_refusal(field, expressions))

@@ -22,6 +22,7 @@ from fieldspec.targets.python.quantities import (
 from fieldspec.targets.python.reading import (
     CASE,
     ListPlace,
+    cases_lines,
     choice_lines,
     decided_read,
     deferred_value_lines,
@@ -82,7 +83,8 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
     """The view of a record's class."""
     record, stored = shaped.record, shaped.in_sent_order
     upper = "_" + "".join(f"_{char}" if char.isupper() else char for char in name).strip("_").upper()
-    binding = writing_lines(shaped, frozenset(), f"{upper}_STRUCT")
+    cases = {field.title: _cases(upper, field) for field in shaped.fields if field.field.forms}
+    binding = writing_lines(shaped, frozenset(), f"{upper}_STRUCT", cases)
     names = [field.name for field in stored]
     scope = Scope(MESSAGE, TYPES, frozenset(names))
     scaled = scaled_views(stored, scope)
@@ -102,9 +104,9 @@ def record_view(shaped: RecordShape, name: str, doc: list[str]) -> RecordView:
         ],
         constants=[*sentinels, *units],
         scaled=[*scaled, *powers],
-        states=state_views(stored, scope, shaped.selector),
+        states=state_views(stored, scope, shaped),
         read=read,
-        make=[*assignments, *construction_lines(shaped, "record", 0)],
+        make=[*assignments, *construction_lines(shaped, "record", 0, upper=upper)],
         bind=binding.bind,
         tests=condition(binding.tests),
         pack=filled(f"return {_pack(shaped, upper)}(", binding.values, ")", 16 if binding.tests else 12),
@@ -124,11 +126,19 @@ def _declared(shaped: RecordShape, upper: str) -> list[str]:
         return choice_lines(f"{upper}_STRUCT", shaped.record, shaped.fields, letters, shaped.order)
     inner = shaped.record.inner_lists
     if inner is not None:
-        return inner_lists_lines(f"{upper}_STRUCT", shaped.record.name, shaped.lists, inner, letters)
+        cases = [
+            line for field in shaped.fields if field.field.forms for line in cases_lines(_cases(upper, field), field)
+        ]
+        return [*cases, *inner_lists_lines(f"{upper}_STRUCT", shaped.record.name, shaped.lists, inner, letters)]
     if shaped.tail is not None:
         return [f"{upper}_STRUCT = _Repeated({literal(letters)}, {literal(shaped.tail.letters)})"]
     packing = filled(f"{upper}_PACK, {upper}_UNPACK = _packing(", [literal(letters)], ")", 0)
     return [*packing, *_widths(shaped.record, upper)]
+
+
+def _cases(upper: str, field: Slots) -> str:
+    """The variable of the types of a field that another one decides."""
+    return f"{upper}_{field.name.upper()}_CASES"
 
 
 def _widths(record: RecordLayout, upper: str) -> list[str]:
@@ -226,7 +236,7 @@ def _unpacked(struct: str, fixed_size: int, unit: int) -> str:
 def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -> tuple[list[str], list[str]]:
     """The statement that unpacks all fields, and the lines that take the raw values where it returns one tuple."""
     case = f"{CASE}, " if shaped.selector is not None else ""
-    if sum((field.is_list or field.decided) and not field.skipped for field in shaped.fields) < 2:
+    if sum((field.is_list or field.splits) and not field.skipped for field in shaped.fields) < 2:
         names = [target for field in shaped.fields for target in targets(field, owner)]
         if case:
             return [f"{case}raws = {source}", *unpacked(names, "raws", indent)], []
@@ -239,17 +249,25 @@ def unpacking_lines(shaped: RecordShape, owner: str, source: str, indent: int) -
     return [f"{case}raws = {source}"], lines
 
 
-def construction_lines(shaped: RecordShape, owner: str, offset: int, bound: bool = False) -> list[str]:
+def construction_lines(shaped: RecordShape, owner: str, offset: int, bound: bool = False, upper: str = "") -> list[str]:
     """Lines that convert the raw values of all fields.
 
-    `bound` says that all raw values are in locals, and that the constants among them have been compared.
+    `bound` says that all raw values are in locals, and that the constants among them have been compared. The names of
+    what the module has for the record begin with `upper`.
     """
     lines: list[str] = []
     for field in shaped.fields:
         if bound and field.constant is not None:
             continue
         place = offset + field.field.offset
-        lines += decided_read(field, owner, place) if field.decided else reading(field, owner, place, bound)
+        selector = shaped.selector_of(field)
+        if field.splits:
+            lines += decided_read(field, owner, place)
+        elif selector is not None:
+            arguments = f"{literal(field.title)}, {local(selector)}, {local(field)}, {place}"
+            lines.append(f"{owner}.{field.name} = {_cases(upper, field)}.decoded({arguments})")
+        else:
+            lines += reading(field, owner, place, bound)
     for field in shaped.fields:
         lines += _measure_test(shaped, field, owner, offset)
     return lines

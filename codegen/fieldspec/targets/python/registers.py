@@ -163,6 +163,7 @@ def value_facts(value: Value) -> list[str]:
         facts.append(value.ranges.text())
     if value.write_ranges is not None:
         facts.append(f"{value.write_ranges.text()} when it is written")
+    facts += [f"the {value.write_order_text}"] if value.write_word_order else []
     facts += [f"{sentinel.text} = {Name.of(sentinel.name).title().lower()}" for sentinel in value.sentinels]
     if value.default is not None:
         facts.append(f"initially {value.default}")
@@ -246,6 +247,8 @@ def register_view(
     arguments += [f"copy_of={literal(register.copy_of)}"] if register.copy_of else []
     if register.unit_size == 1:
         arguments.append("unit_size=1")
+    if register.value.write_word_order:
+        arguments.append("turns_writes=True")
     if register.value.scale_by:
         arguments.append(f"scale_by={names[register.value.scale_by]}")
     if order == "little":

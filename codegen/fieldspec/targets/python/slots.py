@@ -84,6 +84,11 @@ class Slots:
         return bool(self.field.cases)
 
     @property
+    def splits(self) -> bool:
+        """Whether another field decides its type, and the data end with it, so that the Struct is another one too."""
+        return self.field.splits_record
+
+    @property
     def value(self) -> Value:
         """The value; for fields that are neither records nor decided by others."""
         assert self.field.value is not None
@@ -254,7 +259,7 @@ def slots(field: FieldLayout, name: str, words: Words, order: str) -> Slots:
 
 def _letters(field: FieldLayout, order: str) -> str:
     value = field.value
-    if field.cases:
+    if field.splits_record:
         return ""
     if value is None:
         return f"{field.size}{'x' if field.field.reserved else 's'}"

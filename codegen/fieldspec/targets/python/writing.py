@@ -22,6 +22,7 @@ from fieldspec.language.model.encoding import (
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.value import Value
+from fieldspec.targets.python.codecs import codec_key
 from fieldspec.targets.python.enums import EnumView
 from fieldspec.targets.python.runs import image, place_of
 from fieldspec.targets.python.slots import Slots
@@ -263,7 +264,7 @@ def real_word(precision: Precision) -> str:
 def digits_letters(value: Value, order: str, swapped: bool) -> str:
     """The arguments of the runtime for digits: order and type, their form, the bytes, and the places after a point."""
     sign = ">" if (order == "big") != swapped and not value.is_low_first else "<"
-    form = "blank_decimal" if value.has_blanks else value.digits
+    form = codec_key(value.codec) if value.codec else "blank_decimal" if value.has_blanks else value.digits
     return f"{sign}{value.type.name} {form} {value.size} {value.places}"
 
 

@@ -69,7 +69,7 @@ class ValueQuery:
     """The expressions of a value with its orders. `enums` are the enums as the dialect refers to them.
 
     `exponent` reads the exponent of a scale that is elsewhere, None where there is none; `exponents` are the numbers
-    that it may be. Of what is read of a `trigger` nothing is stated, but of what is written.
+    that it may be. The stated numbers of a `trigger` are for writes only, not for reads.
     """
 
     device: Device

@@ -44,7 +44,7 @@ def vector(layout: DeviceLayout, example: Example) -> Vector:
     print_of = printed(layout.device, example)
     source = example.sources[0] if example.sources else None
     explanation = explained_example(layout, example)
-    by_characters = layout.links[example.link].link.encoding != "binary"
+    by_characters = layout.links[example.link].link.transmission != "binary"
     return {
         "id": example.id,
         "link": example.link,
@@ -83,7 +83,7 @@ def idle_vectors(layouts: Sequence[DeviceLayout]) -> list[Vector]:
 
 def idle_vector(layout: DeviceLayout, read: IdleRead) -> Vector:
     """The read of a block at one version, without the versions that have it."""
-    by_characters = layout.links[read.link].link.encoding != "binary"
+    by_characters = layout.links[read.link].link.transmission != "binary"
 
     def frame(data: bytes, values: dict[str, Raw]) -> Json:
         return {

@@ -191,7 +191,13 @@ def _idle_record(device: Device, record: RecordLayout) -> dict[str, Raw]:
         if chosen is None:
             number, chosen = min(record.chosen.items(), key=lambda item: item[0])
         return {**_idle_record(device, chosen), record.selector.name: number}
-    return {field.name: _idle_field(device, field) for field in record.fields if field.field.measures is None}
+    values: dict[str, Raw] = {}
+    for field in record.fields:
+        if field.selector is not None and field.form_of(values[field.selector.name]) is None:
+            values[field.selector.name] = min(field.forms)
+        if field.field.measures is None:
+            values[field.name] = _idle_field(device, record.decided_by(values).fields[record.fields.index(field)])
+    return values
 
 
 def _idle_field(device: Device, field: FieldLayout) -> Raw:

@@ -11,6 +11,7 @@ from fieldspec.codec.layout.subcodes import Subcode
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.link import ExceptionResponse
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.targets.wireshark.filters import Filters, description, title_of
 from fieldspec.targets.wireshark.text import Data, line_text
 from fieldspec.targets.wireshark.values import bound, errata_data, intervals, is_wide, value_data
@@ -33,7 +34,7 @@ def link_data(filters: Filters, layout: DeviceLayout, link: LinkLayout) -> dict[
     return {
         "name": link.name,
         "title": line_text(own.title) or Name.of(link.name).title(),
-        "hex": own.encoding == "hex_ascii",
+        "hex": own.transmission == "hex_ascii",
         "is_coded": is_coded,
         "is_framed": any(shape["is_framed"] for shape in shapes.values()),
         "repeated": [
@@ -71,11 +72,12 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
     bodies = [message.data(direction) for message in link.messages.values()]
     if own.exception_response is not None:
         bodies.append(layout.records[own.exception_response.record])
-    parts_size, width = frame.header_size + frame.trailer_size, 2 if own.encoding == "hex_ascii" else 1
+    parts_size, width = frame.header_size + frame.trailer_size, 2 if own.transmission == "hex_ascii" else 1
     marks = len(frame.start) + len(frame.end)
     largest = max((record.most if record.most is not None else LONGEST for record in bodies), default=0)
     return {
         "start": frame.start,
+        "preamble": _preamble(frame.preamble),
         "stop": frame.end,
         "messages": [name for name, message in link.carried(direction).items() if message.message.code is not None],
         "subcodes": [_subcode(code, subcode) for code, subcode in link.subcodes(direction).items()],
@@ -87,6 +89,13 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
         "longest": marks + width * (parts_size + largest),
         "is_framed": bool(frame.end) or _tells_length(frame),
     }
+
+
+def _preamble(preamble: Preamble | None) -> dict[str, Data] | None:
+    """The byte before frames, and how often receivers take it."""
+    if preamble is None:
+        return None
+    return {"byte": bytes((preamble.byte,)), "least": preamble.least, "most": preamble.most}
 
 
 def _subcode(code: int, subcode: Subcode) -> dict[str, Data]:

@@ -208,7 +208,7 @@ def _extent(record: RecordLayout) -> Data:
 
 
 def _step(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
-    """The bytes of each element of the only list, and those of all else, where no count tells how many there are.
+    """The bytes of each element of the only list, and the bytes of all other fields, if no count states the elements.
 
     Only frames that an end delimiter ends need them.
     """

@@ -32,6 +32,7 @@ def register_data(filters: Filters, device: Device, layout: RegisterLayout) -> d
         "stride": layout.stride,
         "index_from": register.index_from if layout.count > 1 else None,
         "access": register.access or None,
+        "turns_writes": bool(value.write_word_order) or None,
         "trigger": register.trigger,
         "errata": errata_data(device, register),
     }

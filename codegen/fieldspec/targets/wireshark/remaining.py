@@ -11,6 +11,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.omissions import Omission, warning
+from fieldspec.codec.layout.package_codecs import checksum_refusals
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.foundation.classes import dataclass, replace
@@ -41,6 +42,7 @@ def remaining(layout: DeviceLayout) -> Remaining:
     refusals = [
         *_parameters_in_bytes(layout),
         *character_refusals(layout, _READER),
+        *checksum_refusals(layout, _READER),
         *base_refusals(layout, _READER),
         *inner_list_refusals(layout, _READER),
     ]

@@ -8,12 +8,13 @@ from itertools import groupby, takewhile
 import numpy as np
 import numpy.typing as npt
 
-from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.inner_lists import InnerList
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_with_counts
-from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
+from fieldspec.tools.captures.slots import Slot, deepened, slots
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
     OK,
@@ -49,22 +50,6 @@ UNKNOWN, MISCOUNT = -2, -1
 
 
 @dataclass(frozen=True, slots=True)
-class Slot:
-    """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
-
-    In a record that differs in size, it is an element of some lists: `places` are these, each with the offset of the
-    record that counts it and with the number of the element. For a counted text, `text` are its bytes as a list.
-    """
-
-    path: str
-    offset: int
-    layout: FieldLayout
-    field: FieldLayout
-    places: tuple[tuple[int, InnerList, int], ...] = ()
-    text: InnerList | None = None
-
-
-@dataclass(frozen=True, slots=True)
 class FieldRows:
     """Decoded values: the row of the frame of each, the text of its path, and its unit."""
 
@@ -72,57 +57,6 @@ class FieldRows:
     path: str
     unit: str
     values: ValueColumns
-
-
-def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
-    """The values of a record and of the records in it, in the order of the wire; a repeated field counts once."""
-    parts = inner_lists_of(record, is_element=True).lists if outer is not None and record.size is None else ()
-    by_name = {inner.name: inner for inner in parts}
-    for field in record.sent_fields:
-        is_list = field.is_list and not (outer is None and field.count is None)
-        inner = by_name.get(field.name)
-        for index in range(field.count or (inner.most // inner.element if inner is not None else 1)):
-            path = f"{prefix}{field.name}[{index}]" if is_list else f"{prefix}{field.name}"
-            place = start + field.offset + index * field.size
-            if field.record is not None:
-                field_slots = slots(field.record, f"{path}.", place, outer or field)
-            elif inner is not None and field.value is not None and field.value.width:
-                count = record.named(inner.count)
-                assert count is not None
-                text = replace(inner, room=field.offset, count_at=count.offset)
-                field_slots = iter([Slot(path, place, field, outer or field, text=text)])
-                inner = None
-            else:
-                field_slots = iter([Slot(path, place, field, outer or field)])
-            for slot in field_slots:
-                if inner is not None and inner.count:
-                    slot = replace(slot, places=((start, inner, index), *slot.places))
-                yield slot
-
-
-def deepened(record: RecordLayout, image: bytes) -> bytes:
-    """The image of a record in which the elements that differ in size are images, too."""
-    result = bytearray(image)
-    for field in record.fields:
-        if field.record is None or field.record.size is not None:
-            continue
-        parts, room = inner_lists_of(field.record, is_element=True), record.room_of(field)
-        stop = len(image) if room is None else field.offset + (room.size_in(image) or 0)
-        for place in range(field.offset, min(stop, len(image)), field.size):
-            sent_bytes = parts.sent_bytes(image[place : place + field.size])
-            element = _element_image(field.record, parts, sent_bytes)
-            result[place : place + len(element)] = element
-    return bytes(result)
-
-
-def _element_image(record: RecordLayout, parts: InnerLists, data: bytes) -> bytes:
-    """The image of an element that differs in size, from what is sent of it."""
-    if record.spans:
-        pairs = zip(record.spans, extents(record.spans, data), strict=True)
-        return b"".join(data[extent.start : extent.stop].ljust(span.size, b"\0") for span, extent in pairs)
-    list_extents, _ = parts.extents_in(data)
-    *rooms, _ = parts.lists
-    return deepened(replace(record, rooms=tuple(rooms)), parts.image_of(data, list_extents))
 
 
 class BodyReader:
@@ -214,7 +148,8 @@ class BodyReader:
             images.append(deepened(self.record.image, inner.image_of(data, list_extents)))
             sizes[row] = len(images[-1])
             for own, extent in zip(ending, list_extents, strict=False):
-                rooms[own.name][row] = len(extent.elements) if own.parts is not None else extent.size // own.element
+                is_single = own.parts is not None or own.decision is not None
+                rooms[own.name][row] = len(extent.elements) if is_single else extent.size // own.element
             if fault is None:
                 continue
             own = inner.lists[len(list_extents)]
@@ -224,7 +159,7 @@ class BodyReader:
                 inner.place_in_data(list_extents, own.count_at),
             ):
                 rooms[own.name][row] = MISCOUNT
-            elif own.parts is not None:
+            elif own.parts is not None or own.decision is not None:
                 verdicts[own.name][row] = VERDICT_NUMBERS[fault.reason]
         return *_joined(images), sizes, Rooms(rooms, verdicts)
 
@@ -298,6 +233,12 @@ class BodyReader:
         assert value is not None
         key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
         place = offsets[rows] + (0 if index is None else index * slot.field.size)
+        for start, selector, numbers in slot.numbers:
+            is_chosen = np.isin(_number(selector, buffer, place + start), sorted(numbers))
+            rows, place = rows[is_chosen], place[is_chosen]
+            index = index if index is None else index[is_chosen]
+            if not len(rows):
+                return
         for start, inner, number in slot.places:
             units = number_at(buffer, place + start + inner.count_at, inner.count_size, inner.count_order)
             is_there = (units - inner.plus) * inner.unit // inner.element > number

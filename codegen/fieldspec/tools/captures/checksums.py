@@ -20,7 +20,7 @@ def are_right(part: PartLayout, buffer: Bytes, offsets: Numbers, length: Numbers
     sizes = np.maximum(offsets + stop - start, 0)
     place = offsets + part.offset if part.offset >= 0 else offsets + length + part.offset
     kind = checksum_named(part.algorithm)
-    if part.digits or kind.suffix or kind.avoided or kind.method == "fletcher" or kind.unit_size != 1:
+    if kind.codec or part.digits or kind.suffix or kind.avoided or kind.method == "fletcher" or kind.unit_size != 1:
         return _each(part, buffer, start, sizes, place)
     computed = _crc(kind, buffer, start, sizes) if kind.method == "crc" else _total(kind, buffer, start, sizes)
     return np.asarray(number_at(buffer, place, part.size, part.order).view(np.uint64) == computed)

@@ -14,7 +14,7 @@ Bytes: TypeAlias = npt.NDArray[np.uint8]
 Numbers: TypeAlias = npt.NDArray[np.int64]
 Mask: TypeAlias = npt.NDArray[np.bool_]
 Texts: TypeAlias = npt.NDArray[np.int32]
-"""Places in a list of texts; -1 is none."""
+"""Places in a list of texts; -1 means that there is no text."""
 
 NO_TIME = int(np.iinfo(np.int64).min)
 """The time of a packet without one."""

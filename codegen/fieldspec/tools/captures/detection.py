@@ -46,7 +46,7 @@ class Detection:
         self.waiting = Payloads.of_state(state["waiting"])
 
     def with_links(self, payloads: Payloads) -> tuple[Payloads, Numbers]:
-        """The payloads that waited and these without those that wait on, and the place of the link of each, or NONE."""
+        """The waiting payloads and these, without payloads that still wait, and the place of each link, or NONE."""
         fresh = {stream for stream, _ in runs(payloads.stream) if stream not in self.link_of}
         payloads = joined(self.waiting, payloads) if len(self.waiting) else payloads
         groups = runs(payloads.stream)

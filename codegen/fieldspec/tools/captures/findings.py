@@ -12,7 +12,7 @@ from fieldspec.tools.captures.decoding import DeviceDecoder
 from fieldspec.tools.captures.observations import AccessUse, Observations, RegisterUse
 
 UNCHANGED, MANY, OFTEN = 0.99, 100, 10**9
-"""A read is too frequent if so many of at least so many answers are as before, and less than a second apart."""
+"""A read is too frequent if this share of at least this number of answers is unchanged, less than a second apart."""
 
 _REMARKS = {
     "out_of_range": "outside of the range that the manual prints",

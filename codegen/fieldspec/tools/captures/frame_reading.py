@@ -12,6 +12,7 @@ from fieldspec.codec.layout.frame import original_parts
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.subcodes import Subcode, subcode
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.tools.captures.bodies import BodyReader, FieldRows, blame
 from fieldspec.tools.captures.checksums import are_right
@@ -26,7 +27,7 @@ from fieldspec.tools.captures.verdicts import (
     UNKNOWN_CODE,
     UNKNOWN_VALUE,
     VERDICT_NUMBERS,
-    WRONG_CHECK,
+    WRONG_CHECKSUM,
     WRONG_LENGTH,
     WRONG_MARK,
 )
@@ -47,7 +48,7 @@ class Spans:
 class ReadFrames:
     """Frames of one link and direction, one row each.
 
-    Their parts are `length` bytes from `at` on in `buffer`, which is another one than that of the capture where the
+    Their parts are `length` bytes from `at` on in `buffer`, which differs from the buffer of the capture where the
     link encodes or escapes them; `sent` are the parts before escapes are undone. `message` is a place in the messages
     of the link, NONE for none; `body` and `body_size` are the bytes between header and trailer. `fields` are the
     values of messages without registers.
@@ -77,11 +78,10 @@ class FrameReader:
         self.messages = list(self.link.messages.values())
         self.carried = self.link.carried(direction)
         self.has_code = self.shape.role("code") is not None
-        self.is_bare = not (
-            self.shape.start or self.shape.end or self.link.link.encoding != "binary" or self.shape.escape
-        )
+        self.is_bare = not (self.shape.is_marked or self.link.link.transmission != "binary" or self.shape.escape)
         self.bodies: dict[tuple[int, bool], BodyReader] = {}
         self.least = self.shape.header_size + self.shape.trailer_size
+        self._remote = CAN_REMOTE if self.shape.escape is not None and self.shape.escape.remote is not None else 0
 
     def read(
         self,
@@ -129,7 +129,7 @@ class FrameReader:
         for row, (start, length) in enumerate(zip(offsets.tolist(), size.tolist(), strict=True)):
             frame = buffer[start : start + length].tobytes()
             parts = unwrapped(own, self.direction, frame)
-            if parts.start != self.shape.start:
+            if parts.start[self.shape.surplus(frame) :] != self.shape.start:
                 verdict[row] = WRONG_MARK
             data = parts.data
             pieces.append(data)
@@ -154,7 +154,7 @@ class FrameReader:
             rows = np.flatnonzero(verdict == OK)
             if len(rows):
                 right = are_right(part, covered.buffer, covered.at[rows], covered.length[rows])
-                verdict[rows[~right]] = WRONG_CHECK
+                verdict[rows[~right]] = WRONG_CHECKSUM
             return
         if part.reserved or part.value is None:
             return
@@ -193,7 +193,7 @@ class FrameReader:
         if refusal is not None and self.direction == "response":
             frames.is_refused[:] = self._refused(frames, code, refusal)
             code = np.where(frames.is_refused, code & ~refusal.flag, code)
-        frames.code[:] = code if self.direction == "request" else self._answered_code(code)
+        frames.code[:] = code & ~self._remote if self.direction == "request" else self._answered_code(code)
         if refusal is not None and refusal.code is not None:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}

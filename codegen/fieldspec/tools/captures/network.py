@@ -26,7 +26,7 @@ RTAC_SERIAL = 250
 CAN = 227
 """CAN buses as SocketCAN records them: the identifier with its flags, and the data, which may be filled up."""
 
-CAN_HEADER, CAN_DATA, CAN_NO_DATA, CAN_FD = 8, 8, 0x60, 0x04
+CAN_HEADER, CAN_DATA, CAN_REMOTE, CAN_ERROR, CAN_FD = 8, 8, 0x40, 0x20, 0x04
 """Bytes before the data and of the data, flags of remote requests and errors in the first byte, that of CAN FD."""
 
 TCP, UDP = 6, 17
@@ -151,7 +151,7 @@ class Network:
         return concatenated(parts)
 
     def _serial(self, packets: Packets, rows: Numbers, packet: Numbers, link_type: int) -> Segments:
-        """The packets of serial lines. What is recorded without bytes, such as a change of a signal, has none."""
+        """The packets of serial lines. Records without bytes, such as a change of a signal, have no packet."""
         offsets, size = packets.at[rows], packets.size[rows]
         if link_type == RTAC_SERIAL:
             whole = size >= 12
@@ -175,14 +175,16 @@ class Network:
         offsets, size = packets.at[rows], packets.size[rows]
         whole = size >= CAN_HEADER
         count = np.where(whole, number_at(packets.buffer, offsets + 4, 1), 0)
-        whole &= size >= CAN_HEADER + count
+        flags = number_at(packets.buffer, offsets, 1)
+        data = np.where((flags & CAN_REMOTE) != 0, 0, count)
+        whole &= size >= CAN_HEADER + data
         is_wide = (count > CAN_DATA) | ((number_at(packets.buffer, offsets + 5, 1) & CAN_FD) != 0)
-        carries = (number_at(packets.buffer, offsets, 1) & CAN_NO_DATA) == 0
+        carries = (flags & CAN_ERROR) == 0
         self._skip(CUT_SHORT, ~whole)
         self._skip("frames of CAN FD", whole & is_wide)
-        self._skip("remote requests and errors of CAN buses", whole & ~is_wide & ~carries)
+        self._skip("errors of CAN buses", whole & ~is_wide & ~carries)
         is_taken = whole & ~is_wide & carries
-        length, streams = CAN_HEADER + count, self._interfaces(packets, rows, "can")
+        length, streams = CAN_HEADER + data, self._interfaces(packets, rows, "can")
         return _lines(packets, rows, packet, offsets, length, length, streams, DATAGRAM).rows(is_taken)
 
     def _skip(self, reason: str, rows: Mask) -> None:

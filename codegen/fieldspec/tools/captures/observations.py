@@ -57,7 +57,7 @@ class AccessUse:
 
 
 class Observations:
-    """Everything seen so far. `broadcast` is the unit address to which nobody answers, None where there is none."""
+    """Everything seen so far. `broadcast` is the unit address that no device answers, None where there is none."""
 
     def __init__(self, broadcast: int | None) -> None:
         self.broadcast = broadcast
@@ -104,7 +104,7 @@ class Observations:
         self._compare(answers, keys)
 
     def _compare(self, answers: Any, keys: list[str]) -> None:
-        """Counts the answers whose data are those of the answer before to the same request."""
+        """Counts the answers with the same data as the answer before to the same request."""
         answers = answers.filter(compute.is_valid(answers["data"]))
         if not answers.num_rows:
             return

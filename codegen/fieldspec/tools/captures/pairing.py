@@ -49,7 +49,7 @@ NO_EXCHANGES = Exchanges(*(numbers([]) for _ in range(10)))
 
 
 def joined(left: Exchanges, right: Exchanges) -> Exchanges:
-    """The exchanges of both, those of the first before those of the second."""
+    """The exchanges of both, first `left` and then `right`."""
     return Exchanges(*(np.concatenate(pair) for pair in zip(left.columns(), right.columns(), strict=True)))
 
 

@@ -100,13 +100,12 @@ class RegisterMap:
 
     def _decoder(self, occupant: Occupant, is_write: bool) -> int:
         """The place of the decoder of a register, computed once for all elements that share a value."""
-        key = id(occupant.value), is_write, occupant.order, occupant.swapped, occupant.reserved, occupant.trigger
+        swapped = occupant.is_swapped("write" if is_write else "read")
+        key = id(occupant.value), is_write, occupant.order, swapped, occupant.reserved, occupant.trigger
         if key not in self._known:
             value = occupant.value.for_writing() if is_write else occupant.value.as_answer(False)
             is_lenient = occupant.trigger and not is_write
-            self._known[key] = self.decoders.place(
-                value, occupant.order, occupant.swapped, occupant.reserved, is_lenient
-            )
+            self._known[key] = self.decoders.place(value, occupant.order, swapped, occupant.reserved, is_lenient)
         return self._known[key]
 
     def name(self, place: int) -> str:

@@ -13,7 +13,7 @@ VERDICTS = (
     "wrong_const",
     "unknown_value",
     "wrong_measure",
-    "wrong_check",
+    "wrong_checksum",
     # What a codec accepts and the manual does not print.
     "out_of_range",
     "unlisted_member",
@@ -37,7 +37,7 @@ UNKNOWN_CODE = VERDICT_NUMBERS["unknown_code"]
 WRONG_CONST = VERDICT_NUMBERS["wrong_const"]
 UNKNOWN_VALUE = VERDICT_NUMBERS["unknown_value"]
 WRONG_MEASURE = VERDICT_NUMBERS["wrong_measure"]
-WRONG_CHECK = VERDICT_NUMBERS["wrong_check"]
+WRONG_CHECKSUM = VERDICT_NUMBERS["wrong_checksum"]
 OUT_OF_RANGE = VERDICT_NUMBERS["out_of_range"]
 UNLISTED_MEMBER = VERDICT_NUMBERS["unlisted_member"]
 UNLISTED_BITS = VERDICT_NUMBERS["unlisted_bits"]

@@ -11,8 +11,10 @@ from fieldspec.tools.carriers.carrier import CarrierError
 if TYPE_CHECKING:
     import can
 
-HEADER, EXTENDED = 8, 1 << 31
-"""The bytes before the data of a frame as SocketCAN has it in captures, and the flag of an identifier of 29 bits."""
+HEADER, EXTENDED, REMOTE = 8, 1 << 31, 1 << 30
+"""The bytes before the data of a frame as SocketCAN has it in captures, and the flags of an identifier of 29 bits and
+of a remote request.
+"""
 
 _DIGITS = 9
 """The most digits of a bit rate."""
@@ -22,7 +24,7 @@ class CanBus:
     """A CAN bus. `can://virtual/test` is the channel `test` of the interface `virtual`, both as python-can names them.
 
     A frame is what SocketCAN has in captures: the identifier in four bytes, the number of the data, three zeros, the
-    data. Frames that carry no data of others, such as errors and remote requests, are left out.
+    data; none in a remote request. Frames of errors are left out.
     """
 
     datagrams = True
@@ -53,18 +55,21 @@ class CanBus:
             message: can.Message | None = self._bus.recv(max(seconds, 0.0))
         except self._errors as error:
             raise CarrierError(f"{self.name}: {error}") from None
-        if message is None or message.is_error_frame or message.is_remote_frame or message.is_fd:
+        if message is None or message.is_error_frame or message.is_fd:
             return b""
         identifier = message.arbitration_id | EXTENDED * bool(message.is_extended_id)
-        return identifier.to_bytes(4, "big") + bytes([len(message.data), 0, 0, 0]) + bytes(message.data)
+        identifier |= REMOTE * bool(message.is_remote_frame)
+        return identifier.to_bytes(4, "big") + bytes([message.dlc, 0, 0, 0]) + bytes(message.data)
 
     def write(self, data: bytes) -> None:
         """Sends a frame. Raises CarrierError."""
         identifier = int.from_bytes(data[:4], "big")
         message = self._message(
-            arbitration_id=identifier & ~EXTENDED,
+            arbitration_id=identifier & ~(EXTENDED | REMOTE),
             is_extended_id=bool(identifier & EXTENDED),
-            data=data[HEADER : HEADER + data[4]],
+            is_remote_frame=bool(identifier & REMOTE),
+            dlc=data[4],
+            data=data[HEADER:],
         )
         try:
             self._bus.send(message, timeout=1.0)

@@ -26,7 +26,7 @@ class _Handler(SimpleHTTPRequestHandler):
 
     def send_head(self):  # type: ignore[no-untyped-def]
         """Refuses names that lead here from elsewhere, by which pages of others could read these, and links that lead
-        out of the folder, which whoever wrote the specs may have put there.
+        out of the folder, which the author of the specs may have put there.
         """
         if not _LOCAL.fullmatch(self.headers.get("Host", "")):
             self.send_error(403, "use the address that fieldspec printed")

@@ -81,7 +81,7 @@ class CaptureValues:
                 self.unit.add_trouble(item, path, VERDICTS[verdict], str(value), place_text)
 
     def _refuse(self, message: str, space: str, address: int, count: int, exception: str) -> None:
-        """Notes a refusal that concerns one value; nobody knows which one a longer request was refused for."""
+        """Notes a refusal that concerns one value; the refusal of a longer request does not identify the value."""
         access = self.observables.layout.messages[message].message.accesses
         if access is None:
             return

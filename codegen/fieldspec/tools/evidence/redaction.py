@@ -136,7 +136,8 @@ class Redaction:
         access: RegisterAccess | None,
     ) -> None:
         """Takes over the fields of a record from `start` on."""
-        for field in (record.of_data(data[start:]) or record).fields:
+        for own_field in (record.of_data(data[start:]) or record).fields:
+            field = own_field.form_in(data[start:]) or own_field
             offset = start + field.offset
             own_room = record.room_of(field)
             room = len(data) - offset if own_room is None else own_room.size_in(data[start:]) or 0
@@ -220,9 +221,9 @@ class Redaction:
             known = bits[: count if isinstance(count, int) else len(bits)]
             clean = [bit if (space, start + offset) in self.occupants else 0 for offset, bit in enumerate(known)]
             return bytes(packed_bits(clean)).ljust(len(data), b"\0")[: len(data)]
-        return self.words(space, start, data)
+        return self.words(space, start, data, access.operation)
 
-    def words(self, space: str, start: int, data: bytes) -> bytes:
+    def words(self, space: str, start: int, data: bytes, operation: str = "read") -> bytes:
         """The bytes of the words, or of the bytes, from an address on."""
         result = bytearray(len(data))
         replaced: set[int] = set()
@@ -246,7 +247,8 @@ class Redaction:
                 replaced.add(id(occupant))
                 low, high = max(first, 0), min(first + occupant.value.size, len(data))
                 self._replace(occupant.fact, data[low:high])
-                filler = _filler(occupant.value, occupant.value.size, occupant.order, occupant.swapped)
+                swapped = occupant.is_swapped(operation)
+                filler = _filler(occupant.value, occupant.value.size, occupant.order, swapped)
                 result[low:high] = filler[low - first : high - first]
         return bytes(result)
 

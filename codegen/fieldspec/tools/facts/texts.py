@@ -71,7 +71,7 @@ def _task(task: Task) -> Iterator[FactRow]:
 def _examples(layout: DeviceLayout) -> Iterator[FactRow]:
     for example in layout.device.examples.values():
         message = layout.messages.get(example.message)
-        code = message.message.code_of(example.direction) if message else None
+        code = message.message.printed_code(example.direction) if message else None
         cells: FactRow = {
             "code": message.message.number if message and code is None else code,
             "bytes": len(example.frame),

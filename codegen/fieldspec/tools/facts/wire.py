@@ -155,6 +155,9 @@ def _message(layout: DeviceLayout, message_layout: MessageLayout) -> Iterator[Fa
     if message.response_code is not None:
         path = f"{message.place.path}/response_code"
         yield row("response_code", path, message.sources, code=message.response_code, name=message.name)
+    if message.remote is not None:
+        path = f"{message.place.path}/remote"
+        yield row("remote_request", path, message.sources, code=code, name=message.name, bytes=message.remote)
     yield from _lengths(message, code)
     for number, name in enumerate(message.supplements):
         yield row("supplement", f"{message.place.path}/supplements/{number}", message.sources, code=code, name=name)
@@ -201,10 +204,10 @@ def _lengths(message: Message, code: int | None) -> Iterator[FactRow]:
 def _marks(link: Link) -> Iterator[tuple[str, bytes]]:
     """The delimiters of a link with their paths in it."""
     if link.has_common_delimiters:
-        yield from (("start", link.start), ("end", link.end))
+        yield from zip(("start", "end"), link.marks("request"), strict=True)
         return
     for direction in ("request", "response"):
-        for name, mark in zip(("start", "end"), link.delimiters(direction), strict=True):
+        for name, mark in zip(("start", "end"), link.marks(direction), strict=True):
             yield f"delimiters/{direction}/{name}", mark
 
 
@@ -215,6 +218,9 @@ def _link(link: Link) -> Iterator[FactRow]:
         if mark:
             cells: FactRow = {"name": name, "bytes": len(mark), "printed_name": mark.hex(" ").upper()}
             yield row("mark", f"{path}/{name}", link.sources, **cells)
+    if link.preamble is not None:
+        cells = {"name": "preamble", "bytes": link.preamble.sent, "printed_name": link.preamble.text()}
+        yield row("mark", f"{path}/preamble", link.sources, **cells)
     if link.exception_response is not None:
         error = link.exception_response
         cells = {"name": error.part or "error", "code": error.code or error.flag, "type": error.record}

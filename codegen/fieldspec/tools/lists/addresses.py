@@ -77,7 +77,7 @@ class AddressText:
         return AddressText(self.digits[1:], "", meaning("spaces", self.digits[0]), self.digits[0])
 
     def reference(self) -> tuple[str, int] | None:
-        """The space and the address of a reference, counted from 0; None if the text is none."""
+        """The space and the address of a reference, counted from 0; None if the text is not a reference."""
         if self.mark == REFERENCE:
             return (self.space, int(self.digits) - 1) if int(self.digits) else None
         if self.mark or not self.digits.isdecimal() or len(self.digits) not in (5, 6):
@@ -178,7 +178,7 @@ def _joined(pieces: Sequence[Place | None]) -> Place | None:
 
 
 def _span(ends: list[AddressText], is_list: bool) -> Place:
-    """The first and the last of several addresses. Raises CellError if those of an enumeration are not neighbours."""
+    """The first and the last of several addresses. Raises CellError if enumerated addresses are not neighbours."""
     mark = next((end.mark for end in ends if end.mark), "")
     ends = [replace(end, mark=end.mark or mark) for end in ends]
     first, last = ends[0], ends[-1]

@@ -36,7 +36,7 @@ _POINTED = re.compile(r"(?<![0-9,.])[-+]?[0-9]+\.[0-9]+(?![0-9.,])")
 _PIECES = re.compile(r"[\s/|-]+")
 _CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|:|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
 _WORDS_BEHIND = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
-"""What a function does, in words behind its code."""
+"""The words after the code of a function that describe it."""
 
 _WRITING = {5: "coils", 15: "coils", 6: "registers", 16: "registers", 22: "registers", 23: "registers"}
 _READING = {1: "coils", 2: "discrete_inputs", 3: "registers", 4: "input_registers"}
@@ -93,15 +93,10 @@ def space(text: str) -> str:
     return meaning("spaces", bare) or (space_names.pop() if len(space_names) == 1 else "")
 
 
-def order(text: str) -> str:
-    """The order of the bytes of two words, such as `CDAB`; empty if a text says none."""
-    return meaning("orders", text)
-
-
 def number(text: str, decimal: str = POINT) -> Decimal | None:
-    """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is none.
+    """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is not a number.
 
-    With `decimal` as `comma`, a comma is before the fraction. Where it is empty, `1.000` is none: it has two readings.
+    With `decimal` as `comma`, a comma is before the fraction. If it is empty, `1.000` gives None: it has two readings.
     """
     text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`'").strip()
     text = f"-{text[1:]}" if text.startswith(("\u2013", "\u2014")) else text
@@ -162,7 +157,7 @@ def whole(text: str, decimal: str = POINT) -> int | None:
 
 
 def bounds(text: str, decimal: str = POINT) -> tuple[Decimal, Decimal] | None:
-    """The ends of a range such as `0~100`, `0-100 V`, `[-5, 5]`, `0..0FFh`; None if the text is none."""
+    """The ends of a range such as `0~100`, `0-100 V`, `[-5, 5]`, `0..0FFh`; None if the text is not a range."""
     number_text = unicodedata.normalize("NFKC", text).replace("\u2212", "-").strip().strip("`[]").strip()
     parts = number_text.split(",") if _CLOSED.fullmatch(text.strip()) else _RANGE.split(number_text)
     ends = [number_in_unit(part, decimal) for part in parts]

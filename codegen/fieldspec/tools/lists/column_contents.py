@@ -1,4 +1,4 @@
-"""What the cells of a column must be, so that it has the role that its heading names."""
+"""The conditions for the cells of a column, so that it has the role that its heading names."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text, place
 from fieldspec.tools.lists.brackets import without_brackets
+from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.row_quantity import decimal_places
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
@@ -19,7 +20,7 @@ _NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discr
 
 
 def are_spaces(rows: Sequence[SheetRow], column: int) -> bool:
-    """Whether a column, whose heading is that of types, has nothing but names of address spaces."""
+    """Whether a column, whose heading is that of types, has only names of address spaces."""
     texts = {text for row in rows if (text := row.cell(column))}
     return all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
 
@@ -69,8 +70,8 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "name": lambda text: any(map(str.isalpha, text)),
     "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None,
     "unit": lambda text: not text.isdecimal() or text == "1",
-    "word_order": lambda text: cells.order(text) or cells.answer(text) is not None,
-    "byte_order": lambda text: cells.order(text) or cells.answer(text) is not None,
+    "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,
+    "byte_order": lambda text: stated_order(text) or cells.answer(text) is not None,
 }
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
@@ -82,11 +83,11 @@ _FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
 """The same for roles whose own headings are enough, and others are not."""
 
 NOTED = ("access", "unit", "writable", "word_order", "byte_order")
-"""Roles whose heading, if it is a whole word, is enough: cells that are none become notes."""
+"""Roles whose heading, if it is a whole word, is enough: cells that do not fit become notes."""
 
 
 def has_role(role: str, texts: Sequence[str], is_fallback: bool) -> bool:
-    """Whether the texts of a column are those of a role, whose heading may be one that others also have."""
+    """Whether the texts of a column fit a role whose heading other roles may share."""
     check = (_FALLBACK_CONTENTS.get(role) if is_fallback else None) or _CONTENTS.get(role)
     if check is None or not texts:
         return check is None or role != "address"

@@ -122,7 +122,7 @@ def _with_further_tables(first: Columns) -> Columns:
 
 
 def _joined(first: Columns, further: Columns) -> Columns:
-    """Two tables as one: columns of a role that both have are one, and others follow after those of the first."""
+    """Two tables as one: columns of a role that both have are one, and others follow the columns of the first table."""
     headings = [*first.headings]
     places, further_columns = dict(first.places), dict(first.more)
     targets: dict[int, int] = {}
@@ -161,7 +161,7 @@ def _is_heading(row: SheetRow) -> bool:
 
 
 def _continues(rows: Sequence[SheetRow]) -> bool:
-    """Whether the last of some rows goes on with the heading above: half of its cells are headings, or in brackets."""
+    """Whether the last of some rows continues the heading above: half of its cells are headings, or in brackets."""
     counts = [sum(map(bool, row.cells)) for row in rows]
     labels = sum(folded(cell) in _whole_words() or cell.startswith(("(", "[")) for cell in rows[-1].cells if cell)
     return counts[0] > 1 and counts[-1] <= max(counts[:-1]) and labels * 2 >= counts[-1]
@@ -258,7 +258,7 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
 
 
 def _marked_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[int]:
-    """The columns with nothing but addresses that have a mark, such as `0x10`, whatever their headings are."""
+    """The columns with only addresses that have a mark, such as `0x10`, whatever their headings are."""
     texts: dict[int, list[str]] = {}
     for row in rows:
         for column, text in enumerate(row.cells):

@@ -31,7 +31,7 @@ def numbered_sheet(text: str) -> Sheet | None:
 
 
 def placed_sheet(text: str) -> Sheet | None:
-    """The sheet of a text in which columns are parted by two blanks or more; None if it is no such text.
+    """The sheet of a text in which columns are parted by two blanks or more; None if the text differs.
 
     The heading is the first line with most cells. `shifted` has the lines with a cell that stands under no heading, or
     under two, or with another one under its heading.

@@ -90,7 +90,7 @@ class Compared:
 
 
 def has_messages(register_list: Listing) -> bool:
-    """Whether a list is an export with fields of messages, with which those of the device are compared."""
+    """Whether a list is an export with fields of messages, with which the fields of the device are compared."""
     return register_list.own and any(row.space == MESSAGES for row in register_list.read)
 
 

@@ -1,4 +1,4 @@
-"""What a list decides as a whole for its rows: the unit of lengths, the direction of factors, the unit of bounds."""
+"""The decisions of a whole list for its rows: the unit of lengths, the direction of factors, the unit of bounds."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, state
         return
     row, gap = next((row, gap) for row, gap in zip(rows, gaps, strict=True) if gap > 1)
     raise ListError(
-        f"has addresses with two readings: row {row.row} has {gap} bytes, and the next address is {gap} behind, as in "
+        f"has addresses with two readings: row {row.row} has {gap} bytes, and the next address is {gap} higher, as in "
         f"all {len(pairs)} such rows. They count bytes, of which a register has two, or registers lie apart; choose "
         "with --address-unit bytes or --address-unit words"
     )

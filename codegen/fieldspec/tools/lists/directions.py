@@ -94,7 +94,7 @@ def gain_direction(
 def times_direction(
     example: str, measured: Sequence[Measured], coarse: int, stated: str
 ) -> tuple[str, Assumption | None]:
-    """The same of factors behind a multiplication sign, as in `V x 10`, which are not used where nothing shows it."""
+    """The same for factors after a multiplication sign, as in `V x 10`, which are not used without evidence."""
     if stated:
         return stated, None
     proofs = {proof for entry in measured for proof in _proofs(entry, True)}
@@ -107,7 +107,7 @@ def times_direction(
     if coarse and not proofs:
         evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
         return DIVIDE, Assumption(f"`{example}`", _direction(DIVIDE), evidence, option)
-    return "", Assumption(f"`{example}`", "not used", "a unit is so many counts, or a count so many units", option)
+    return "", Assumption(f"`{example}`", "not used", "the factor is counts per unit, or units per count", option)
 
 
 def _direction(direction: str) -> str:

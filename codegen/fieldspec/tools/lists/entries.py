@@ -57,7 +57,7 @@ class Entry:
 
 
 def entries(rows: Sequence[ListRow], refused_before: Mapping[int, str]) -> tuple[list[Entry], list[Refusal]]:
-    """The registers of a list in its order, and the rows that are none. `refused_before` has rows with reasons."""
+    """The registers of a list in its order, and the refused rows. `refused_before` has rows with reasons."""
     refused = [Refusal(number, "", "", reason) for number, reason in refused_before.items()]
     left = [_as_readable(row) for row in rows if row.row not in refused_before and row.place is None]
     stated = _stated([row for row in left if row.is_own or row.kind != REGISTER], refused)

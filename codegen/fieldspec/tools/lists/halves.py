@@ -19,11 +19,11 @@ _HALF = re.compile(
 _LONGEST_HALF = 30
 _LIMIT = re.compile("alarm|limit|thresh|warn|trip|grenz|schwell|limite|seuil|报警|限", re.IGNORECASE)
 _FEWEST = 2
-"""The number of pairs that names of one letter need, which may be those of a high and a low limit."""
+"""The number of pairs that names of one letter need, which may stand for a high and a low limit."""
 
 
 def with_halves_joined(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
-    """The rows, those of two words of one value as the first of them. Joining is an assumption."""
+    """The rows; two rows with the words of one value are joined as the first row. Joining is an assumption."""
     pairs = {low.row: pair for pair in pairwise(rows) if (low := pair[0]) and _halves(*pair)}
     certain = [pair for pair in pairs.values() if _half(pair[0])[1]]
     if not pairs or (not certain and len(pairs) < _FEWEST):
@@ -106,5 +106,5 @@ def _stem(text: str) -> str:
 
 
 def _match(text: str) -> re.Match[str] | None:
-    """The half at the end of a name, of which no more is looked at than a half can have."""
+    """The half at the end of a name. Only the longest text that a half can have is searched."""
     return _HALF.search(text[-_LONGEST_HALF:])

@@ -96,7 +96,7 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
 
 
 def _entered(result: Imported) -> Imported:
-    """The result with its registers, and what of the list is none."""
+    """The result with its registers, and the refused rows of the list."""
     registers, contradicting = entries(result.rows, result.reasons)
     registers = rolled_up(registers)
     messages = [row for row in result.rows if row.kind in (MESSAGE, SIGNAL)]

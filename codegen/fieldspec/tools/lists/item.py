@@ -16,10 +16,11 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation
 from fieldspec.language.model.registers import Parameter, ParameterSet
 from fieldspec.language.model.value import Value
+from fieldspec.tools.lists.orders import order_text
 from fieldspec.tools.lists.value_forms import type_text
 
 MESSAGES = "messages"
-"""What an export has in place of the name of a space for the fields of messages."""
+"""The word of an export for the fields of messages, in place of the name of a space."""
 
 REGISTERS = "registers"
 """The name of the first space of registers; further ones, and spaces of parameters, have their own names."""
@@ -100,16 +101,6 @@ def _named(device: Device, value: Value | None) -> dict[str, Any]:
     }
 
 
-_ORDERS = {("big", False): "", ("big", True): "CDAB", ("little", False): "DCBA", ("little", True): "BADC"}
-
-
-def _order(value: Value | None, order: str, swapped: bool) -> str:
-    """The order of the bytes of two words; empty for the usual one, and where there is only one byte."""
-    if value is None or value.size < 2 or not (value.type.is_number or value.text_form):
-        return ""
-    return _ORDERS[order, swapped and value.has_words]
-
-
 def _code(device: Device, value: Value | None) -> str:
     unit = device.unit(value.quantity_unit) if value is not None and value.quantity_unit else None
     return unit.ucum if unit is not None else ""
@@ -132,7 +123,7 @@ def _register(device: Device, layout: RegisterLayout) -> Iterator[Item]:
             value=register.value,
             printed_name=printed,
             label=register.label,
-            order=_order(register.value, layout.order, layout.swapped),
+            order=order_text(register.value, layout.order, layout.swapped),
             source=_first(sources),
             unverified=register.unverified,
         )
@@ -159,7 +150,7 @@ def _field(part: FieldLayout, **place: Any) -> Item:
     return Item(
         type=type_text(part.value) if part.value else "bytes",
         value=part.value,
-        order=_order(part.value, part.order, part.swapped),
+        order=order_text(part.value, part.order, part.swapped),
         printed_name=part.field.printed_name,
         label=part.field.label,
         source=_first(part.field.sources),
@@ -171,7 +162,7 @@ def _field(part: FieldLayout, **place: Any) -> Item:
 def _message(layout: MessageLayout, direction: str) -> Iterator[Item]:
     """The fields of a message, at its code, or at the number by which people know it."""
     message = layout.message
-    code = message.code_of(direction)
+    code = message.printed_code(direction)
     for name, part in _parts(layout.data(direction)):
         yield _field(
             part,

@@ -38,7 +38,7 @@ from fieldspec.tools.lists.words import folded
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 _SHORTEST_TITLE, _COILS = 8, "coils"
-"""The letters of a title that names a space: shorter ones, such as `Inputs`, are those of groups."""
+"""The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups."""
 
 _EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
@@ -179,7 +179,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
 
 
 def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -> Cells:
-    """The cells of a row: its names are those of all columns of names, then its printed name and its label."""
+    """The cells of a row: its names are the cells of all columns of names, then its printed name and its label."""
     further_columns = columns_of_sheet.more
     further = [text for column in further_columns.get("name", ()) if (text := row.cell(column)) and text not in _EMPTY]
     names = [texts[role] for role in ("name",) if role in texts] + further
@@ -218,7 +218,7 @@ def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
 
 
 def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
-    """The order of words that a row with nothing but a text says for the whole list; empty where none does."""
+    """The order of words that a row with only a text states for the whole list; empty where none does."""
     titles = [cell for row in sheet.rows for cell in row.cells if cell and len({*filter(None, row.cells)}) == 1]
     orders = {order: title for title in titles if (order := described_order(title))}
     if len(orders) != 1:
@@ -229,7 +229,7 @@ def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
 
 
 def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
-    """The rows, those that name no space in that of the title above: a row with nothing but the name of a space."""
+    """The rows; rows that name no space are in the space of the title above, a row with only the name of a space."""
     titles: dict[int, tuple[str, str]] = {}
     for row in sheet.rows:
         texts = {cell for cell in row.cells if cell}
@@ -293,7 +293,7 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
 
 
 def _with_bits_beneath(rows: list[ListRow], register_list: Listing) -> list[ListRow]:
-    """The rows, with those beneath a register that have no address but the number of a bit."""
+    """The rows, also the rows beneath a register whose only address is the number of a bit."""
     bits_of = list(_bits_beneath(register_list))
     if not bits_of:
         return rows
@@ -335,6 +335,6 @@ def _with_gaps(rows: list[ListRow]) -> list[ListRow]:
 
 
 def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:
-    """The rows with the addresses on the wire, which are lower than those of the list by an offset."""
+    """The rows with the addresses on the wire, which are lower than the addresses of the list by an offset."""
     for row in rows:
         yield replace(row, address=row.address - offset)

@@ -114,7 +114,7 @@ def _members(members: Sequence[tuple[int, str]]) -> list[str]:
 
 
 def _states(special: Sequence[tuple[str, str]]) -> list[str]:
-    """The states of an export; those of a float that is not a number by their bits."""
+    """The states of an export; states of a float that are not a number are given by their bits."""
     return [
         f"{{bits: {number.removeprefix('NaN ')}, name: {name}}}"
         if number.startswith("NaN")
@@ -198,7 +198,7 @@ def _number(bit: Bit, row: ListRow, doubts: list[str]) -> Iterator[str]:
 
 
 def count_of(number: Decimal | None, row: ListRow) -> int | None:
-    """A bound as a whole count; None if it is none."""
+    """A bound as a whole count; None if it is not whole."""
     if number is None:
         return None
     count = (Fraction(number) - Fraction(row.offset)) / (row.scale or 1) if row.in_unit else Fraction(number)

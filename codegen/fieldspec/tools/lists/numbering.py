@@ -137,7 +137,7 @@ def _undecided(digits: str, heading: str) -> ListError:
 
 
 def assumed_areas(placed_rows: Placed) -> Iterator[Assumption]:
-    """What is assumed of letters that may be hexadecimal digits beside names of areas."""
+    """The assumption about letters that may be hexadecimal digits in a list with names of areas."""
     firsts = [row_place.first for _, row_place in placed_rows.rows if row_place.first.area]
     digit = next((first for first in firsts if first.area in hexdigits), None)
     other = next((first for first in firsts if first.area not in hexdigits), None)
@@ -168,7 +168,7 @@ def _shortened(rows: Sequence[tuple[SheetRow, Place]]) -> Iterator[SheetRow]:
 
 
 def shortened_bits(placed_rows: Placed) -> Iterator[Assumption]:
-    """What is assumed of a bit `100.1`, beside bits of two digits none of which ends in zero: it may be `100.10`."""
+    """The assumption that a bit `100.1` may be `100.10`, in a list where no bit of two digits ends in zero."""
     pointed = [
         (row_place.first.digits, row_place.bits[0])
         for _, row_place in placed_rows.rows
@@ -224,21 +224,21 @@ def _are_references(ends: Sequence[AddressText]) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A way to read addresses, and what speaks for it."""
+    """A way to read addresses, and the evidence for it."""
 
     base: str
     evidence: tuple[str, ...]
 
     @property
     def text(self) -> str:
-        """What speaks for it, in a line."""
+        """The evidence for it, in a line."""
         return ", ".join(self.evidence) or "nothing"
 
 
 def chosen(
     placed_rows: Placed, ways: Sequence[str], columns: Columns, spaces: Mapping[int, str]
 ) -> tuple[str, Assumption | None]:
-    """The base of a list that nobody compares with a device, and what was assumed.
+    """The base of a list that is not compared with a device, and the assumptions.
 
     `spaces` are those that further columns name, by row. Raises ListError where the evidence is equal.
     """
@@ -324,7 +324,7 @@ def _is_reference_of_other(row_place: Place) -> bool:
 
 
 def _difference(row: SheetRow, row_place: Place, column: int, columns: Columns) -> int | None:
-    """The number of a further column less the decimal number of the address; None if one of them is none."""
+    """The number of a further column less the decimal number of the address; None if one of them is not a number."""
     other = _further(row, column, columns)
     number = row_place.first.number(DECIMAL)
     return other - number if other is not None and number is not None else None

@@ -43,7 +43,7 @@ def _alike(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[tuple[str, li
 
 
 def _joined(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[dict[str, Any]]:
-    """The objects of some groups, those of several with the names of their groups."""
+    """The objects of some groups; if there are several groups, with the names of their groups."""
     if len({name for name, _ in groups}) == 1:
         return [item for _, objects in groups for item in objects]
     head = "space" if all(meaning("spaces", name) for name, _ in groups) else "group"
@@ -58,7 +58,7 @@ def _has_address(item: dict[str, Any]) -> bool:
 def _groups(name: str, value: Any, outer_facts: dict[str, Any]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
     """The groups of objects in some data, each with the key that it stands under.
 
-    `outer_facts` are the functions and spaces that stand beside the groups, or farther out.
+    `outer_facts` are the functions and spaces at the level of the groups, or farther out.
     """
     if objects := _group(value):
         yield name, [{**outer_facts, **item} for item in objects]

@@ -99,7 +99,7 @@ def with_objects(
                 f"has indices with two readings: `{lowest}` is 0x{lowest}, or 0x{int(lowest):04X}. The evidence is "
                 "equal; choose with --base hex or --base decimal"
             )
-        evidence = "those of objects are 0x1000..0xFFFF"
+        evidence = "objects have indices from 0x1000 to 0xFFFF"
         if own_base == HEXADECIMAL:
             evidence = f"`{lowest}` is less than 0x1000 as a decimal number"
         assumptions.append(Assumption("indices", reading, evidence, "--base"))
@@ -107,7 +107,7 @@ def with_objects(
 
 
 def _ends(text: str, base: str) -> str | None:
-    """The subindices in a cell as decimal numbers; None if they are none."""
+    """The subindices in a cell as decimal numbers; None if the cell has no subindices."""
     ends = [end.number(base) if (end := address_text(part)) else None for part in _SPAN.split(text)]
     numbers = [end for end in ends if end is not None and end <= _LAST_SUBINDEX]
     return "..".join(map(str, numbers)) if len(numbers) == len(ends) <= 2 else None

@@ -143,7 +143,7 @@ def _parameter(
 
 
 def _gaps(indices: Sequence[tuple[int, int]], count: int) -> Iterator[int]:
-    """The subindices among so many that a file leaves out."""
+    """The subindices below `count` that a file leaves out."""
     following = 0
     for first, last in (*sorted(indices), (count, count)):
         yield from range(following, first)

@@ -16,7 +16,7 @@ from fieldspec.tools.lists.words import meanings
 _DIVIDED = re.compile(r"(?:[x\w]\s*)?(?:/|÷|:|divided? by)\s*([0-9.,]+)", re.IGNORECASE)
 _TIMES = re.compile(r"(?:[*x\u00d7·]|times)\s*(.+)|(.+?)\s*[*x\u00d7]", re.IGNORECASE)
 _HEXADECIMAL = re.compile(r"0x", re.IGNORECASE)
-"""How a mask begins: nobody writes a factor so."""
+"""The beginning of a mask: factors are not written in this form."""
 
 _RATIO = re.compile(r"([0-9]{1,9})\s*[/:]\s*([0-9]{1,9})")
 _LEADING = re.compile(
@@ -37,7 +37,7 @@ _LONGEST_SYMBOL = 12
 class Quantity:
     """A scale with a unit, either of which may be missing: None, or empty. `offset` is added after scaling.
 
-    `times` is a factor behind a multiplication sign, as in `V x 10`: a unit is so many counts, or the other way round.
+    `times` is a factor after a multiplication sign, as in `V x 10`: the counts per unit, or the units per count.
     `evidence` is the text that says it, or a scale that no cell of scales has.
     """
 

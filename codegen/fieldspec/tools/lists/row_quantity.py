@@ -139,7 +139,7 @@ def quantity_of(
 
 
 def factor_cell(texts: Mapping[str, str], role: str) -> str:
-    """The cell of a column of factors, without the sign and the size of the type behind it: `/100 (signed)`."""
+    """The cell of a column of factors, without the sign and the size of the type after it: `/100 (signed)`."""
     bare, aside = parted(texts.get(role, ""))
     return bare if bare and aside and known_unit(aside) == "" else texts.get(role, "")
 

@@ -16,15 +16,16 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
+from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
 from fieldspec.tools.lists.row_quantity import FACTORS, example, open_factor, quantity_of
-from fieldspec.tools.lists.type_words import Loose, Typed, described_order, joined_order, typed
+from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
 from fieldspec.tools.lists.words import folded
 
 REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
-"""What a row is: exports and files of some formats have fields of tables, parameters, and messages with signals too."""
+"""The kinds of rows: exports and some formats also have fields of tables, parameters, and messages with signals."""
 
 OF_THE_MANUAL = ("section", "line", "unverified")
 """The columns of an export about the place where the manual prints a fact."""
@@ -67,7 +68,7 @@ class ListRow:
     Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what
     could not be understood or contradicts something. `words` is the size that the list states, `gap` the distance
     to the next address. `special` are states that a list has apart from other values, `scale_text` is its scale as
-    written. `factor` is a number whose direction the list leaves open, behind a multiplication sign if `is_times`.
+    written. `factor` is a number whose direction the list leaves open, after a multiplication sign if `is_times`.
     `scaled_by` is the text that has it, or the scale where no cell of scales has it. `bits` is the place of bits in
     the register. `kind` is what the row is, `subindices` the first and the last one of elements of the parameter at
     the address, `place` that of a signal in its message. `form` has the keys of how a value is sent beyond its
@@ -337,7 +338,7 @@ def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[
 
 
 def _with_bits(texts: Mapping[str, str], meanings: Meanings, doubts: list[str]) -> Meanings:
-    """The meanings with those of a column of bits."""
+    """The meanings, with the meanings in a column of bits."""
     text = texts.get("bits", "")
     bits = bit_names(text) if text else ()
     if bits is None or (bits and meanings.bits):
@@ -360,7 +361,7 @@ def _order(
 
 def _stated_order(role: str, text: str, doubts: list[str]) -> str:
     """The order in a column of orders of bytes, or of words, where `little` has the low word first and usual bytes."""
-    stated = cells.order(text)
+    stated = stated_order(text)
     if text and not stated:
         answer_value = answer(text)
         if answer_value is None:

@@ -65,7 +65,7 @@ def with_elements(row: ListRow, in_bits: bool) -> ListRow:
 
 
 def _of_length(name: str, words: int) -> str:
-    """The type of so many words that is like another one."""
+    """The type with this number of words that is like the named type."""
     if name == "f32" and words == 4:
         return "f64"
     by_words = _BY_WORDS.get(words, "bytes")

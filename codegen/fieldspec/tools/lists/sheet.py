@@ -36,7 +36,7 @@ class Sheet:
     """The rows that are not empty. `formulas` are the cells with formulas, as row and column from 1.
 
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
-    names of further sheets with cells, `joined` those of the sheets that this one is made of, `encoding` that of a text
+    names of further sheets with cells, `joined` the names of the sheets that form this sheet, `encoding` that of a text
     where it was guessed, `shifted` the rows whose cells do not stand under the headings. `format` is that of another
     program, empty for a table.
     """

@@ -6,9 +6,9 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.encoding import is_count, is_octets, is_real, is_truth
+from fieldspec.language.model.encoding import is_count, is_real
 from fieldspec.language.model.fact import PAGES
-from fieldspec.language.model.primitives import PRIMITIVES, Primitive
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.cells import whole
 from fieldspec.tools.lists.entries import SPACES, Entry
@@ -19,6 +19,7 @@ from fieldspec.tools.lists.message_entries import place_of
 from fieldspec.tools.lists.message_parts import links, messages
 from fieldspec.tools.lists.naming import fresh, named
 from fieldspec.tools.lists.number_keys import numbers
+from fieldspec.tools.lists.orders import order_keys
 from fieldspec.tools.lists.own_parts import parameters, spaces, tables
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import FIELD, MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
@@ -47,7 +48,7 @@ class Origin:
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
-    """What a spec has beside the rows: remarks for its head, what it takes of a protocol, and allowances.
+    """The contents of a spec apart from the rows: remarks for its head, the facts from a protocol, and allowances.
 
     `uses` has lines by section and is empty for a spec without frames. `allowed` has the rules that a row
     may break, by its number. `names` are those that the protocol has for numbers of parameters, and for subindices.
@@ -203,7 +204,7 @@ class _Writer:
             inferred["range"] = "The list does not say it; that of SunSpec is taken."
         parts = _head(entry, name, type_name)
         parts += [f"access: {row.access}"] if row.access else []
-        parts += _orders(row.order, kind, int(texts["bytes"]) if "digits" in row.form else kind.size)
+        parts += order_keys(row.order, kind, int(texts["bytes"]) if "digits" in row.form else kind.size)
         unit = known_unit(row.unit) or row.unit
         if unit and not meaning.flags_line and (is_count(kind.encoding) or is_real(kind.encoding)):
             parts.append(f"unit: {quoted(unit)}")
@@ -266,7 +267,7 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
 
 
 def _widened(entry: Entry, names: Mapping[tuple[int, int | None], str]) -> Entry:
-    """A parameter with elements, with as many as the protocol has for it; another entry as it is."""
+    """A parameter with elements, with at least the number that the protocol names; any other entry as it is."""
     row = entry.row
     if entry.kind != PARAMETER or row.subindices is not None or row.count == 1:
         return entry
@@ -281,7 +282,7 @@ def _number(entry: Entry) -> tuple[int, int | None]:
 
 
 def _namespace(entry: Entry) -> str:
-    """What a name has to be the only one in: elements of a parameter have names of their own."""
+    """The scope in which a name must be unique: elements of a parameter have names of their own."""
     if entry.row.subindices is not None or entry.kind == SIGNAL:
         return f"{entry.space} {entry.row.address}"
     return entry.space if entry.row.is_own else ""
@@ -323,14 +324,6 @@ def _extent(entry: Entry) -> int:
     """The number of addresses from a register's first to its last."""
     words = entry.shape.words
     return (entry.shape.count - 1) * (entry.row.stride or words) + words
-
-
-def _orders(order: str, kind: Primitive, size: int) -> Iterator[str]:
-    """The order of words and of bytes, where they are not those of the device: big, as frames have them."""
-    if order in ("CDAB", "DCBA", "BADC") and kind.is_number and size > 2 and size % 2 == 0:
-        yield f"word_order: {'big' if order == 'BADC' else 'little'}"
-    if order in ("BADC", "DCBA") and not (is_truth(kind.encoding) or is_octets(kind.encoding)):
-        yield "byte_order: little"
 
 
 def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Iterator[str]:

@@ -26,7 +26,7 @@ _MARKS = (
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
 WESTERN = "cp1252"
-"""The encoding of a text that is not UTF-8, whose other letters stand alone and are those of western languages."""
+"""The encoding of a text that is not UTF-8, whose other letters stand alone and belong to western languages."""
 
 _WESTERN_SIGNS = frozenset(
     "°²³µ±§·\u00d7÷½¼¾ºª®©™€\u2013\u2014\u2018\u2019“”…«»¿¡äöüÄÖÜßéèêëàâáíóúñçôîïìòùûåøæÅØÆÉÀÈÊÍÓÚÑÇãõÃÕ"
@@ -124,7 +124,7 @@ def _bounded_lines(text: str, size: list[int]) -> Iterator[str]:
 
 
 def decoded(content: bytes, encoding: str = "") -> str:
-    """The text of a file. Raises ListError if it is none."""
+    """The text of a file. Raises ListError if the file is not a text."""
     for mark, kind in _KNOWN_BINARIES:
         if content.startswith(mark):
             raise ListError(f"is {kind}")

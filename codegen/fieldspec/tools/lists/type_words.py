@@ -10,6 +10,7 @@ from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import is_count, is_signed, is_truth
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
+from fieldspec.tools.lists.orders import joined_order
 from fieldspec.tools.lists.words import folded, meaning
 
 _WORD_BITS = 16
@@ -35,8 +36,6 @@ _ORDER_PHRASE = re.compile(
     re.IGNORECASE,
 )
 _OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)
-_ORDERS = {(False, False): "ABCD", (False, True): "CDAB", (True, False): "BADC", (True, True): "DCBA"}
-"""The orders of bytes by whether words have the low byte first, and whether the low word is first."""
 
 
 class Loose(Enum):
@@ -96,7 +95,7 @@ class Typed:
         return PRIMITIVES[self.name].size if self.name else (self.bits + 7) // 8
 
     def of_words(self, words: int | None) -> str:
-        """The name of the type; if the list has only its kind, that of the type with so many words."""
+        """The name of the type; if the list has only its kind, that of the type with this number of words."""
         if self.name:
             return self.name
         if self.kind is Loose.TRUTH:
@@ -150,13 +149,6 @@ def described_order(text: str) -> str:
     """The order of two words that a text says: `low word first`; empty for none, and for an order of bytes."""
     phrase = _ORDER_PHRASE.search(text)
     return meaning("orders", phrase[0]) if phrase else ""
-
-
-def joined_order(of_bytes: str, of_words: str) -> str:
-    """The order that one of bytes and one of words give together; an empty one says nothing."""
-    if not of_words or of_bytes not in ("ABCD", "DCBA"):
-        return of_bytes or of_words
-    return _ORDERS[of_bytes == "DCBA", of_words in ("CDAB", "DCBA")]
 
 
 def _known(text: str) -> Typed | None:

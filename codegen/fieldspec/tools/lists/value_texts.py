@@ -33,7 +33,7 @@ class NamedBits(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Meanings:
-    """The texts of values, or those of bits by their numbers, in the order of the cell."""
+    """The texts of values, or the texts of bits by their numbers, in the order of the cell."""
 
     members: tuple[tuple[int, str], ...] = ()
     bits: tuple[NamedBits, ...] = ()

@@ -1,6 +1,6 @@
 """The words of lists, from `words.json`: headings by role, accesses, types, spaces, answers, orders of bytes, units.
 
-All of them are folded. A heading that begins with `*` is a part of one; those of a role have the likeliest first.
+All of them are folded. A heading that begins with `*` is a part of one; a role lists its likeliest heading first.
 """
 
 from __future__ import annotations
@@ -33,5 +33,5 @@ def folded(text: str) -> str:
 
 
 def meaning(table: str, text: str) -> str:
-    """What a text stands for in a table; empty if it is not there."""
+    """The meaning of a text in a table; empty if it is not there."""
     return meanings(table).get(folded(text) or text.strip(), "")

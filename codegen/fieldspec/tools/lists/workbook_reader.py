@@ -51,7 +51,7 @@ def _filled(content: bytes, sheet: Sheet, number: int, area: tuple[int, int]) ->
 def _joined(sheets: Sequence[Sheet]) -> Sheet | None:
     """Sheets with the same headings that are each named after an address space, as one. Rows count on.
 
-    None where they are no such sheets.
+    None where the sheets differ from this form.
     """
     spaces = [meaning("spaces", sheet.name) for sheet in sheets]
     heading = sheets[0].rows[0].cells if sheets else ()

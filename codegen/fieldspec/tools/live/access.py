@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     """A value that an access knows: what is at an address with its space, or a signal of messages."""
 
     class Reading(Protocol):
-        """A value that was read, or the reason why the device refused it. `words` tell whether two are the same."""
+        """A value that was read, or the reason why the device refused it. Equal `words` are the same value."""
 
         @property
         def path(self) -> str:
@@ -81,7 +81,7 @@ if TYPE_CHECKING:
         what: str
         """The noun in the message about an unknown name."""
         heading: str
-        """What the numbers of values are: `address` or `number`."""
+        """The heading of the numbers of values: `address` or `number`."""
 
         def number(self, value: Any) -> int | None:
             """The address or the number of a value; None where it has none."""
@@ -159,7 +159,7 @@ if TYPE_CHECKING:
 
 
 def differs(chosen: Assignment, now: Reading) -> bool:
-    """Whether the device holds another value than the one that is assigned, whatever shares its words."""
+    """Whether the value in the device differs from the assigned value, whatever shares its words."""
     if now.refusal or not chosen.mask:
         return bool(now.refusal) or tuple(now.words) != chosen.words
     return any((word ^ own) & mask for word, own, mask in zip(now.words, chosen.words, chosen.mask, strict=True))

@@ -113,7 +113,7 @@ class Client:
         self._silent_until = self.clock.now() + self.timing.pause
 
     def request(self, message: str, values: Mapping[str, Any]) -> bytes:
-        """The frame of a request. Parts that only mark it have another number in each. Raises CodecError."""
+        """The frame of a request. Parts that only mark it have a different number in each. Raises CodecError."""
         fields = self.layout.messages[message].request
         fixed = {name: raw for name, raw in self.fixed.items() if fields.named(name) is not None}
         for part in self.counters:

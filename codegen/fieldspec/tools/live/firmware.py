@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 class Firmware:
     """The reported firmware of a device: the value as text, and its version in the spec.
 
-    `version` is empty where it is none of them, and `doubt` then says why; both are empty where the spec does not say
-    the value that identifies the version, or how. `is_asked` says whether a message of the link reads the value.
+    `version` is empty if the spec has no such version, and `doubt` then says why; both are empty if the spec does not
+    state the value that identifies the version, or how. `is_asked` says whether a message of the link reads the value.
     """
 
     text: str = ""

@@ -223,7 +223,7 @@ class RegisterAccess:
         return list(items_by_path.values())
 
     def _scaled(self, item: Placed, by_path: Mapping[str, Reading]) -> Reading:
-        """What was read of an item, as a quantity where the exponent of its scale was read, too."""
+        """The value that was read of an item, as a quantity where the exponent of its scale was read, too."""
         own, (space, occupant) = by_path[self.path(item)], item
         place = exponent_of_occupant(self.layout, occupant)
         exponent = by_path.get(place.path) if place is not None else None

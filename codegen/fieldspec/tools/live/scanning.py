@@ -46,8 +46,8 @@ class ScannedItem:
 
 @dataclass(frozen=True, slots=True)
 class ScanSpace:
-    """Addresses that a scan can read: those of a space of registers, or the numbers of `parameters`. `end` is after
-    the last one, and one request reads `most` of them."""
+    """Addresses that a scan can read: the addresses of a space of registers, or the numbers of `parameters`. `end` is
+    after the last one, and one request reads `most` of them."""
 
     name: str
     end: int

@@ -24,7 +24,7 @@ class _PieceError(Exception):
 def read_pieces(
     client: Client, pieces: SegmentsLayout, first: Mapping[str, Any], values: Mapping[str, Any], maximum: int
 ) -> bytes:
-    """The value whose pieces follow the response to a request with the fields `first`: at most so many bytes.
+    """The value whose pieces follow the response to a request with the fields `first`: at most `maximum` bytes.
 
     Raises UnfitAnswerError, RefusedError, NoAnswerError and CarrierError.
     """
@@ -84,7 +84,7 @@ def write_pieces(client: Client, pieces: SegmentsLayout, first: Mapping[str, Any
 
 
 def _check_piece(pieces: SegmentsLayout, answer: Decoded, count: int) -> None:
-    """Raises _PieceError for an answer that is none with, or for, the piece after `count` others."""
+    """Raises _PieceError for an answer that does not have, or accept, the piece after `count` others."""
     for place in (pieces.answered, *((pieces.unused, pieces.last) if pieces.reads else ())):
         value = place.field.value if place is not None else None
         if place is not None and value is not None and value.ranges is not None:

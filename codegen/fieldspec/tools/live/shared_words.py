@@ -43,7 +43,7 @@ class SharedWords:
         return sorted(known.values(), key=lambda candidate: (candidate.address, candidate.skip))
 
     def objection(self, item: tuple[str, Occupant], judge: Callable[[Occupant], str]) -> str:
-        """Why a field is in no list although nothing speaks against itself: something beside it cannot be written."""
+        """Why a writable field is in no list: a field that shares a word with it cannot be written."""
         for other in self.beside(*item):
             objection = judge(other) if other is not item[1] and not other.reserved else ""
             if objection:
@@ -98,7 +98,7 @@ class SharedWords:
 
 
 def merged(words: Sequence[int], content: Sequence[int], mask: Sequence[int]) -> tuple[int, ...]:
-    """Words in which the bits of a mask are those of the content."""
+    """Words in which the bits of a mask come from the content."""
     return tuple(word & ~bits | own & bits for word, own, bits in zip(words, content, mask, strict=True))
 
 

@@ -23,7 +23,7 @@ COMMANDS = {*COMMANDING, "stop", "quick_stop"}
 
 @dataclass(frozen=True, slots=True)
 class ValueList:
-    """Headings, and rows of as many cells. An empty cell is None."""
+    """Headings, and rows with the same number of cells. An empty cell is None."""
 
     columns: tuple[str, ...]
     rows: tuple[tuple[Cell, ...], ...]

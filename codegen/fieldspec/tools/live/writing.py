@@ -57,7 +57,7 @@ def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) 
     try:
         raw = raw_value(layout.device, occupant.path, value, text)
         known = encoded_value(occupant.path, value, raw, layout.device)
-        data = bytes(value_construct(value, occupant.order, occupant.swapped).build(known))
+        data = bytes(value_construct(value, occupant.order, occupant.is_swapped("write")).build(known))
     except (MeaningError, CodecError) as error:
         raise WriteError(str(error)) from None
     if is_bit(occupant) or not is_partial(occupant, size):

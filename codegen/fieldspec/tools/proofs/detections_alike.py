@@ -81,7 +81,7 @@ def _number_of(base: int, parameter: Parameter) -> dict[str, str]:
 
 
 def _message(message: Message) -> dict[str, str]:
-    """What a request says that asks for the message, as far as it is constant."""
+    """The constant content of a request for the message."""
     constants = [
         f"{field.name} {field.value.const}"
         for field in message.request.fields
@@ -103,7 +103,7 @@ def _value(value: Value, orders: Orders) -> dict[str, str]:
     return {
         "type": value.type.name,
         "size": f"{value.size} bytes",
-        "digits": value.digits or "binary",
+        "digits": value.codec or value.digits or "binary",
         "byte order": order if value.has_order else "",
         "word order": (last if swapped else order) if value.has_words else "",
         "scale": value.scale_text or str(value.scale),

@@ -14,7 +14,7 @@ from fieldspec.language.reading.nodes import Mapping, Node, Scalar, exact, find,
 from fieldspec.language.reading.scalars import part_at, violations_at
 
 MISSING = "present"
-"""The key under `printed` that says, as `present: false`, that the print lacks the whole fact."""
+"""The key under `printed` that says, as `present: false`, that the manual lacks the whole fact."""
 
 Findings = Callable[[Device, str], list[Diagnostic]]
 

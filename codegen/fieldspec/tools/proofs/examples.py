@@ -51,7 +51,7 @@ class FindingsCache:
         common = _commonly_wrong(proven)
         return [
             replace(finding, help=_COMMON)
-            if finding.code == "check_code_correct" and _frames_of(example) in common
+            if finding.code == "checksum_correct" and _frames_of(example) in common
             else finding
             for example, own in proven
             for finding in own
@@ -73,7 +73,7 @@ def _commonly_wrong(proven: Sequence[tuple[Example, Sequence[Diagnostic]]]) -> s
     verdicts: dict[tuple[str, str], list[bool]] = {}
     for example, own in proven:
         if not example.refused:
-            wrong = any(finding.code == "check_code_correct" for finding in own)
+            wrong = any(finding.code == "checksum_correct" for finding in own)
             verdicts.setdefault(_frames_of(example), []).append(wrong)
     return {frames for frames, own in verdicts.items() if len(own) > 1 and all(own)}
 
@@ -91,7 +91,7 @@ def _meaning(device: Device) -> ObjectsKey:
     return ObjectsKey(content for section in sections for content in section.values())
 
 
-CHECKS = {"wrong_check": "check_code_correct", "wrong_length": "length_byte_correct"}
+CHECKS = {"wrong_checksum": "checksum_correct", "wrong_length": "length_byte_correct"}
 
 
 def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
@@ -138,13 +138,13 @@ def _length_help(frames: FrameCodec, example: Example, error: CodecError) -> str
     lengths = frames.link.frame(example.direction).lengths
     length = next((part for part in lengths if part.offset == error.offset), None)
     if not frames.has_right_checksum(example.frame, example.direction):
-        fix = "state under `counts` what the length counts; " if length is not None else ""
+        fix = "state under `measures` what the length counts; " if length is not None else ""
         return fix + _mend("length_byte_correct")
     if length is None:
         return "the checksum is correct, so the bytes are too: compare them with the message's fields"
     return (
-        f"the checksum is correct, so the bytes are too: state under `counts` what {length.name} counts; if no"
-        f" `counts` says it, remove the role `length`, so that users supply {length.name}"
+        f"the checksum is correct, so the bytes are too: state under `measures` what {length.name} counts; if no"
+        f" `measures` says it, remove the role `length`, so that users supply {length.name}"
     )
 
 
@@ -263,7 +263,7 @@ def _bytes(
         text = f"the values cannot be encoded: {error}"
         yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help="compare them with the fields")
         return
-    if data != example.frame:
+    if data != link.link.frame(example.direction).as_sent(example.frame):
         text = f"the values encode to {data.hex(' ').upper()}"
         label = Label(example.place["frame"], "these bytes")
         span = example.place["values"]

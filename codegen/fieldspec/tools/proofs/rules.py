@@ -21,13 +21,21 @@ Example: `characters: ":0106"` above `3A 30 31 30 33`.
 
 Fix: Correct the misprinted row, and write an erratum.
 """,
-    "check_code_correct": """The checksum of every example is correct.
+    "checksum_correct": """The checksum of every example is correct.
 
 Why: a device rejects a frame with a wrong checksum. Either the checksum or a byte before it is misprinted.
 
 Example: a packet that ends with 17h, where the sum of the bytes before it is 37h.
 
 Fix: State the right bytes as `frame`, and write an erratum with the printed bytes.
+""",
+    "codec_exemplified": """Three printed frames at least use each codec of a package.
+
+Why: the language does not say what its bytes are, so that no other rule proves that the codec is the one of the device.
+
+Example: a field with `codec: acme_float` in a message with one example.
+
+Fix: Add the frames that the manual prints, or a log of a device, as `examples` with their values.
 """,
     "errata_differ": """The printed value in an erratum differs from the value in the spec.
 
@@ -61,8 +69,8 @@ Why: a frame with a wrong length is never complete, or it swallows the next fram
 Example: a frame of 19 bytes whose length is 14h.
 
 Fix: If the manual misprints the bytes, state the right ones as `frame`, and write an erratum with the
-printed ones. If the checksum is correct, or all examples differ in the same way, correct the `counts` of the
-link. If no `counts` can express it, remove the role `length`; users then supply the number.
+printed ones. If the checksum is correct, or all examples differ in the same way, correct the `measures` of the
+link. If no `measures` can express it, remove the role `length`; users then supply the number.
 """,
     "lines_alike": """A version of a line that is `like` another line equals a version of that line on the wire.
 

@@ -13,6 +13,7 @@ from fieldspec.language.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.language.diagnostics import Diagnostic, has_errors
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.tools.proofs.codec_examples import codec_exemplified
 from fieldspec.tools.proofs.detections_alike import detections_alike
 from fieldspec.tools.proofs.equal_lines import equal_versions, lines_alike
 from fieldspec.tools.proofs.errata import Findings, Proof, errata_by_version, proofs
@@ -33,7 +34,7 @@ def previous(spec: DeviceSpec, version: str) -> str | None:
 
 
 def accepted(spec: DeviceSpec) -> list[Diagnostic]:
-    """The findings of the acceptances that belong to versions; those of the spec are judged by a comparison with it."""
+    """The findings of the acceptances of versions; the acceptances of the spec are judged by a comparison with it."""
     if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
         return []
     from fieldspec.language.changes import RULES
@@ -57,7 +58,7 @@ def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[Compared
 
 
 EXAMPLE_PROOFS = (
-    "check_code_correct",
+    "checksum_correct",
     "length_byte_correct",
     "meaning_matches_bytes",
     "characters_match_bytes",
@@ -96,7 +97,7 @@ def everything(
     findings = [*broken, *checks.run(device, without)]
     if not examples or has_errors(broken) or any(finding.code in LAYOUT_CONDITIONS for finding in findings):
         return findings
-    return [*findings, *(remembered or FindingsCache()).findings(device, sound=True)]
+    return [*findings, *(remembered or FindingsCache()).findings(device, sound=True), *codec_exemplified(device)]
 
 
 def known() -> frozenset[str]:
@@ -129,7 +130,7 @@ class Outcome:
     """The result of all checks and proofs of a device.
 
     `findings` has all findings, `proofs` one proof for each erratum in the order of the spec, and `by_version` the
-    findings of each version by itself, without those of errata. `remembered` caches the findings of examples.
+    findings of each version by itself, without the findings of errata. `remembered` caches the findings of examples.
 
     `layouts` has the versions that have a layout; where all have one, `shared` is the result of `equal_versions`.
     """

@@ -22,8 +22,8 @@ def carry_out_steps(
 ) -> dict[str, Any]:
     """The values of the response. Raises Refusal, and then nothing is written, unless a rule of the behaviour refuses.
 
-    Steps see what those before them have written. Where several reasons speak against the request, the one with the
-    lowest `number` counts.
+    Steps see what those before them have written. If there are several reasons to refuse the request, the
+    reason with the lowest `number` counts.
     """
     steps = announced.message.access_steps
     wrong = first_out_of_range(engine.layout.device, announced.request, values)
@@ -74,6 +74,7 @@ def _write(engine: Engine, step: RegisterAccess, values: Mapping[str, Any]) -> t
     if not step.and_mask:
         return step, values
     space, (address,) = accessed_words(engine, step, values, "write")
+    address = engine.memory.write_place(space, address)
     word, and_mask, or_mask = engine.memory.words[space, address], values[step.and_mask], values[step.or_mask]
     maximum = (1 << 8 * engine.layout.device.space(step.space).unit_size) - 1
     return RegisterAccess("write", step.start, "", "word", step.space), {

@@ -114,7 +114,7 @@ class Cells:
         self._known: dict[tuple[str, str], list[Cell]] = {}
 
     def of(self, name: str, direction: str = "") -> list[Cell]:
-        """The cells of a signal; of a role in messages those of one direction, where it is stated."""
+        """The cells of a signal; of a role in messages only the cells of one direction, where it is stated."""
         key = (name, direction)
         if key not in self._known:
             self._known[key] = list(self._cells(name, direction))

@@ -13,7 +13,7 @@ class Clock(Protocol):
         """The present time in seconds."""
 
     def sleep(self, seconds: float) -> None:
-        """Waits until so many seconds of this clock have passed."""
+        """Waits until this number of seconds of this clock has passed."""
 
 
 class SystemClock:

@@ -95,9 +95,9 @@ class Engine(Operation):
     # Events
 
     def raise_event(self, name: str, seconds: float = 0.0) -> None:
-        """Raises an event, now or later. Of events that raise each other without end, the rest comes later.
+        """Raises an event, now or later. If events raise each other without end, the rest of them is raised later.
 
-        A rule of an event that cannot go on, as with a record that does not exist, ends there: nobody is refused.
+        A rule of an event that cannot continue, as for a record that does not exist, ends there without a refusal.
         """
         if seconds > 0 or self._depth >= _DEEPEST:
             self._count += 1

@@ -14,7 +14,7 @@ from fieldspec.language.model.device import Device
 if TYPE_CHECKING:
     from typing import Any
 
-DAMAGED = ("wrong_mark", "not_hex", "wrong_check")
+DAMAGED = ("wrong_mark", "not_hex", "wrong_checksum")
 _REASONS = {
     "unknown_code": "unknown_code",
     "incomplete": "count_invalid",

@@ -86,7 +86,7 @@ class Line:
     def pause(self, now: float) -> Iterator[Sending]:
         """What to send after a pause in a stream, in which a frame that has begun can still go on.
 
-        The bytes so far are a frame where nothing but silence ends it, or where they have the right checksum and no
+        The bytes so far are a frame where only silence ends it, or where they have the right checksum and no
         frame can begin with them, as with a code that no message has.
         """
         if self.framer is None or not self._recent:
@@ -101,7 +101,7 @@ class Line:
         yield from self.idle(now)
 
     def _is_whole(self, data: bytes) -> bool:
-        """Whether bytes after a pause are a frame by themselves, so that none goes on that has begun before."""
+        """Whether bytes after a pause are a frame by themselves and do not continue an earlier frame."""
         alone = self.framing() if self._recent else None
         return alone is not None and alone.feed(data) == [data]
 

@@ -139,6 +139,15 @@ class Memory:
         is_register = any(isinstance(occupant.outer, Register) for occupant in self.at(space, address))
         return -1 if moved and not is_register else address
 
+    def write_place(self, space: str, address: int) -> int:
+        """Where the memory, which has what is read, has what is written to one of its addresses."""
+        turned = next((occupant for occupant in self.at(space, address) if occupant.value.write_word_order), None)
+        if turned is None:
+            return address
+        in_word = 2 // self.layout.device.space(space).unit_size
+        word, rest = divmod(address - turned.address, in_word)
+        return turned.address + turned.words - (word + 1) * in_word + rest
+
     def has_base(self, space: str, addresses: range) -> bool:
         """Whether some addresses have a register that says where a table begins."""
         return any(own == space and register.address in addresses for _, own, register in self._bases)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, MutableMapping
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import TYPE_CHECKING
@@ -60,15 +60,16 @@ def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
     return values
 
 
-def decided_fields(record: RecordLayout, values: Mapping[str, Any]) -> Iterator[FieldLayout]:
-    """The fields of a record, of which each has its values in `values` before the next one is asked for.
+def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> Iterator[FieldLayout]:
+    """The fields of a record. Each has its values in `values` before the iterator gives the next field.
 
-    A field with cases has the type that the value of the selector decides.
+    A field with cases has the type that the value of the selector decides. Where other fields may follow it, a
+    selector that decides nothing is set to a number that decides a type.
     """
-    for field in record.fields:
-        number = values.get(record.selector.name) if field.cases and record.selector is not None else None
-        chosen = record.chosen.get(number) if isinstance(number, int) else None
-        yield field if chosen is None else chosen.fields[-1]
+    for index, field in enumerate(record.fields):
+        if field.selector is not None and field.form_of(values[field.selector.name]) is None:
+            values[field.selector.name] = min(field.forms)
+        yield record.decided_by(values).fields[index] if field.cases else field
 
 
 def signed(raw: Any, size: int, is_signed: bool) -> Any:

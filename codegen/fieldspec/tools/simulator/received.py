@@ -1,4 +1,4 @@
-"""What the bytes of a request say, whatever the device does at the time."""
+"""The meaning of the bytes of a request, whatever the device does at the time."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class Request:
     """A frame for this device: the parts of its head, its code, and the message that they announce.
 
-    `silence` says why nobody answers, `damage` why no device can understand it, and `objection` why it is refused, as a
+    `silence` says why no device answers, `damage` why none can understand it, and `objection` why it is refused, as a
     reason and what is wrong. Where all is well, `message` and `values` are what it says; `out_of_range` is the first
     value that is.
     """

@@ -56,9 +56,10 @@ def place_words(
     words: Sequence[int] = content if isinstance(content, list | tuple) else [content]
     space, addresses = _span(engine, access, values, len(words), "write")
     memory = engine.memory
-    before = {(space, address): memory.words[space, address] for address in addresses}
-    for address, word in zip(addresses, words, strict=True):
-        memory.words[space, address] = word
+    places = [memory.write_place(space, address) for address in addresses]
+    before = {(space, place): memory.words[space, place] for place in places}
+    for place, word in zip(places, words, strict=True):
+        memory.words[space, place] = word
     paths = []
     try:
         for occupant in _touched(engine, space, addresses):

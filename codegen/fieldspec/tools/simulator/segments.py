@@ -51,7 +51,7 @@ class Transfers:
         self.pieces = frozenset(pieces.piece.name for pieces in self.by_first.values())
 
     def fields(self, link: str, message: MessageLayout) -> Mapping[str, Any]:
-        """The fields of the request that has begun what a request with a piece goes on with."""
+        """The fields of the request that began the transfer which a request with a piece continues."""
         transfer = self.running.get(link)
         return transfer.fields if transfer is not None and message.name in self.pieces else {}
 

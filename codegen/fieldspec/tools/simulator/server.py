@@ -13,6 +13,7 @@ from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.behaviour.part import Part
 from fieldspec.language.model.encoding import is_count, is_signed
+from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.tools.simulator import parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
 from fieldspec.tools.simulator.engine import Engine
@@ -293,7 +294,7 @@ class Server:
         return [{**record} for record in records[: part.get("most") or len(records)]]
 
     def _head(self, frames: FrameCodec, head: Mapping[str, Any]) -> dict[str, Any]:
-        """The parts of the response's frame that nothing else decides: those of the request, or what is in memory."""
+        """The parts of the response's frame that nothing else decides, from the request or from memory."""
         values: dict[str, Any] = {}
         for part in frames.link.response.header:
             if part.role in ("length", "checksum", "code"):
@@ -331,11 +332,12 @@ class Server:
         if record is None or number is None:
             return self._unsaid(frames, f"{text}; the device is silent")
         values, coded = self._head(frames, head), frames.link.request.role("code")
+        printed_code = code & ~CAN_REMOTE if code is not None and frames.link.link.is_can else code
         for field in engine.layout.records[record.record].fields:
             value = field.value
             if value is not None and value.const is None and is_count(value.encoding) and not field.is_list:
                 is_code = coded is not None and field.field.same_as == coded.name
-                values[field.name] = code if is_code else fields.get(field.name, 0)
+                values[field.name] = printed_code if is_code else fields.get(field.name, 0)
         values[reason_place(engine.layout, frames.link, record)[0]] = number
         code = part.get("code", code) if record.code is None else record.code
         is_uncoded = frames.link.has_uncoded_exceptions

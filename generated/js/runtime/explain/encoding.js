@@ -6,7 +6,7 @@ import { narrowedImage } from "../widths.js";
 import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
-import { codeIn, memberOf } from "./device.js";
+import { codeIn, formOfField, memberOf } from "./device.js";
 import { digitsBytes } from "../digit_texts.js";
 import { refusedBitOf, sentinelOf } from "./values.js";
 import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
@@ -93,12 +93,13 @@ export function encodeRecord(device, record, values) {
   const form = formOfValues(record, values);
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
-  for (const field of form.fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
-  const bytes = joinedBytes(form.fields.map((field) => {
+  const fields = form.fields.map((field) => decidedField(form, field, values));
+  for (const field of fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
+  const bytes = joinedBytes(fields.map((field) => {
     if (!field.measures) {
       const list = form.inner?.lists.find(({ name }) => name === field.name);
       const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
-      const own = joinedBytes(list?.parts ? elements.map((bytes) => padded(bytes, list.element)) : elements);
+      const own = joinedBytes(list?.parts || list?.decision ? elements.map((bytes) => padded(bytes, list.element)) : elements);
       return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
@@ -112,6 +113,14 @@ export function encodeRecord(device, record, values) {
     return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);
   }
   return form.spans ? narrowedImage(form.spans, bytes) : bytes;
+}
+
+/** A field of the type that the values of its record decide. Throws CodecError where they decide nothing. */
+function decidedField(record, field, values) {
+  const number = field.forms && elementsOf(record.named.get(field.by), values)[0];
+  const decided = number === undefined || isWhole(number) ? formOfField(record, field, values) : undefined;
+  if (!decided) throw new CodecError("unknown_value", `${field.by} is ${number}, which chooses nothing that may follow`);
+  return decided;
 }
 
 /** The values of the elements of a field: those entered, or its constant or zeros where nobody enters them. */
@@ -174,9 +183,10 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
     for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
-  const encoded = link.encoding === "hex_ascii" ? charactersOf(inner) : inner;
+  const encoded = link.transmission === "hex_ascii" ? charactersOf(inner) : inner;
   const [start, end] = link.delimiters[direction];
-  return joinedBytes([start, encoded, end]);
+  const { byte, sent: count } = link.preamble ?? { byte: 0, sent: 0 };
+  return joinedBytes([new Uint8Array(count).fill(byte), start, encoded, end]);
 }
 
 function refuseBroadcast({ addresses }, shape, values, message) {

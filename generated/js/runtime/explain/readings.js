@@ -13,8 +13,8 @@ const GUESSED = "guessed";
 const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));
 const CLOSE = [
   ...FITTING,
-  new Set([...OF_VALUES, "wrong_check", GUESSED]),
-  new Set([...OF_VALUES, "wrong_check", "wrong_length", "incomplete"]),
+  new Set([...OF_VALUES, "wrong_checksum", GUESSED]),
+  new Set([...OF_VALUES, "wrong_checksum", "wrong_length", "incomplete"]),
 ];
 
 /**
@@ -363,9 +363,10 @@ function ownSize(link, { direction, frame, rows }) {
   const { escape } = link[direction];
   if (escape?.method === "can") return `the data of the frame have ${byteCount(frame.length - 8)}`;
   const inner = rows.filter(({ kind }) => kind !== "mark");
-  const isHex = link.encoding === "hex_ascii";
+  const isHex = link.transmission === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
-  const without = [...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
+  const preamble = link.preamble ? ["preamble"] : [];
+  const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
   const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
   return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
 }

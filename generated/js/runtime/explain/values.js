@@ -66,7 +66,8 @@ export function meaningOf(name, label, text, bits = "") {
 
 /** The value with the range of writing as its only range. */
 export function forWriting(value) {
-  return value.writeRanges === undefined ? value : { ...value, ranges: value.writeRanges };
+  const { ranges, writeRanges = ranges, order, writePlaces = order } = value;
+  return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
 /** The meaning of the bytes of a value that is read: a constant binds only what is written. */

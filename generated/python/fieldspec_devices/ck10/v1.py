@@ -34,7 +34,7 @@ from .._error import wrong_measure as _wrong_measure
 from .._flags import BITS_OF as _BITS_OF
 from .._flags import Flags as _Flags
 from .._framers import CodeFramer as _CodeFramer
-from .._frames import ErrorReply as _ErrorReply
+from .._frames import ExceptionResponse as _ExceptionResponse
 from .._frames import Frames as _Frames
 from .._frames import Request as _Request
 from .._frames import RequestOf as _RequestOf
@@ -4631,15 +4631,15 @@ class RtuLink:
     @_overload
     def decode_response(
         self, frame: _Data, request: _RequestOf[_R] | type[_RequestOf[_R]]
-    ) -> _Response[_R] | _ErrorReply[ExceptionRecord]: ...
+    ) -> _Response[_R] | _ExceptionResponse[ExceptionRecord]: ...
 
     @_overload
-    def decode_response(self, frame: _Data) -> _Response[AnyRtuResponse] | _ErrorReply[ExceptionRecord]: ...
+    def decode_response(self, frame: _Data) -> _Response[AnyRtuResponse] | _ExceptionResponse[ExceptionRecord]: ...
 
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
-    ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
+    ) -> _Response[_Any] | _ExceptionResponse[ExceptionRecord]:
+        """A response, or an exception response as an ExceptionResponse. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -4655,12 +4655,12 @@ class RtuLink:
         code = head[1]
         if code & 0x80:
             reason: ExceptionRecord = _RTU_RESPONSES.body(ExceptionRecord, body)
-            return _ErrorReply(head[0], code & 0x7f, reason)
+            return _ExceptionResponse(head[0], code & 0x7f, reason)
         wanted = None if request is None else request.CODE
         message = _RTU_RESPONSES.message(_RTU_RESPONSE_CLASSES, code, body, wanted)
         return _Response(head[0], message)
 
-    def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
+    def encode_exception_response(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         _wrong = (
@@ -4820,15 +4820,15 @@ class AsciiLink:
     @_overload
     def decode_response(
         self, frame: _Data, request: _RequestOf[_R] | type[_RequestOf[_R]]
-    ) -> _Response[_R] | _ErrorReply[ExceptionRecord]: ...
+    ) -> _Response[_R] | _ExceptionResponse[ExceptionRecord]: ...
 
     @_overload
-    def decode_response(self, frame: _Data) -> _Response[AnyAsciiResponse] | _ErrorReply[ExceptionRecord]: ...
+    def decode_response(self, frame: _Data) -> _Response[AnyAsciiResponse] | _ExceptionResponse[ExceptionRecord]: ...
 
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
-    ) -> _Response[_Any] | _ErrorReply[ExceptionRecord]:
-        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
+    ) -> _Response[_Any] | _ExceptionResponse[ExceptionRecord]:
+        """A response, or an exception response as an ExceptionResponse. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -4844,12 +4844,12 @@ class AsciiLink:
         code = head[1]
         if code & 0x80:
             reason: ExceptionRecord = _ASCII_RESPONSES.body(ExceptionRecord, body)
-            return _ErrorReply(head[0], code & 0x7f, reason)
+            return _ExceptionResponse(head[0], code & 0x7f, reason)
         wanted = None if request is None else request.CODE
         message = _ASCII_RESPONSES.message(_ASCII_RESPONSE_CLASSES, code, body, wanted)
         return _Response(head[0], message)
 
-    def encode_error(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
+    def encode_exception_response(self, unit_address: int, code: int, exception: ExceptionRecord) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         body = exception.encode()
         _wrong = (

@@ -33,7 +33,7 @@ from .._error import wrong_measure as _wrong_measure
 from .._flags import BITS_OF as _BITS_OF
 from .._flags import Flags as _Flags
 from .._framers import CodeFramer as _CodeFramer
-from .._frames import ErrorReply as _ErrorReply
+from .._frames import ExceptionResponse as _ExceptionResponse
 from .._frames import Frames as _Frames
 from .._frames import Request as _Request
 from .._frames import RequestOf as _RequestOf
@@ -116,7 +116,7 @@ __all__ = [
     "MotorType",
     "OperatingMode",
     "OperationWarnings",
-    "ParameterChannelErrorReply",
+    "ParameterChannelExceptionResponse",
     "ParameterChannelLink",
     "ParameterChannelRequest",
     "ParameterChannelResponse",
@@ -9440,7 +9440,7 @@ class ParameterChannelResponse(_Response[_M]):
         self.request_reference = request_reference
 
 
-class ParameterChannelErrorReply(_ErrorReply[_M]):
+class ParameterChannelExceptionResponse(_ExceptionResponse[_M]):
     """An exception response on this link, with all parts of its header."""
 
     __slots__ = ("request_reference",)
@@ -9540,15 +9540,15 @@ class ParameterChannelLink:
     @_overload
     def decode_response(
         self, frame: _Data, request: _RequestOf[_R] | type[_RequestOf[_R]]
-    ) -> ParameterChannelResponse[_R] | ParameterChannelErrorReply[ParameterError]: ...
+    ) -> ParameterChannelResponse[_R] | ParameterChannelExceptionResponse[ParameterError]: ...
 
     @_overload
-    def decode_response(self, frame: _Data) -> ParameterChannelResponse[AnyParameterChannelResponse] | ParameterChannelErrorReply[ParameterError]: ...
+    def decode_response(self, frame: _Data) -> ParameterChannelResponse[AnyParameterChannelResponse] | ParameterChannelExceptionResponse[ParameterError]: ...
 
     def decode_response(
         self, frame: _Data, request: _RequestOf[_Any] | type[_RequestOf[_Any]] | None = None
-    ) -> ParameterChannelResponse[_Any] | ParameterChannelErrorReply[ParameterError]:
-        """A response, or an exception response as an ErrorReply. Pass the request, or its class, to accept no other.
+    ) -> ParameterChannelResponse[_Any] | ParameterChannelExceptionResponse[ParameterError]:
+        """A response, or an exception response as an ExceptionResponse. Pass the request, or its class, to accept no other.
 
         Raises CodecError for anything wrong in the bytes, and for a response to something else.
         """
@@ -9564,12 +9564,12 @@ class ParameterChannelLink:
         code = head[1]
         if code & 0x80:
             reason: ParameterError = _PARAMETER_CHANNEL_RESPONSES.body(ParameterError, body)
-            return ParameterChannelErrorReply(0, code & 0x7f, reason, head[0])
+            return ParameterChannelExceptionResponse(0, code & 0x7f, reason, head[0])
         wanted = None if request is None else request.CODE
         message = _PARAMETER_CHANNEL_RESPONSES.message(_PARAMETER_CHANNEL_RESPONSE_CLASSES, code, body, wanted)
         return ParameterChannelResponse(0, message, head[0])
 
-    def encode_error(self, code: int, exception: ParameterError, *, request_reference: int) -> bytes:
+    def encode_exception_response(self, code: int, exception: ParameterError, *, request_reference: int) -> bytes:
         """The exception response to the request with a code. Raises CodecError for values that are out of range."""
         part_request_reference = request_reference
         body = exception.encode()

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from typing import Literal as _Literal
 
     from .._client import Work as _Work
-    from .._frames import ErrorReply as _ErrorReply
+    from .._frames import ExceptionResponse as _ExceptionResponse
     from .._frames import RequestOf as _RequestOf
     from .._frames import Response as _Response
     from .._typing import Quantity as _Quantity

@@ -16,7 +16,8 @@ from fieldspec.language.model.record import Field, Measure, Message
 from fieldspec.language.model.value import ParameterPart
 
 _KEYS = {
-    "encoding": "the encoding",
+    "transmission": "the transmission",
+    "preamble": "the preamble",
     "start": "the start delimiter",
     "end": "the end delimiter",
     "response_start": "the start delimiter of responses",
@@ -26,12 +27,11 @@ _KEYS = {
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """The delimiters, the encoding or the escape of frames, or the positions of the parts of an identifier, have
-    changed.
+    """Frames have other delimiters, another preamble, encoding or escape, or identifiers have their parts elsewhere.
 
     Why: neither side recognises the frames of the other.
 
-    Example: `end: 0D` that becomes `end: 0D 0A`, or `encoding: binary` that becomes `encoding: hex_ascii`.
+    Example: `end: 0D` that becomes `end: 0D 0A`, or `transmission: binary` that becomes `transmission: hex_ascii`.
 
     Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
@@ -59,7 +59,11 @@ def _framing(link: Link, key: str) -> bytes | str:
     """An attribute of a link that decides how frames look."""
     if key == "escape":
         return link.escape.text() if link.escape is not None else ""
-    value: bytes | str = getattr(link, key)
+    if key == "preamble":
+        return link.preamble.text() if link.preamble is not None else ""
+    direction = "response" if key.startswith("response_") else "request"
+    marks = dict(zip(("start", "end"), link.marks(direction), strict=True))
+    value: bytes | str = marks[key.removeprefix("response_")] if key != "transmission" else link.transmission
     return value
 
 
@@ -68,7 +72,8 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
 
     Why: each side rejects the frames of the other.
 
-    Example: `algorithm: sum8` that becomes `algorithm: lrc`, or `counts: {plus: 2}` that becomes `counts: {plus: 3}`.
+    Example: `algorithm: sum8` that becomes `algorithm: lrc`, or `measures: {plus: 2}` that becomes
+    `measures: {plus: 3}`.
 
     Fix: If the old spec was wrong, accept the change with that reason; otherwise, assign a new version number.
     """
@@ -84,7 +89,7 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
         old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new and _extent(comparison, pair, 0) != _extent(comparison, pair, 1):
             check = "checksum" in (pair.old.role, pair.new.role)
-            subject, key = ("what it covers", "covers") if check else ("what it counts", "counts")
+            subject, key = ("what it covers", "covers") if check else ("what it counts", "measures")
             yield change(
                 "check_changed",
                 Effect.WIRE,
@@ -135,7 +140,8 @@ def _span_text(part: Part) -> str:
 
 
 def code_changed(comparison: Comparison) -> Iterator[Change]:
-    """The code of a message or of its response has changed, or its number if it carries no code.
+    """The code of a message or of its response has changed, or its number if it carries no code, or a remote request
+    of a CAN bus is sent in place of data.
 
     Why: existing programs send the wrong message, and misread those that they receive.
 
@@ -155,13 +161,17 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = map(hexadecimal, response_codes)
             text = f"{named(pair.new)}: {difference_text('the code of the response', old, new)}"
             yield change("code_changed", Effect.WIRE, pair, "response_code", text, old, new)
+        if (pair.old.remote is None) != (pair.new.remote is None):
+            old, new = ("data" if own.remote is None else "remote request" for own in (pair.old, pair.new))
+            text = f"{named(pair.new)}: {difference_text('the request', old, new)}"
+            yield change("code_changed", Effect.WIRE, pair, "remote", text, old, new)
         if pair.old.number != pair.new.number:
             effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
             text = f"{named(pair.new)}: {difference_text('the number', pair.old.number, pair.new.number)}"
             yield change("code_changed", effect, pair, "number", text, pair.old.number, pair.new.number)
 
 
-def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
+def exception_response_changed(comparison: Comparison) -> Iterator[Change]:
     """The bit of the code that marks an exception response, or the record of that response, has changed.
 
     Why: programs mistake an exception response for a normal response, or misread its reason.
@@ -178,7 +188,7 @@ def error_reply_changed(comparison: Comparison) -> Iterator[Change]:
         )
         if old != new:
             text = f"{named(pair.new)}: {difference_text('the exception response', old, new)}"
-            yield change("error_reply_changed", Effect.WIRE, pair, "exception_response", text, old, new)
+            yield change("exception_response_changed", Effect.WIRE, pair, "exception_response", text, old, new)
 
 
 def _error_text(comparison: Comparison, error: ExceptionResponse | None, before: bool) -> str:
@@ -222,7 +232,7 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
             yield _role_text(message, "accesses", "how it accesses registers", before, after)
         before, after = steps_text(comparison, message.old), steps_text(None, message.new)
         if before != after:
-            yield _role_text(message, "access_steps", "the sequence of its accesses to registers", before, after)
+            yield _role_text(message, "accesses", "the sequence of its accesses to registers", before, after)
         before, after = segments_text(comparison, message.old), segments_text(None, message.new)
         if before != after:
             yield _role_text(message, "segments", "how its value follows in pieces", before, after)

@@ -61,7 +61,7 @@ def type_changed(comparison: Comparison) -> Iterator[Change]:
 def _of(value: Value | None) -> str:
     if value is None:
         return ""
-    digits = f" as {value.digits} digits" if value.digits else ""
+    digits = f" by the codec {value.codec}" if value.codec else f" as {value.digits} digits" if value.digits else ""
     places = f" with {value.places} places" if value.places else ""
     blanks = " with blanks before them" if value.has_blanks else ""
     size = "" if value.type.size and not digits else f" of {value.size} bytes"
@@ -70,9 +70,9 @@ def _of(value: Value | None) -> str:
     return f"{value.type.name}{digits}{places}{size}{form}{blanks}"
 
 
-def _encoding(value: Value) -> tuple[Primitive, str, int, bool, TextForm | None, int]:
+def _encoding(value: Value) -> tuple[Primitive, str, str, int, bool, TextForm | None, int]:
     """The type in which the bytes of a value are read."""
-    return value.type, value.digits, value.places, value.has_blanks, value.text_form, value.width
+    return value.type, value.digits, value.codec, value.places, value.has_blanks, value.text_form, value.width
 
 
 def _content(field: Field, record: str) -> tuple[str, str]:
@@ -248,7 +248,7 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
                 text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"
                 yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
     for value_pair in comparison.values:
-        for key in ("byte_order", "word_order"):
+        for key in ("byte_order", "word_order", "write_word_order"):
             if getattr(value_pair.old, key) == getattr(value_pair.new, key):
                 continue
             if _ordered(value_pair.old, key) and _ordered(value_pair.new, key):
@@ -259,14 +259,16 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _ordered(value: Value, key: str) -> bool:
-    return value.has_words if key == "word_order" else value.has_order or value.has_characters
+    return value.has_words if key != "byte_order" else value.has_order or value.is_as_sent
 
 
 def _order(value: Value, device: Device, key: str) -> str:
     """The order of a value: its own, or that of its device, whose words have the order of its bytes by default."""
     own: str = getattr(value, key)
-    if value.has_characters:
+    if value.is_as_sent:
         return own or "big"
+    if key == "write_word_order":
+        return own or _order(value, device, "word_order")
     if key == "word_order":
         return own or device.word_order or _order(value, device, "byte_order")
     return own or device.byte_order

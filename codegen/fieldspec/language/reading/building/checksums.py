@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.checksums import Checksum, algorithm_name, catalogue_name, checksum_named, preceded
+from fieldspec.language.reading.building.codecs import checksum_codec_name
 from fieldspec.language.reading.building.context import Entry
 
 _OWNERS = {
     **dict.fromkeys(("polynomial", "reflect_in", "reflect_out", "final_xor"), (("crc",), "a CRC")),
     "complement": (("sum", "xor"), "a sum or an xor"),
     "modulus": (("fletcher",), "a Fletcher checksum"),
+    "initial": (("crc", "sum", "xor", "fletcher"), "what the language computes"),
+    "unit_size": (("crc", "sum", "xor", "fletcher"), "what the language computes"),
+    "unit_order": (("crc", "sum", "xor", "fletcher"), "what the language computes"),
+    "codec": (("codec",), "the method `codec`"),
 }
 """The methods that have a parameter, and what these are called."""
 
@@ -28,6 +33,8 @@ def algorithm_of(entry: Entry, link_order: str) -> str:
         if method not in methods:
             text = f"`{key}` has no effect on the method {method}"
             parameters.refuse("wrong_form", key, text, f"remove it: only {owners} has it")
+    if method == "codec":
+        return checksum_codec_name(parameters, width)
     if method == "crc" and parameters.integer("polynomial") is None:
         parameters.refuse("wrong_form", "width", "a CRC has a polynomial", "add `polynomial`")
     if method in ("sum", "xor") and width % 8:

@@ -8,6 +8,7 @@ from fieldspec.foundation.classes import replace
 from fieldspec.language.model.checksums import SIMPLE
 from fieldspec.language.model.escape import CAN_BITS, Escape
 from fieldspec.language.model.link import ExceptionResponse, Link, Network, Part, PartSpan, Serial, UnitAddresses
+from fieldspec.language.model.preamble import Preamble
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.value import Value
 from fieldspec.language.reading.building.checksums import algorithm_of, avoiding, surrounded_algorithm
@@ -15,12 +16,13 @@ from fieldspec.language.reading.building.context import Entry
 from fieldspec.language.reading.building.escapes import escape
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
 
+_LONGEST_PREAMBLE = 255
 _VALUED = ("unit_address", "code", "length", "plain")
 _NUMBER_KEYS = frozenset({"type", "byte_order", "digits", "length"})
 _KEYS = {
     "unit_address": _NUMBER_KEYS | {"range"},
     "code": _NUMBER_KEYS,
-    "length": _NUMBER_KEYS | {"range", "counts"},
+    "length": _NUMBER_KEYS | {"range", "measures"},
     "body": frozenset[str](),
     "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix", "avoids"}),
     "plain": VALUE_KEYS
@@ -29,13 +31,13 @@ _KEYS = {
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except the keys of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "counts", "prefix", "suffix", "avoids"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "measures", "prefix", "suffix", "avoids"}
 _SPECIFIC |= {"reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
     "const": "remove `const`, or remove the `role` of the part",
-    "offset": "a length takes `counts: {plus: ..}` instead; remove `offset`",
-    "counts": "move it to the part with `role: length`",
+    "offset": "a length takes `measures: {plus: ..}` instead; remove `offset`",
+    "measures": "move it to the part with `role: length`",
     "covers": "move it to the part with `role: checksum`",
     "prefix": "move it to the part with `role: checksum`",
     "suffix": "move it to the part with `role: checksum`",
@@ -59,18 +61,25 @@ def link(entry: Entry) -> Link:
     escaping, can = entry.entry("escape"), entry.entry("can")
     order = entry.text("byte_order")
     request = tuple(_part(inner, order) for inner in entry.entries("request"))
-    delimiters = _delimiters(entry)
+    delimiters, preamble = _delimiters(entry), _preamble(entry)
+    if preamble is not None:
+        delimiters |= {key: preamble.start + delimiters[key] for key in ("start", "response_start")}
     delimiter_entries = [
         part.entry(key) for part in (entry.entry("delimiters"),) if part for key in ("request", "response")
     ]
     cited = [
         *entry.sources,
-        *(source for part in (*delimiter_entries, escaping, can) if part for source in part.sources),
+        *(
+            source
+            for part in (*delimiter_entries, entry.entry("preamble"), escaping, can)
+            if part
+            for source in part.sources
+        ),
     ]
     return Link(
         **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
         title=entry.text("title"),
-        encoding=entry.text("encoding") or "binary",
+        transmission=entry.text("transmission") or "binary",
         start=delimiters["start"],
         end=delimiters["end"],
         response_start=delimiters["response_start"],
@@ -90,6 +99,7 @@ def link(entry: Entry) -> Link:
         silence_characters=_silence(silence, "characters"),
         silence_milliseconds=_silence(silence, "milliseconds"),
         silence_sources=silence.citations("source") if silence else (),
+        preamble=preamble,
         escape=_identifier(can, request, order) if can else escape(escaping) if escaping else None,
     )
 
@@ -105,6 +115,19 @@ def _identifier(entry: Entry, parts: tuple[Part, ...], order: str) -> Escape:
     if bits not in CAN_BITS:
         entry.refuse("wrong_form", "identifier", f"no identifier has {bits} bits", "write 11 or 29")
     return Escape("can", (), b"\0", 0, "", "", fields, bits)
+
+
+def _preamble(entry: Entry) -> Preamble | None:
+    """The byte before each frame, and how often it is sent and may be received."""
+    stated = entry.entry("preamble")
+    if stated is None:
+        return None
+    number, count = stated.integer("sent") or 0, stated.whole_ranges("count")
+    if count is None or len(count.intervals) > 1 or not 0 <= count.low <= number <= count.high <= _LONGEST_PREAMBLE:
+        text = f"a preamble is received from a least to a greatest number of times, at most {_LONGEST_PREAMBLE},"
+        entry.refuse("wrong_form", "preamble", f"{text} and is sent one of these", "state them as `count: 5..20`")
+        count = Ranges(((number, number),))
+    return Preamble(stated.integer("byte") or 0, count.low, count.high, number)
 
 
 def _delimiters(entry: Entry) -> dict[str, bytes]:
@@ -165,8 +188,8 @@ def _part(entry: Entry, link_order: str) -> Part:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
             text = f"`{key}` has no effect in a part with the role {role}"
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
-    counts, covers, bits = entry.entry("counts"), entry.entry("covers"), _bits(entry)
-    span = counts if role == "length" else covers if role == "checksum" else None
+    measures, covers, bits = entry.entry("measures"), entry.entry("covers"), _bits(entry)
+    span = measures if role == "length" else covers if role == "checksum" else None
     return Part(
         **entry.fact(),
         role=role,

@@ -14,6 +14,7 @@ from fieldspec.language.model.record import (
     SegmentsAbort,
 )
 from fieldspec.language.reading.building.context import Entry, Reused, rows
+from fieldspec.language.reading.building.remote_requests import with_remote_request
 from fieldspec.language.reading.building.separators import with_separators
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
 
@@ -67,7 +68,7 @@ def _field(entry: Entry) -> Field:
         repeat=entry.whole_ranges("repeat"),
         measures=measure,
         reserved=entry.flag("reserved"),
-        is_separator="separator" in entry.own,
+        is_implied=not {"separator", "remote"}.isdisjoint(entry.own),
         at=entry.integer("at"),
         words=words,
         span=_span(entry.text("span")),
@@ -102,7 +103,8 @@ def _span(text: str) -> tuple[int, int] | None:
 def message(entry: Entry, reused: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
-    access, pieces = entry.entry("accesses"), entry.entry("segments")
+    (access, access_steps), pieces = _accesses(entry), entry.entry("segments")
+    entry = with_remote_request(entry)
     _refuse_unstated(entry)
     return Message(
         **entry.fact(),
@@ -121,11 +123,12 @@ def message(entry: Entry, reused: Reused) -> Message:
         response_words=words.integer("response") if words else None,
         broadcast=entry.maybe("broadcast"),
         handling=entry.handling(),
-        accesses=_access(access) if access else None,
+        accesses=access,
         segments=_segments(pieces) if pieces else None,
         response_code=_response_code(entry),
         is_requested=_is_requested(entry),
-        access_steps=tuple(_step(step) for step in entry.entries("access_steps")),
+        access_steps=access_steps,
+        remote=entry.integer("remote"),
     )
 
 
@@ -144,7 +147,10 @@ def _refuse_unstated(entry: Entry) -> None:
     entry.refuse("missing_key", "name", text, help)
 
 
-_OF_REQUESTS = ("request", "accesses", "access_steps", "segments", "broadcast", "supplements", "response_code")
+_OF_REQUESTS = (
+    *("request", "remote", "accesses"),
+    *("segments", "broadcast", "supplements", "response_code"),
+)
 """The keys of messages that say something of a request."""
 
 
@@ -221,6 +227,15 @@ def _segments_abort(entry: Entry) -> SegmentsAbort:
     return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
 
 
+def _accesses(entry: Entry) -> tuple[RegisterAccess | None, tuple[RegisterAccess, ...]]:
+    """The access of a message by which registers are read and written, or the steps of one that does more."""
+    accesses = [*entry.entries("accesses")]
+    own = accesses[0].own if len(accesses) == 1 else ()
+    if "values" in own and {"and_mask", "or_mask"}.isdisjoint(own):
+        return _access(accesses[0]), ()
+    return None, tuple(_step(access) for access in accesses)
+
+
 def _access(entry: Entry) -> RegisterAccess:
     if "clear" in entry.own and "set" not in entry.own:
         entry.refuse("wrong_form", "clear", "`clear` has no effect without `set`", "add `set`, or remove `clear`")
@@ -236,6 +251,10 @@ def _access(entry: Entry) -> RegisterAccess:
 
 
 def _step(entry: Entry) -> RegisterAccess:
+    for key in ("set", "clear"):
+        if key in entry.own:
+            text = f"`{key}` has no effect in a message with several accesses"
+            entry.refuse("wrong_form", key, text, "remove it: such a message accesses words or bytes")
     return RegisterAccess(
         operation=entry.text("operation"),
         start=entry.text("start"),

@@ -6,6 +6,7 @@ from decimal import Context, Decimal
 from math import ceil, floor
 
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.digits import CODEC
 from fieldspec.language.model.encoding import is_array, is_real, is_signed, is_text
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
@@ -22,6 +23,7 @@ from fieldspec.language.model.value import (
     exact_scale,
     power_of_ten,
 )
+from fieldspec.language.reading.building.codecs import number_codec_name
 from fieldspec.language.reading.building.context import Entry
 from fieldspec.language.schema import schema
 
@@ -40,7 +42,8 @@ VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
 
 def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
     """The value that an entry describes. A missing type is a finding; the value is then a `u16`."""
-    digits = entry.text("digits")
+    codec = number_codec_name(entry)
+    digits = CODEC if codec else entry.text("digits")
     primitive = PRIMITIVES.get(entry.text("type") or type_name)
     if primitive is None:
         entry.refuse("type_present", "type", "this value has no type", "add a `type`")
@@ -74,6 +77,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
         write_ranges=entry.whole_ranges("write_range"),
         word_order=entry.text("word_order"),
+        write_word_order=entry.text("write_word_order"),
         digits=digits,
         places=entry.integer("places") or 0,
         scale_by=scale_by,
@@ -87,6 +91,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         if is_text(primitive.encoding)
         else None,
         width=size if varies else 0,
+        codec=codec,
         has_blanks=digits == "decimal" and entry.text("padding") == "space" and not varies,
     )
 

@@ -251,7 +251,8 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
 
 /* ---- can ---- */
 
-/** Packs the first parts into the identifier of a CAN frame: the identifier, the number of data, zeros, the data. */
+/** Packs the first parts into the identifier of a CAN frame: the identifier, the number of data, zeros, the data.
+ * The code of a remote request has a bit for that, and the number of data in place of data. */
 static inline device_codec_status device_ESCAPE(
     uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
 {
@@ -259,17 +260,23 @@ static inline device_codec_status device_ESCAPE(
 FIELDS
     };
     uint32_t identifier = FLAGS, number;
-    size_t at = head, row, byte, size = *length - head - tail - SIZE;
+    size_t at = head, row, byte, size = *length - head - tail - SIZE, content = size;
     for (row = 0; row < ROWS; row++) {
         number = 0;
         for (byte = 0; byte < fields[row][0]; byte++) {
             number |= (uint32_t)data[at + byte] << (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte));
         }
+        identifier |= row == REMOTE_ROW ? number & REMOTE : 0u;
+        number &= row == REMOTE_ROW ? ~REMOTE : number;
         if ((number >> fields[row][3]) != 0u) {
             return DEVICE_ERR_OUT_OF_RANGE;
         }
         identifier |= number << fields[row][2];
         at += fields[row][0];
+    }
+    if ((identifier & REMOTE) != 0u) {
+        size = content == 1u ? data[at] : content;
+        content = 0;
     }
     if (size > 8u) {
         return DEVICE_ERR_WRONG_LENGTH;
@@ -277,10 +284,10 @@ FIELDS
     if (capacity - *length < 8u - SIZE) {
         return DEVICE_ERR_CAPACITY;
     }
-    device_move_up(data + SIZE, size, 8u - SIZE);
+    device_move_up(data + SIZE, content, 8u - SIZE);
     device_store_u32_be(data, identifier);
     device_store_u32_be(data + 4u, (uint32_t)size << 24u);
-    *length = size + 8u;
+    *length = content + 8u;
     return DEVICE_OK;
 }
 
@@ -290,17 +297,22 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
     static const uint8_t fields[ROWS][4] = {
 FIELDS
     };
-    uint32_t identifier, number;
+    uint32_t identifier, number, remote;
     size_t at = head, row, byte, size = *length - head - tail;
-    if (size < 8u || size > 16u || device_load_u32_be(data + 4u) != (uint32_t)(size - 8u) << 24u) {
+    uint8_t dlc;
+    if (size < 8u || size > 16u) {
         return DEVICE_ERR_WRONG_MARK;
     }
     identifier = device_load_u32_be(data);
-    if ((identifier & MASKED) != FLAGS) {
+    remote = identifier & REMOTE;
+    dlc = data[4];
+    if ((identifier & MASKED) != (FLAGS | remote) || dlc > 8u || size != (remote != 0u ? 8u : dlc + 8u)
+        || device_load_u32_be(data + 4u) != (uint32_t)dlc << 24u) {
         return DEVICE_ERR_WRONG_MARK;
     }
     for (row = 0; row < ROWS; row++) {
         number = (identifier >> fields[row][2]) & (((uint32_t)1u << fields[row][3]) - 1u);
+        number |= row == REMOTE_ROW ? remote : 0u;
         for (byte = 0; byte < fields[row][0]; byte++) {
             data[at + byte] =
                 (uint8_t)(number >> (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte)));
@@ -309,6 +321,10 @@ FIELDS
     }
     for (byte = 8u; byte < size; byte++) {
         data[byte + SIZE - 8u] = data[byte];
+    }
+    if (remote != 0u) {
+        data[at] = dlc;
+        size++;
     }
     *length = size + SIZE - 8u;
     return DEVICE_OK;

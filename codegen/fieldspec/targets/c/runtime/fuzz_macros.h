@@ -87,6 +87,24 @@
         hold(decode(out, &second) == DEVICE_OK && second == value); \
     } while (0)
 
+/* ---- TURNED ---- */
+
+/* A number that is written with its words in the opposite order of those that are read. */
+#define TURNED(type, argument, decode, encode, length) \
+    do { \
+        type value, second; \
+        uint8_t out[length], again[length]; \
+        size_t at; \
+        if (size < (length) || decode(data, &value) != DEVICE_OK || (type)(argument)value != value || \
+            encode((argument)value, out) != DEVICE_OK) { \
+            break; \
+        } \
+        for (at = 0; at < (length); at++) { \
+            again[at] = out[((length) - 1u - at) ^ 1u]; \
+        } \
+        hold(decode(again, &second) == DEVICE_OK && second == value); \
+    } while (0)
+
 /* ---- ARRAY ---- */
 
 /* The text or the bytes of a register or a parameter. A text ends at its first zero. */

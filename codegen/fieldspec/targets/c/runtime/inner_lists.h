@@ -1,14 +1,20 @@
 /* ---- inner_lists ---- */
 
-/** The bytes of an element that some bytes begin with, maybe more than the `left` ones; 0 for a wrong count. */
+/**
+ * The bytes of an element that some bytes begin with, maybe more than the `left` ones; 0 for a wrong count, SIZE_MAX where
+ * a type is not known.
+ */
 typedef size_t (*device_element_size)(const uint8_t *in, size_t left);
+
+/** The bytes of a field whose type another one decides, as an image says; SIZE_MAX where that decides nothing. */
+typedef size_t (*device_decided_size)(const uint8_t *in);
 
 /**
  * A list with fields after it, which begins after `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
  * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
  * `count_size` of 0 is that of a list that always has `most` bytes. The data decide the size of the last one.
- * `element_size` is NULL where all elements have the same size.
+ * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element.
  */
 typedef struct device_inner_list {
     size_t first;
@@ -22,6 +28,7 @@ typedef struct device_inner_list {
     long plus;
     bool is_little;
     device_element_size element_size;
+    device_decided_size decided_size;
 } device_inner_list;
 
 /** The bytes of a list, as its count in an image says; SIZE_MAX for a count that cannot be right. */
@@ -65,8 +72,8 @@ static inline device_codec_status device_take_elements(const device_inner_list *
             return DEVICE_ERR_WRONG_LENGTH;
         }
         own = list->element_size(in + from, left - from);
-        if (own == 0u) {
-            return DEVICE_ERR_WRONG_MEASURE;
+        if (own == 0u || own == SIZE_MAX) {
+            return own == 0u ? DEVICE_ERR_WRONG_MEASURE : DEVICE_ERR_UNKNOWN_VALUE;
         }
         if (own > left - from) {
             return DEVICE_ERR_INCOMPLETE;
@@ -83,8 +90,8 @@ static inline device_codec_status device_take_elements(const device_inner_list *
 }
 
 /**
- * The bytes of a record that some bytes begin with, maybe more than the `left` ones; 0 for a wrong count. `fields` has
- * room for its `fixed` bytes of other fields.
+ * The bytes of a record that some bytes begin with, maybe more than the `left` ones; 0 for a wrong count, SIZE_MAX where
+ * a type is not known. `fields` has room for its `fixed` bytes of other fields.
  */
 static inline size_t device_sent_size(const device_inner_list *lists, size_t count, size_t fixed, uint8_t *fields,
         const uint8_t *in, size_t left)
@@ -99,14 +106,14 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
         device_copy_bytes(fields + at, in + from, list->first - at);
         from += list->first - at;
         at = list->first;
-        size = taken = device_list_size(list, fields);
+        size = taken = list->decided_size != NULL ? list->decided_size(fields) : device_list_size(list, fields);
         if (size == SIZE_MAX) {
-            return 0u;
+            return list->decided_size != NULL ? SIZE_MAX : 0u;
         }
         if (list->element_size != NULL) {
             device_codec_status status = device_take_elements(list, in + from, left - from, NULL, &size, &taken);
             if (status != DEVICE_OK) {
-                return status == DEVICE_ERR_INCOMPLETE ? left + 1u : 0u;
+                return status == DEVICE_ERR_INCOMPLETE ? left + 1u : status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
             }
         }
         from += taken;
@@ -133,7 +140,15 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         from += list->first - at;
         at = list->first;
         left = length - from - (fixed - at);
-        if (index + 1u < count) {
+        if (list->decided_size != NULL) {
+            size = list->decided_size(image);
+            if (size == SIZE_MAX) {
+                return DEVICE_ERR_UNKNOWN_VALUE;
+            }
+            if (index + 1u == count && size < left) {
+                return DEVICE_ERR_WRONG_LENGTH;
+            }
+        } else if (index + 1u < count) {
             size = device_list_size(list, image);
             if (size == SIZE_MAX) {
                 return DEVICE_ERR_WRONG_MEASURE;
@@ -156,16 +171,23 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
             taken = size;
         }
         from += taken;
-        *image_length = list->room + size;
+        *image_length = list->room + (list->decided_size != NULL ? list->most : size);
     }
     device_copy_bytes(image + at, in + from, fixed - at);
     return DEVICE_OK;
 }
 
-/** Writes what is sent of a list that has `size` bytes in an image, unless `out` is NULL; the number of these bytes. */
-static inline size_t device_place_list(const device_inner_list *list, const uint8_t *image, size_t size, uint8_t *out)
+/**
+ * Writes what is sent of a list that has `size` bytes in an image, unless `out` is NULL; the number of these bytes. The
+ * fields of its record are at `fields`.
+ */
+static inline size_t device_place_list(const device_inner_list *list, const uint8_t *fields, size_t size, uint8_t *out)
 {
+    const uint8_t *image = fields + list->room;
     size_t from, to = 0;
+    if (list->decided_size != NULL) {
+        size = list->decided_size(fields);
+    }
     if (list->element_size == NULL) {
         if (out != NULL) {
             device_copy_bytes(out, image, size);
@@ -190,7 +212,7 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
         size_t size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
-        total += device_place_list(list, image + list->room, size, NULL);
+        total += device_place_list(list, image, size, NULL);
     }
     if (capacity < total) {
         return DEVICE_ERR_CAPACITY;
@@ -201,7 +223,7 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
         device_copy_bytes(out + to, image + at, list->first - at);
         to += list->first - at;
         at = list->first;
-        to += device_place_list(list, image + list->room, size, out + to);
+        to += device_place_list(list, image, size, out + to);
     }
     device_copy_bytes(out + to, image + at, fixed - at);
     *length = total;

@@ -73,3 +73,20 @@ DEVICE_INLINE word_type device_magnitude_of(number_type value)
 {
     return (word_type)(value < 0 ? ((wide_word)0 - (wide_word)value) | SIGN : (wide_word)value);
 }
+
+/* ---- codec ---- */
+
+/** Whether bytes are a number of a codec. */
+static inline bool device_is_codec(const uint8_t *in)
+{
+    int64_t number = 0;
+    return device_codec_decode(in, &number) && number >= LOW && number <= HIGH;
+}
+
+/** The number of a codec. */
+static inline int64_t device_load_codec(const uint8_t *in)
+{
+    int64_t number = 0;
+    (void)device_codec_decode(in, &number);
+    return number;
+}

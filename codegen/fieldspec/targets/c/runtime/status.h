@@ -5,7 +5,7 @@ typedef enum device_codec_status {
     DEVICE_ERR_WRONG_LENGTH = 2, /**< The number of bytes or elements is wrong. */
     DEVICE_ERR_WRONG_MARK = 3, /**< A delimiter of the frame is missing or wrong. */
     DEVICE_ERR_NOT_HEX = 4, /**< A character is not a hexadecimal digit. */
-    DEVICE_ERR_WRONG_CHECK = 5, /**< The checksum does not match. */
+    DEVICE_ERR_WRONG_CHECKSUM = 5, /**< The checksum does not match. */
     DEVICE_ERR_UNKNOWN_CODE = 6, /**< No message has this code. */
     DEVICE_ERR_UNKNOWN_VALUE = 7, /**< The value is not a member of its enum, or the text is not ASCII. */
     DEVICE_ERR_WRONG_CONST = 8, /**< A constant field has another value. */

@@ -218,7 +218,7 @@ def _open(world: World, link: LinkLayout) -> Routine:
         received_check = Bytes(frame, position).number(0, check.size, check.order, False)
         stop = position if check.stop == check.offset else length if check.stop is None else place(check.stop)
         wide = world.checksum(check.algorithm, stop, frame, place(check.start))
-        draft.refuse(compared(wide, "<>", received_check), "wrong_check")
+        draft.refuse(compared(wide, "<>", received_check), "wrong_checksum")
     for part in shape.header:
         if part.role not in ("length", "code", "checksum") and not part.reserved:
             target = outputs.get(part.name)

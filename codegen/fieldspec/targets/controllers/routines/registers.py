@@ -205,23 +205,24 @@ def _sum(left: Expression, right: Expression) -> Expression:
     return Operation("+", (Conversion(left, UDINT), Conversion(right, UDINT)), UDINT)
 
 
-def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> str:
+def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout], function: str) -> str:
     first = min(register.address for register in registers)
     last = max(register.register.end for register in registers) - 1
     section = f" [{group.section}]" if group.section else ""
     title = group.title or group.name.replace("_", " ")
-    return (
-        f"{title}{section}: addresses {first}..{last}. {order_remark(world.layout, 'words', bool(_order(registers)))}"
-    )
+    turned = function == "pack" and any(register.register.value.write_word_order for register in registers)
+    remark = order_remark(world.layout, "words", bool(_order(registers, function)) and not turned)
+    return f"{title}{section}: addresses {first}..{last}. {remark}"
 
 
-def group_order(world: World, group: RegisterGroup) -> str:
-    """The order of words of a group, as the name of its function says it."""
-    return _order(registers_of(world.layout, group))
+def group_order(world: World, group: RegisterGroup, function: str) -> str:
+    """The order of words of a group, as the name of its function, `pack` or `unpack`, says it."""
+    return _order(registers_of(world.layout, group), function)
 
 
-def _order(registers: list[RegisterLayout]) -> str:
-    return word_order(Wire.of_register(register) for register in registers)
+def _order(registers: list[RegisterLayout], function: str) -> str:
+    wire_of = Wire.of_answer if function == "unpack" else Wire.of_register
+    return word_order(map(wire_of, registers))
 
 
 def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
@@ -230,10 +231,10 @@ def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> Reg
 
 def _words_to_group(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
     draft = Draft(
-        world.routine("unpack", group.name, _order(registers)),
+        world.routine("unpack", group.name, _order(registers, "unpack")),
         f"registers {group.name}",
         world.status,
-        f"Registers to struct: {_about(world, group, registers)}",
+        f"Registers to struct: {_about(world, group, registers, 'unpack')}",
         "Each register that lies wholly in the words is put into the struct; the others stay as they are.",
     )
     words_range = _range(world, group, draft, "is read only")
@@ -253,10 +254,10 @@ def _words_to_group(world: World, group: RegisterGroup, registers: list[Register
 
 def _group_to_words(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
     draft = Draft(
-        world.routine("pack", group.name, _order(registers)),
+        world.routine("pack", group.name, _order(registers, "pack")),
         f"registers {group.name}",
         world.status,
-        f"Struct to registers: {_about(world, group, registers)}",
+        f"Struct to registers: {_about(world, group, registers, 'pack')}",
         "All requested words must belong to writable registers.",
         "If a value is refused, some words may have changed: do not send them.",
     )

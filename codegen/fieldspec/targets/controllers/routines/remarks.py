@@ -59,6 +59,7 @@ def of_value(value: Value | None) -> str:
         facts.append(f"{value.ranges.text()}.")
     if value.write_ranges is not None:
         facts.append(f"Writing: {value.write_ranges.text()}.")
+    facts += [f"The {value.write_order_text}."] if value.write_word_order else []
     if value.enum:
         facts.append(f"See {Name.of(value.enum).pascal()}.")
     if value.flags:

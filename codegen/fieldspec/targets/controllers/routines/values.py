@@ -77,7 +77,8 @@ class Wire:
     @staticmethod
     def of_register(register: RegisterLayout) -> Wire:
         """The wire value of a register in a write."""
-        return Wire(register.register.value, register.order, register.swapped)
+        value = register.register.value
+        return Wire(value, register.order, value.write_swapped(register.swapped))
 
     @staticmethod
     def of_answer(register: RegisterLayout) -> Wire:

@@ -274,7 +274,7 @@ def _span(group: RegisterGroup) -> int:
 
 def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
     for link in layout.links.values():
-        width = 2 if link.link.encoding == "hex_ascii" else 1
+        width = 2 if link.link.transmission == "hex_ascii" else 1
         for direction in ("request", "response"):
             shape = link.frame(direction)
             marks = len(shape.start) + len(shape.end)

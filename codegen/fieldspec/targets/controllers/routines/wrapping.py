@@ -42,7 +42,7 @@ def framed(link: LinkLayout) -> bool:
 def wrapped(link: LinkLayout) -> bool:
     """Whether the bytes are written as characters, or stand between marks."""
     shapes = (link.request, link.response)
-    return link.link.encoding == "hex_ascii" or any(shape.start or shape.end for shape in shapes)
+    return link.link.transmission == "hex_ascii" or any(shape.start or shape.end for shape in shapes)
 
 
 def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
@@ -54,7 +54,7 @@ def link_words(world: World, link: LinkLayout) -> tuple[str, ...]:
 def wrap_routine(world: World, link: LinkLayout) -> Routine:
     """The function that turns the bytes of a frame into what is sent."""
     start, end = link.request.start, link.request.end
-    width = 2 if link.link.encoding == "hex_ascii" else 1
+    width = 2 if link.link.transmission == "hex_ascii" else 1
     draft = Draft(
         world.routine("wrap", *link_words(world, link)),
         f"frames of {link.name}",
@@ -122,7 +122,7 @@ def _write_digit(
 
 
 def _marks(link: LinkLayout, shape: FrameLayout) -> str:
-    text = "two hexadecimal digits for each byte" if link.link.encoding == "hex_ascii" else "as they are"
+    text = "two hexadecimal digits for each byte" if link.link.transmission == "hex_ascii" else "as they are"
     before = f"16#{shape.start.hex(' ').upper()} before them" if shape.start else ""
     end_mark = f"16#{shape.end.hex(' ').upper()} after them" if shape.end else ""
     return ", ".join(text for text in (text, before, end_mark) if text)
@@ -151,7 +151,7 @@ def unwrap_routine(world: World, link: LinkLayout) -> Routine:
         place = plus(length, position - len(end))
         draft.refuse(compared(Element(frame, place, BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
     index = draft.local("iAt")
-    if link.link.encoding != "hex_ascii":
+    if link.link.transmission != "hex_ascii":
         draft.add([Assignment(count, plus(length, -marks))])
         moved = Assignment(Element(target, index, BYTE), Element(frame, plus(index, len(start)), BYTE))
         draft.add([Loop(index, number(0), plus(count, -1), (moved,))])

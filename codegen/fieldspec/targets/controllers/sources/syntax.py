@@ -92,7 +92,7 @@ class _Parser:
         return token.text[2:].strip()
 
     def comments(self) -> str:
-        """The comments that stand here, line by line, without an empty line behind the last one; else nothing."""
+        """The comments at this place, line by line; empty if an empty line follows the last comment."""
         texts: list[str] = []
         while self.tokens[self.next].kind == "comment":
             line = self.tokens[self.next].line

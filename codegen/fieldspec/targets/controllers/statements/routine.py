@@ -181,7 +181,7 @@ STATUSES = (
     ("wrong_length", "The number of words, bytes or elements is wrong."),
     ("wrong_mark", "The frame does not begin or end with its delimiter."),
     ("not_hexadecimal", "A character is not a hexadecimal digit."),
-    ("wrong_check", "The checksum does not match."),
+    ("wrong_checksum", "The checksum does not match."),
     ("unknown_code", "The answer is to another message."),
     ("unknown_value", "A value is not a member of its enum, or a boolean is neither 0 nor 1."),
     ("wrong_constant", "A constant has the wrong value."),

@@ -9,6 +9,7 @@ class MessageForm {
     this.choice = null;
     this.entries = new Map();
     this.counts = new Map();
+    this.deciding = new Set();
     this.fields.addEventListener("input", (event) => this.entered(event.target));
     for (const id of ["build-link", "build-direction", "build-message"]) {
       byId(id).addEventListener("change", () => {
@@ -94,7 +95,7 @@ class MessageForm {
   }
 
   takeValues(fields, values, prefix) {
-    for (const field of fields) {
+    for (const field of fields.map((own) => own.forms?.get(BigInt(values.get(own.by) ?? -1)) ?? own)) {
       const raw = values.get(field.name);
       const path = prefix + field.name;
       if (raw === undefined || (!field.value && !field.record)) continue;
@@ -139,7 +140,7 @@ class MessageForm {
   // The fields that people enter, with their paths; elements of lists of records one by one.
   leaves(fields, prefix = "") {
     const leaves = [];
-    for (const field of fields) {
+    for (const field of fields.map((own) => this.decided(fields, own, prefix)).filter(Boolean)) {
       const path = prefix + field.name;
       if (field.measures || field.reserved || field.value?.const !== undefined || field.cases) continue;
       if (!field.record) {
@@ -152,6 +153,19 @@ class MessageForm {
       for (let at = 0; at < count; at++) leaves.push(...this.leaves(inner, `${field.isList ? `${path}[${at}]` : path}.`));
     }
     return leaves;
+  }
+
+  // A field of the type that what is entered decides; undefined where that decides nothing.
+  decided(fields, field, prefix) {
+    if (!field.forms) return field;
+    const by = fields.find(({ name }) => name === field.by);
+    this.deciding.add(prefix + by.name);
+    try {
+      return field.forms.get(BigInt(by.value.const ?? this.rawValue({ path: prefix + by.name, field: by })));
+    } catch (error) {
+      if (!(error instanceof CodecError)) throw error;
+      return undefined;
+    }
   }
 
   countOf(field, path) {
@@ -266,7 +280,7 @@ class MessageForm {
       input.value = this.entries.get(path);
     } else {
       this.entries.set(path, target.value);
-      if (this.record().selector === path) this.draw();
+      if (this.record().selector === path || this.deciding.has(path)) this.draw();
     }
     this.build();
   }
@@ -298,7 +312,8 @@ class MessageForm {
         words.push(rawOf(device, leaf.path, leaf.field.value, item));
         continue;
       }
-      const { path, value } = occupant;
+      const { path } = occupant;
+      const value = forWriting(occupant.value);
       if (isWord) {
         // A word is written as it is, but not if the register cannot have it.
         const bytes = Uint8Array.of(count >> 8, count & 0xFF);

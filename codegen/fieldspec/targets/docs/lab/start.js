@@ -181,7 +181,7 @@ class Lab {
   frameText() {
     const { frame, explanation } = this.current ?? { frame: new Uint8Array() };
     const link = explanation && this.device.links.get(explanation.link);
-    if (link?.encoding !== "hex_ascii") return hexOf(frame, " ");
+    if (link?.transmission !== "hex_ascii") return hexOf(frame, " ");
     return latinOf(frame).replace("\r", "\\r").replace("\n", "\\n");
   }
 

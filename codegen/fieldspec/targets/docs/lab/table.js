@@ -80,7 +80,7 @@ class FrameTable {
   }
 
   showBytes({ frame, rows, link }) {
-    const isText = this.lab.device.links.get(link).encoding === "hex_ascii";
+    const isText = this.lab.device.links.get(link).transmission === "hex_ascii";
     const rowAt = new Map();
     for (const [number, { offset, length }] of rows.entries()) {
       for (let at = offset; at < offset + length; at++) rowAt.set(at, number);

@@ -2,7 +2,7 @@ import { extentsIn, placeAround } from "../lists.js";
 import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
-import { formOfData } from "./device.js";
+import { formOfData, formOfField } from "./device.js";
 import { runEach } from "./interpreter.js";
 import { decodedRow, exponentApplied, judged, meaningOf, repeatedValue } from "./values.js";
 import { factRow, surplusRow, wrongRow } from "./rows.js";
@@ -91,7 +91,7 @@ export class ExplainedBody {
       const { size, elements } = this.extents[numberOfList++];
       const stop = at + size;
       const count = this.itemsOf(field);
-      yield this.tracedField(field, at, elements.length ? elements : new Array(count).fill(field.size));
+      yield this.tracedField(formOfField(this.record, field, this.values), at, elements.length ? elements : new Array(count).fill(field.size));
       at = elements.length ? stop : at + count * field.size;
       if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
       else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
@@ -106,6 +106,19 @@ export class ExplainedBody {
       const text = `${list.countName} is not a number of ${name}, so it is unknown where they end`;
       return this.wrongRow(fields[0], at, "wrong_measure", text);
     }
+    if (list.decision) {
+      const [by, size] = [list.decision.name, this.end - this.start];
+      const { reason } = this.fault;
+      if (reason === "unknown_value") {
+        const text = `${by} ${valueText(this.values.get(by))} does not decide the type of ${name}`;
+        return this.wrongRow(fields[0], at, reason, text);
+      }
+      if (reason === "wrong_length") {
+        return this.wrongRow(fields[0], at, reason, `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`);
+      }
+      if (size < this.record.least) return this.missingRow(fields, at);
+      return this.wrongRow(fields[0], at, reason, `${by} decides that ${name} has more bytes than there are`);
+    }
     if (list.parts) {
       const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
       return this.wrongRow(fields[0], at, this.fault.reason, text);
@@ -118,7 +131,7 @@ export class ExplainedBody {
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
     const { size, elements } = this.extents[number];
-    return this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+    return elements.length || this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
   }
 
   /** Whether the first list whose bytes nobody knows has a count that cannot be right. */

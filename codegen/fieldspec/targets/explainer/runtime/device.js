@@ -91,7 +91,9 @@ function indexedEnum(listing) {
 function indexedRecord(record) {
   const fields = record.fields.map((field, number) => {
     const span = record.spans?.[number];
-    return span?.most === undefined ? field : { ...field, span };
+    const forms = field.forms && new Map(field.forms.flatMap(([numbers, form]) => numbers.map((own) => [BigInt(own), form])));
+    const indexed = forms ? { ...field, forms } : field;
+    return span?.most === undefined ? indexed : { ...indexed, span };
   });
   const indexed = { ...record, fields, named: new Map(fields.map((field) => [field.name, field])), forms: new Map() };
   for (const [numbers, form] of record.chosen ?? []) {
@@ -151,9 +153,9 @@ export function refusedMessage(link, code, asked) {
 }
 
 /** A number as manuals print a code: `0x03`, `0x1F` of two hexadecimal digits, `007` of three decimal digits. */
-export function partNumberText({ size, value }, number) {
+export function partNumberText({ size, value, numberSize = size }, number) {
   if (value.digits === "decimal") return String(number).padStart(size, "0");
-  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * size, "0")}`;
+  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * numberSize, "0")}`;
 }
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
@@ -165,6 +167,13 @@ export function isException({ code: own, flag, part, normal }, code, number) {
 /** The member of an enum with a value. */
 export function memberOf(listing, number) {
   return typeof number === "number" && !Number.isInteger(number) ? undefined : listing.numbers.get(BigInt(number));
+}
+
+/** A field as the raw values of its record decide it; undefined where they decide nothing. */
+export function formOfField(record, field, values) {
+  if (!field.forms) return field;
+  const number = values.get(field.by) ?? record.named.get(field.by).value.const;
+  return number === undefined ? undefined : field.forms.get(BigInt(number));
 }
 
 /** The form of a record for some data: the record itself, or what its selector decides; undefined if it decides none. */

@@ -32,7 +32,7 @@ class ExplainedFrame {
     this.link = device.links.get(link);
     this.shape = this.link[direction];
     this.wrapped = unwrapped(this.link, direction, frame);
-    this.spot = new Spot(frame, this.wrapped.start.length, this.link.encoding === "hex_ascii" ? 2 : 1);
+    this.spot = new Spot(frame, this.wrapped.start.length, this.link.transmission === "hex_ascii" ? 2 : 1);
     this.unreadable = null;
     this.emptyEscape = new Uint8Array();
     [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
@@ -207,12 +207,16 @@ class ExplainedFrame {
     const read = decoded(part.digits ? latinOf(raw) : wholeOf(raw, part.order ?? "big", false));
     if (!this.wrapped.whole) return read;
     const should = checksumOf(part, this.measuredBytes(part));
-    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_check");
+    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_checksum");
   }
 
   /** The message that a code names. An exception response marks the code. */
   codeValue(part, read) {
     let code = Number(read.number);
+    if (this.shape.escape?.remote !== undefined) {
+      read = { ...read, number: code % 2 ** 30 };
+      this.values.set(part.name, read.number);
+    }
     const { link, direction } = this;
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {

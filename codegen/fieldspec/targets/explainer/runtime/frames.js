@@ -5,26 +5,34 @@ import { bytesOfHex, latinOf } from "./texts.js";
 
 const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
 
+/** How many bytes of its preamble a frame has, or should have at least. */
+function leadOf(preamble, frame) {
+  if (preamble === undefined) return 0;
+  const other = frame.findIndex((byte) => byte !== preamble.byte);
+  return Math.max(preamble.least, Math.min(other < 0 ? frame.length : other, preamble.most));
+}
+
 /**
  * A frame of a link without its delimiters, which are `marks`, and its encoding. `start` and `end` are the bytes in the
- * places of the delimiters, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
+ * places of the delimiters, `start` with the `lead` bytes of a preamble before it, `data` the bytes of the parts, and `surplus` what is left between them and the end. The rest of the frame
  * cannot be read if the reason is `not_hex`; `whole` is then false.
  */
 export function unwrapped(link, direction, frame) {
   const marks = link.delimiters[direction];
-  const start = markOf(frame, marks[0], link.encoding);
+  const lead = leadOf(link.preamble, frame);
+  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.transmission);
   const after = frame.subarray(start.length);
-  const end = markOf(after.toReversed(), marks[1].toReversed(), link.encoding).toReversed();
+  const end = markOf(after.toReversed(), marks[1].toReversed(), link.transmission).toReversed();
   const inner = frame.subarray(start.length, frame.length - end.length);
-  if (link.encoding === "binary") {
-    return { link, marks, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
+  if (link.transmission === "binary") {
+    return { link, marks, lead, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
   }
   const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
   const good = bad < 0 ? inner.length : bad;
   const pairs = good - (good % 2);
   const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
   const data = bytesOfHex(latinOf(inner.subarray(0, pairs)));
-  return { link, marks, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
+  return { link, marks, lead, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
 }
 
 /** The bytes in the place of a delimiter: the delimiter itself, or bytes that can be nothing else. */
@@ -50,6 +58,7 @@ export function sliceOf(data, start, stop) {
 const FUNCTIONS = new WeakMap();
 
 function functionOf(algorithm) {
+  if (algorithm.codec) return algorithm.codec;
   if (!FUNCTIONS.has(algorithm)) {
     const initial = BigInt(algorithm.initial);
     let compute = algorithm.method === "crc"
@@ -91,9 +100,9 @@ export function typeBounds({ kind, size, signed, digits, low: least, high: most 
 }
 
 /** How bytes are escaped. */
-function escaping({ method, pairs, pattern, inserted, bits, fields }) {
+function escaping({ method, pairs, pattern, inserted, bits, fields, remote }) {
   switch (method) {
-    case "can": return canIdentifier(bits, fields);
+    case "can": return canIdentifier(bits, fields, remote);
     case "cobs": return cobs;
     case "add": return adding(inserted);
     case "replace": return replacing(pairs);

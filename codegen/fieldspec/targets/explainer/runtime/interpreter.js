@@ -2,6 +2,7 @@ import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
 import { decodedText } from "../encodings.js";
 import { digitsNumber } from "../digit_texts.js";
 import { extentsIn } from "../lists.js";
+import { formOfField } from "./device.js";
 import { widenedBytes } from "../widths.js";
 
 /** The bytes up to which a whole number is not a bigint. */
@@ -107,7 +108,7 @@ function runAround(device, record, parts, data, start, stop, path, rows) {
   const beside = new Map();
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
-    const field = record.named.get(name);
+    const field = formOfField(record, record.named.get(name), values);
     const { size, elements } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
     const all = field.isList ? new Array(field.count ?? Math.floor(size / field.size)).fill(field.size) : [size];
     const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);

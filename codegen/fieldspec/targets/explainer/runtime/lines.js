@@ -33,7 +33,8 @@ const BEFORE = new RegExp(
 );
 const CANDUMP = new RegExp(
   "(?:^|\\s)(?<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
-  + "(?:#(?<data>(?:[0-9A-Fa-f]{2}){0,8})(?:\\s+[RT])?|\\s+\\[(?<count>[0-8])\\](?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8}))\\s*$",
+  + "(?:#(?:(?<remote>R)(?<dlc>[0-8])?|(?<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\\s+[RT])?"
+  + "|\\s+\\[(?<count>[0-8])\\](?:(?<words>\\s+remote request)|(?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8})))\\s*$",
 );
 const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
 
@@ -94,7 +95,7 @@ function inCharacters(text, links) {
       if (!inner.startsWith(mark)) continue;
       const [, close] = link.delimiters[direction];
       const [text, end] = ended(inner);
-      const body = link.encoding === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
+      const body = link.transmission === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
       const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
       return withEnd(bytes, Array.from(end, (char) => char.charCodeAt(0)), [...close]);
     }
@@ -129,14 +130,16 @@ function withEnd(body, end, mark) {
   return { frame: Uint8Array.from([...body, ...rest]), remarks: [remark] };
 }
 
-/** The frame in a line of candump, `605#4041` or `605 [2] 40 41`; null for any other text. */
+/** The frame in a line of candump, `605#4041`, `605#R8`, or `605 [2] 40 41`; null for any other text. */
 function canFrameOf(text) {
   const match = CANDUMP.exec(text);
   if (!match) return null;
-  const { identifier, count } = match.groups;
-  const data = bytesOfHex((match.groups.data ?? match.groups.bytes).replace(/\s+/g, ""));
-  if (count !== undefined && Number(count) !== data.length) return null;
-  return canBytes({ identifier: parseInt(identifier, 16), data, isExtended: identifier.length > 3 });
+  const { identifier, count, dlc, remote, words } = match.groups;
+  const data = bytesOfHex((match.groups.data ?? match.groups.bytes ?? "").replace(/\s+/g, ""));
+  const isRemote = Boolean(remote ?? words);
+  const size = Number(dlc ?? count ?? data.length);
+  if (!isRemote && size !== data.length) return null;
+  return canBytes({ identifier: parseInt(identifier, 16), data, isExtended: identifier.length > 3, isRemote, dlc: size });
 }
 
 /**

@@ -1,3 +1,4 @@
+import { isRemoteRequest } from "../escapes.js";
 import { byteText, identifierSize } from "./frames.js";
 import { hexOf, latinOf, portableValue, sameBytes } from "./texts.js";
 
@@ -16,7 +17,8 @@ export class Spot {
   canPlace(at) {
     if (this.escape?.method !== "can" || !this.places) return "";
     const size = identifierSize(this.escape);
-    return at < size ? "identifier" : String(at - size);
+    if (at < size) return "identifier";
+    return isRemoteRequest(this.frame.subarray(this.start), this.escape.remote ?? -1) ? "DLC" : String(at - size);
   }
 
   /** `byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
@@ -50,7 +52,7 @@ export function sentText({ canPlace, characters }) {
   if (canPlace !== "identifier" || !characters) return characters;
   const number = parseInt(characters.replaceAll(" ", "").slice(0, 8), 16);
   const isLong = number >= 2 ** 31;
-  return (isLong ? number - 2 ** 31 : number).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
+  return (number % 2 ** 30).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
 }
 
 /** Where the bytes of a row begin, as people count: in a CAN frame from the first byte of the data. */
@@ -60,7 +62,7 @@ export function placeOf({ canPlace, offset }) {
 
 /** `speed at byte 4`; in a CAN frame `speed at byte 2 of the data` or `node in the identifier`; without its path elsewhere. */
 export function placeText({ canPlace, offset, path }) {
-  const byte = canPlace === "identifier" ? "the identifier" : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
+  const byte = ["identifier", "DLC"].includes(canPlace) ? `the ${canPlace}` : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
   return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byte}` : byte;
 }
 
@@ -105,9 +107,11 @@ export function surplusRow(spot, at, raw) {
   return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
 }
 
-/** The row of the start delimiter, if the link has one. */
+/** The rows of the preamble and of the start delimiter, if the link has them. */
 export function startRows(parts) {
-  return markRows(parts, "start", 0, parts.start, parts.marks[0]);
+  const { link: { preamble }, lead, start } = parts;
+  const rows = preamble ? markRows(parts, "preamble", 0, start.subarray(0, lead), new Uint8Array(lead).fill(preamble.byte)) : [];
+  return [...rows, ...markRows(parts, "start", lead, start.subarray(lead), parts.marks[0])];
 }
 
 /** The rows of surplus characters, and of the end delimiter, if the link has one. */
@@ -146,7 +150,7 @@ function markRows({ link }, name, offset, raw, should) {
     offset,
     length: raw.length,
     raw,
-    characters: link.encoding === "hex_ascii" ? latinOf(raw) : "",
+    characters: link.transmission === "hex_ascii" ? latinOf(raw) : "",
     path: name,
     fact: link.path,
     verdict: right ? "right" : `wrong: should be ${hexOf(should, " ")}`,

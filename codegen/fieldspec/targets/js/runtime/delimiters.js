@@ -20,7 +20,8 @@ export function hexText(bytes) {
 }
 
 /** A frame without its delimiters, as bytes instead of characters. Throws CodecError. */
-export function withoutDelimiters({ hex }, { start, end }, bytes) {
+export function withoutDelimiters({ hex }, { start, end, preamble }, frame) {
+  const bytes = preamble === undefined ? frame : frame.subarray(surplusOf(preamble, frame));
   if (start.length === 0 && end.length === 0 && !hex) return bytes;
   if (bytes.length < start.length || !matches(bytes, 0, start)) {
     throw new CodecError("wrong_mark", `the frame does not start with ${hexText(start)}`, 0);
@@ -41,8 +42,21 @@ export function withoutDelimiters({ hex }, { start, end }, bytes) {
   return data;
 }
 
+/** How many bytes of its preamble a frame has before the least ones, which are the first of the start delimiter. */
+function surplusOf({ byte, least, spare }, frame) {
+  let run = 0;
+  while (run < frame.length && frame[run] === byte) run++;
+  return Math.max(0, Math.min(run - least, spare));
+}
+
 /** A frame of the bytes of its parts. */
-export function withDelimiters({ hex }, { start, end }, data) {
+export function withDelimiters(context, shape, data) {
+  const frame = delimited(context, shape, data);
+  const { byte, further } = shape.preamble ?? { further: 0 };
+  return further > 0 ? Uint8Array.from([...new Uint8Array(further).fill(byte), ...frame]) : frame;
+}
+
+function delimited({ hex }, { start, end }, data) {
   if (start.length === 0 && end.length === 0 && !hex) return data;
   const inner = hex ? 2 * data.length : data.length;
   const bytes = new Uint8Array(start.length + inner + end.length);

@@ -42,6 +42,16 @@ export function putBlankDigits(number, bytes, offset, size, places) {
   bytes.set(digitsBytes({ digits: "decimal", hasBlanks: true, size, places }, number), offset);
 }
 
+/** The number of a codec in `size` bytes, a bigint where it is `wide`. Throws CodecError for bytes that are none. */
+export function codedNumberOf(name, bytes, offset, wide, size, form) {
+  return numberOfDigits(name, form, bytes.slice(offset, offset + size), "a number of its codec", offset, wide);
+}
+
+/** Writes a number that a codec has. */
+export function putCodedNumber(number, bytes, offset, form) {
+  bytes.set(digitsBytes(form, number), offset);
+}
+
 /** The number of two decimal digits in each of some bytes, the first one first. Throws CodecError for other bytes. */
 export function bcdOf(name, bytes, offset, wide, signed = false, digits = "bcd") {
   return numberOfDigits(name, { digits, signed }, bytes, `${2 * bytes.length} digits`, offset, wide);

@@ -51,7 +51,7 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
       return encoded(context, response, header, code, entry.response, data, context.exception?.normal);
     },
     /** The exception response in place of the usual response with a code; null where frames carry none. Throws CodecError. */
-    encodeException(header, code, data) {
+    encodeExceptionResponse(header, code, data) {
       const exception = expectedException(context);
       if ((code === null) !== (response.code === null)) {
         throw new CodecError("unknown_code", code === null ? "an exception response has a code" : "frames here carry no code");
@@ -87,7 +87,7 @@ function refusedCodesOf(messages) {
   return byCode;
 }
 
-function frame({ header, trailer, start, end, checksums, escape, escapeStart, escapeStop }) {
+function frame({ header, trailer, start, end, preamble, checksums, escape, escapeStart, escapeStop }) {
   const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
   const parts = [...header, ...trailer];
   return {
@@ -95,6 +95,7 @@ function frame({ header, trailer, start, end, checksums, escape, escapeStart, es
     trailer,
     parts,
     start,
+    preamble,
     end,
     headerSize: sum(header),
     trailerSize: sum(trailer),
@@ -218,7 +219,7 @@ function wrongChecksum(shape, data, ofSent) {
     const want = checksumBytes(part, data, place(part.start, size), place(part.stop, size));
     if (!matches(data, at, want)) {
       const have = data.subarray(at, at + part.size);
-      return new CodecError("wrong_check", `${part.name} is ${hexText(have)}, not ${hexText(want)}`, at);
+      return new CodecError("wrong_checksum", `${part.name} is ${hexText(have)}, not ${hexText(want)}`, at);
     }
   }
   return null;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ._codecs import NUMBERS
 from ._conversions import turned
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
@@ -27,9 +28,11 @@ class Digits:
     `letters` are the order of the bytes and the type of the number, the form of the digits, the number of bytes, and
     how many digits follow a point: `>i32 decimal 8 2` are a sign, four digits, a point and two digits. The form
     `blank_decimal` has blanks in place of leading zeros, and a sign below zero only, which takes the place of a digit.
+    Any other form is the name of a codec.
     """
 
     __slots__ = (
+        "codec",
         "count",
         "form",
         "has_nibbles",
@@ -52,6 +55,10 @@ class Digits:
         self.has_nibbles = self.form in ("bcd", "packed_decimal")
         if self.has_nibbles:
             self.count = 2 * self.size - (self.form == "packed_decimal")
+        self.codec = NUMBERS.get(self.form)
+        if self.codec is not None:
+            self.low, self.high = self.codec[:2]
+            return
         bits = int(kind[2:])
         high = (16 if self.form.endswith("hex") else 10) ** self.count - 1
         if self.signed:
@@ -101,6 +108,8 @@ class Digits:
         """The same, before the bytes of words are turned."""
         if not self.low <= number <= self.high:
             raise OverflowError
+        if self.codec is not None:
+            return self.codec[3](number)
         if self.has_nibbles:
             data = bytes.fromhex(self._nibbles(number))
             return data[::-1] if self.is_reversed else data
@@ -119,6 +128,9 @@ class Digits:
 
     def _parsed(self, raw: bytes) -> int | None:
         """The number of digits; None for anything else."""
+        if self.codec is not None:
+            read = self.codec[2](raw)
+            return read if read is not None and self.low <= read <= self.high else None
         if self.has_nibbles:
             return self._of_nibbles((raw[::-1] if self.is_reversed else raw).hex())
         if self.form == "blank_decimal":

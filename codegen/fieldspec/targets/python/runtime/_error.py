@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 class CodecError(ValueError):
     """Bytes or values that a codec refuses.
 
-    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_check, not_hex, unknown_code,
+    `reason` is one of: incomplete, wrong_length, wrong_mark, wrong_checksum, not_hex, unknown_code,
     unknown_value, wrong_const, wrong_measure, out_of_range, wrong_type, read_only,
     no_message.
     `offset` is the byte that is wrong, None for values.

@@ -54,7 +54,7 @@ class Response(Record, Generic[M]):
         self.unit_address, self.message = unit_address, message
 
 
-class ErrorReply(Record, Generic[M]):
+class ExceptionResponse(Record, Generic[M]):
     """An exception response: the code of the request, or the one that all exception responses have, and the reason.
 
     If the code of the usual response differs from the request's, `code` is the response's.
@@ -72,7 +72,8 @@ class Frames:
 
     `head` is the format of the Struct of the header; `code` and `length` are the places of these parts in it, -1 where
     there is none. The length counts all parts. `constants` are the constant header parts: place, name, value and offset
-    of each. `forms` are the digits of header parts by the offsets of these.
+    of each. A `preamble` is a byte, how many of it `start` has, how many more are sent before these, and how many more
+    are received at most. `forms` are the digits of header parts by the offsets of these.
     """
 
     __slots__ = (
@@ -90,6 +91,7 @@ class Frames:
         "length_name",
         "length_offset",
         "longest",
+        "preamble",
         "start",
         "tail_size",
         "vanishes",
@@ -110,6 +112,7 @@ class Frames:
         start: bytes = b"",
         end: bytes = b"",
         hexadecimal: bool = False,
+        preamble: tuple[int, int, int, int] | None = None,
         constants: tuple[tuple[int, str, int, int], ...] = (),
     ) -> None:
         self.head = Struct(head)
@@ -122,10 +125,15 @@ class Frames:
         self.code, self.code_offset = code, code_offset
         self.length, self.length_offset, self.length_name, self.longest = length, length_offset, length_name, longest
         self.start, self.end, self.hexadecimal, self.constants = start, end, hexadecimal, constants
+        self.preamble = preamble
         self.forms: dict[int, Digits] = {}
 
     def unmarked(self, frame: Data) -> Data:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
+        if self.preamble is not None:
+            byte, least, _, spare = self.preamble
+            run = len(frame) - len(bytes(frame).lstrip(bytes((byte,))))
+            frame = frame[max(0, min(run - least, spare)) :]
         first, last = len(self.start), len(frame) - len(self.end)
         if frame[:first] != self.start:
             raise CodecError("wrong_mark", f"the frame does not start with {self.start.hex(' ')}", 0)
@@ -146,7 +154,8 @@ class Frames:
     def marked(self, data: bytes) -> bytes:
         """Parts with the delimiters around them, as characters on links of characters."""
         inner = hexlify(data).upper() if self.hexadecimal else data
-        return self.start + inner + self.end
+        further = bytes((self.preamble[0],)) * self.preamble[2] if self.preamble is not None else b""
+        return further + self.start + inner + self.end
 
     @property
     def has_checksum(self) -> bool:
@@ -182,7 +191,7 @@ class Frames:
             have, want = int.from_bytes(data[at:], self.check_order), self.algorithm(data[:at])
             if have != want:
                 width = 2 * self.tail_size
-                raise CodecError("wrong_check", f"the check is {have:0{width}X}, not {want:0{width}X}", at)
+                raise CodecError("wrong_checksum", f"the check is {have:0{width}X}, not {want:0{width}X}", at)
         for place, name, const, offset in self.constants:
             if head[place] != const:
                 raise wrong_const(name, head[place], const, offset)

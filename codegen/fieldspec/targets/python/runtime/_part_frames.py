@@ -57,6 +57,7 @@ class PartFrames(Frames):
         start: bytes = b"",
         end: bytes = b"",
         hexadecimal: bool = False,
+        preamble: tuple[int, int, int, int] | None = None,
     ) -> None:
         super().__init__(
             "",
@@ -70,6 +71,7 @@ class PartFrames(Frames):
             start=start,
             end=end,
             hexadecimal=hexadecimal,
+            preamble=preamble,
         )
         self.rows, self.tail, self.checks, self.unit, self.base = head, tail, checks, unit, base
         first = ((length, length_offset, length_name, longest, unit, base),) if length >= 0 else ()
@@ -113,7 +115,7 @@ class PartFrames(Frames):
             want = _number(function(data[start:stop]), size, _order(order), form)
             if have != want:
                 text = f"the check is {have:0{2 * size}X}, not {want:0{2 * size}X}"
-                return CodecError("wrong_check", text, at)
+                return CodecError("wrong_checksum", text, at)
         return None
 
     def _no_digits(self, data: Data, numbers: list[tuple[Part, int, int]], places: Iterable[int]) -> CodecError | None:
@@ -257,7 +259,7 @@ class CountFramer(LengthFramer):
         frames = self.frames
         assert isinstance(frames, PartFrames)
         marks = len(frames.start) + len(frames.end)
-        if not buffer.startswith(frames.start, at):
+        if not buffer.startswith(frames.start, at) or self._goes_on(buffer, at):
             return 0
         at += len(frames.start)
         if self._foreign(buffer, at):

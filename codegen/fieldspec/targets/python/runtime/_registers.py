@@ -9,6 +9,7 @@ from struct import pack, unpack
 
 from ._absent import first_number, is_among
 from ._carried import RecordValue
+from ._conversions import turned
 from ._error import CodecError
 from ._quantities import Ratio, power_of_ten
 from ._typing import TYPE_CHECKING, Generic, T
@@ -33,7 +34,8 @@ class Register(Generic[T]):
     accessed in one request. `trigger`: writing starts an action, and reading returns no meaningful value.
     `number` is its number in another list of the manual, `copy_of` the name of the register that it copies.
     `space` is its address space, empty where the device has only one. An address has `unit_size` bytes: 2, or 1 in a
-    space of bytes, in which `words` counts these. `scale_by` is the register with the exponent of the scale, None where
+    space of bytes, in which `words` counts these. With `turns_writes`, the words of a write have the opposite order
+    from a read. `scale_by` is the register with the exponent of the scale, None where
     the scale is always the same.
     """
 
@@ -48,6 +50,7 @@ class Register(Generic[T]):
         "scale_by",
         "space",
         "trigger",
+        "turns_writes",
         "unit_size",
         "value",
         "words",
@@ -68,11 +71,13 @@ class Register(Generic[T]):
         order: str = ">",
         space: str = "",
         unit_size: int = 2,
+        turns_writes: bool = False,
         scale_by: Register[int] | None = None,
     ) -> None:
         self.name, self.address, self.words, self.space, self.unit_size = name, address, words, space, unit_size
         self.value, self.access, self.number, self.copy_of = value, access, number, copy_of
         self.atomic, self.trigger, self.order, self.scale_by = atomic, trigger, order, scale_by
+        self.turns_writes = turns_writes
 
     def __repr__(self) -> str:
         last = f"..0x{self.address + self.words - 1:04X}" if self.words > 1 else ""
@@ -108,12 +113,13 @@ class Register(Generic[T]):
         return self.value.ratio[1] / self.value.ratio[2]
 
     def decode(self, data: Data) -> T:
-        """The value of exactly all of its bytes. Raises CodecError."""
+        """The value of exactly all of its bytes, as a response carries them. Raises CodecError."""
         return self.value.decode(self.name, data)
 
     def encode(self, value: T) -> bytes:
-        """The bytes of a value. Raises CodecError where it is out of range."""
-        return self.value.encode(self.name, value)
+        """The bytes of a value, as a request carries them. Raises CodecError where it is out of range."""
+        data = self.value.encode(self.name, value)
+        return turned(data)[::-1] if self.turns_writes else data
 
     def from_words(self, words: Sequence[int]) -> T:
         """The value of all of its words, as a response carries them. Raises CodecError."""
@@ -185,12 +191,13 @@ class RegisterArray(Generic[T]):
         order: str = ">",
         space: str = "",
         unit_size: int = 2,
+        turns_writes: bool = False,
         scale_by: Register[int] | None = None,
     ) -> None:
         self.name, self.address, self.access, self.space = name, address, access, space
         self.first, self.stride, self.number, self.copy_of = first, stride, number, copy_of
         more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order, "space": space}
-        more |= {"unit_size": unit_size, "scale_by": scale_by}
+        more |= {"unit_size": unit_size, "turns_writes": turns_writes, "scale_by": scale_by}
         self._registers = tuple(
             Register(f"{name}[{first + number}]", address + number * stride, words, value, access, **more)
             for number in range(count)

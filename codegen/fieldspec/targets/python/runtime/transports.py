@@ -140,15 +140,22 @@ class CanTransport:
     def read(self, size: int) -> bytes:
         """A frame, for which `size` does not matter; none when the time-out is over. Raises what the bus raises."""
         message = self._bus.recv(self._timeout)
-        if message is None or message.is_error_frame or message.is_remote_frame or message.is_fd:
+        if message is None or message.is_error_frame or message.is_fd:
             return b""
-        return CanFrame(message.arbitration_id, bytes(message.data), message.is_extended_id).frame()
+        kind = message.is_extended_id, message.is_remote_frame, message.dlc
+        return CanFrame(message.arbitration_id, bytes(message.data), *kind).frame()
 
     def write(self, data: bytes) -> None:
         """Sends a frame. Raises what the bus raises."""
         frame = CanFrame.of(data)
         self._bus.send(
-            self._message(arbitration_id=frame.identifier, data=frame.data, is_extended_id=frame.is_extended)
+            self._message(
+                arbitration_id=frame.identifier,
+                data=frame.data,
+                is_extended_id=frame.is_extended,
+                is_remote_frame=frame.is_remote,
+                dlc=frame.dlc,
+            )
         )
 
     def close(self) -> None:

@@ -21,9 +21,18 @@ local function encoded(characters)
     return (characters:gsub("..", function(pair) return string.char(tonumber(pair, 16)) end))
 end
 
+-- How many bytes of its preamble a frame has before the least ones, which are the first of the start mark.
+local function surplus_of(shape, bytes)
+    local preamble, count = shape.preamble, 0
+    while preamble and bytes:sub(count + 1, count + 1) == preamble.byte do
+        count = count + 1
+    end
+    return preamble and count >= preamble.least and count <= preamble.most and count - preamble.least or 0
+end
+
 -- The bytes of the first parts after the start mark, as far as there are any.
 function frames.first_parts(link, shape, bytes)
-    local parts = bytes:sub(#shape.start + 1)
+    local parts = bytes:sub(surplus_of(shape, bytes) + #shape.start + 1)
     if not link.hex then
         return parts
     end
@@ -34,6 +43,7 @@ end
 -- The bytes of the parts of a frame without delimiters and encoding, and a reason where these are wrong.
 local function unwrapped(link, direction, bytes)
     local shape = link[direction]
+    bytes = bytes:sub(surplus_of(shape, bytes) + 1)
     if bytes:sub(1, #shape.start) ~= shape.start then
         return nil, "wrong_mark"
     end
@@ -173,8 +183,9 @@ local function delimited(link, direction, bytes, record, asked, message)
     end
 end
 
--- The bytes of the first frame, or nil where nothing tells; the second result is true where more bytes will tell.
-function frames.length(link, direction, bytes, asked, message)
+-- The bytes of the first frame without those that `surplus_of` counts, or nil where nothing tells; the second result is
+-- true where more bytes will tell.
+local function own_length(link, direction, bytes, asked, message)
     local shape = link[direction]
     local marks, width = #shape.start + #shape.stop, link.hex and 2 or 1
     if link.hex and #shape.stop > 0 then
@@ -211,6 +222,13 @@ function frames.length(link, direction, bytes, asked, message)
         return delimited(link, direction, bytes, record, asked, message)
     end
     return body and marks + width * (shape.header + body + shape.trailer), is_short
+end
+
+-- The bytes of the first frame, or nil where nothing tells; the second result is true where more bytes will tell.
+function frames.length(link, direction, bytes, asked, message)
+    local surplus = surplus_of(link[direction], bytes)
+    local own, more = own_length(link, direction, bytes:sub(surplus + 1), asked, message)
+    return own and own + surplus, more
 end
 
 -- Whether bytes are a frame: delimiters, length, checksums, code and the length of the body are right.

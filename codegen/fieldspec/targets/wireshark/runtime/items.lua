@@ -31,7 +31,7 @@ local function show_part(context, part, at)
         local printable = text(bytes):gsub("[^\32-\126]", "?")
         item:set_text(part.title .. ": " .. printable .. (bytes == should and " (right)" or " (wrong)"))
         if bytes ~= should then
-            values.report(item, "wrong_check", part.name .. " should be " .. text(should))
+            values.report(item, "wrong_checksum", part.name .. " should be " .. text(should))
         end
         values.cite(item, part.errata)
         return
@@ -123,12 +123,20 @@ end
 function frames.show(link, direction, tvb, tree, asked, message)
     local bytes = tvb:raw()
     local shape = link[direction]
+    local surplus, least = surplus_of(shape, bytes), shape.preamble and shape.preamble.least or 0
     local context = setmetatable({
-        link = link, direction = direction, tree = tree, tvb = tvb, length = tvb:len(), skip = #shape.start, values = {}, places = {},
+        link = link, direction = direction, tree = tree, tvb = tvb, length = tvb:len(), skip = surplus + #shape.start, values = {}, places = {},
         measuring = {}, open = asked, asked = asked and asked.values, message = message or asked and asked.message,
     }, Context)
-    if #shape.start > 0 then
-        show_mark(context, context:range(-#shape.start, #shape.start), bytes:sub(1, #shape.start), "Start", shape.start)
+    if shape.preamble then
+        local size = surplus + least
+        local sent = bytes:sub(1, size)
+        show_mark(context, context:range(-surplus - #shape.start, size), sent, "Preamble", shape.preamble.byte:rep(size))
+    end
+    local mark = shape.start:sub(least + 1)
+    if #mark > 0 then
+        local own = bytes:sub(surplus + least + 1, surplus + #shape.start)
+        show_mark(context, context:range(-#mark, #mark), own, "Start", mark)
     end
     local parts, reason = unwrapped(link, direction, bytes)
     if not parts then

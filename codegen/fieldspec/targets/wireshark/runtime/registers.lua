@@ -85,8 +85,11 @@ local function show_present(context, tree, span, place, options)
     if start < 0 or start + size > #span.bytes then
         return nil
     end
-    local range = context:range(span.at + start, size)
-    return (values.show(tree, row, range, span.bytes:sub(start + 1, start + size), options))
+    local range, bytes = context:range(span.at + start, size), span.bytes:sub(start + 1, start + size)
+    if row.turns_writes and options.is_write then
+        bytes = bytes:reverse():gsub("(.)(.)", "%2%1")
+    end
+    return (values.show(tree, row, range, bytes, options))
 end
 
 -- Adds the item of a register without its value.

@@ -101,7 +101,7 @@ class FormatRows:
 
 
 def decimal(text: str) -> Decimal | None:
-    """A number as programs write it, whole ones in any base; None if a text is none."""
+    """A number as programs write it, a whole number in any base; None if a text is not a number."""
     bare = text.strip().replace("_", "")
     if len(bare) > _LONGEST_NUMBER:
         return None
@@ -117,7 +117,7 @@ def decimal(text: str) -> Decimal | None:
 
 
 def mask_bits(mask: int) -> tuple[int, int] | None:
-    """The lowest and the highest bit of a mask whose bits stand beside each other; None for another one."""
+    """The lowest and the highest bit of a mask of neighbouring bits; None for any other mask."""
     low, high = (mask & -mask).bit_length() - 1, mask.bit_length() - 1
     return (low, high) if 0 < mask < 1 << 64 and mask >> low == (1 << (high - low + 1)) - 1 else None
 

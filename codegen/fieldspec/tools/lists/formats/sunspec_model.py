@@ -53,7 +53,7 @@ _TYPES = {
     "ipv6addr": ("bytes", ""),
     "eui48": ("bytes", ""),
 }
-"""The types of the language, and the number that stands for a point that is not implemented, by those of SunSpec."""
+"""The types of the language, and the number for a point that is not implemented, by the types of SunSpec."""
 
 _EXPONENT = "sunssf"
 _UNITS = {"C": "°C", "Pct": "%"}
@@ -215,7 +215,7 @@ def _row(model: _Model, point: dict[str, Any], names: tuple[str, ...], count: in
 def _symbols(
     symbols: object, of_bits: bool, doubts: list[str]
 ) -> tuple[tuple[tuple[int, str], ...], tuple[NamedBits, ...]]:
-    """The values or the bits that have names. What is said of them beside is a doubt."""
+    """The values or the bits that have names. Any other statement about them is a doubt."""
     members: dict[int, str] = {}
     for symbol in symbols if isinstance(symbols, list) else []:
         value = symbol.get("value") if isinstance(symbol, dict) else None

@@ -48,18 +48,18 @@ def text_of(node: Node | None) -> str:
 
 
 def number_of(node: Node | None) -> Decimal | None:
-    """The number of a scalar; None if it is none."""
+    """The number of a scalar; None if it is not a number."""
     return decimal(text_of(node))
 
 
 def whole_of(node: Node | None) -> int | None:
-    """The whole number of a scalar; None if it is none."""
+    """The whole number of a scalar; None if it is not a whole number."""
     number = number_of(node)
     return int(number) if number is not None and number == number.to_integral_value() else None
 
 
 def numbers_of(node: Node | None) -> list[int] | None:
-    """The whole numbers of a list, or of one scalar; None if one of them is none."""
+    """The whole numbers of a list, or of one scalar; None if one of them is not a whole number."""
     nodes = node.items if isinstance(node, Sequence) else [node]
     numbers = [number for node in nodes if (number := whole_of(node)) is not None]
     return numbers if len(numbers) == len(nodes) else None

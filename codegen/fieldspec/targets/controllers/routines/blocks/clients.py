@@ -58,7 +58,7 @@ def client_block(world: World, link: LinkLayout, by_name: Mapping[str, Routine])
 
 
 def _usable(world: World, exchange: Exchange, access: RegisterAccess) -> bool:
-    """Whether a request has no fields but the station, the address, the number and the words."""
+    """Whether the only fields of a request are the station, the address, the number and the words."""
     fields = {field.name for field in exchange.message.request.fields if is_user_field(field)}
     return fields <= {access.start, access.count, access.values}
 

@@ -40,7 +40,7 @@ def group_blocks(world: World, by_name: Mapping[str, Routine]) -> Iterator[Routi
         if device.space_name(group.space) != device.space_name(""):
             continue
         for direction, function in _WAYS.items():
-            routine = by_name.get(world.routine(function, group.name, group_order(world, group)))
+            routine = by_name.get(world.routine(function, group.name, group_order(world, group, function)))
             if routine is not None:
                 yield _group_block(world, group, direction, routine)
 

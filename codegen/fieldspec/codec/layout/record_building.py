@@ -1,0 +1,158 @@
+"""The layouts of records, from their fields in the order of the wire and the layouts of the records in them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.widths import Span
+from fieldspec.foundation.classes import replace
+from fieldspec.language.model.enums import Enum
+from fieldspec.language.model.record import Choice, Field, Record, text_count
+
+
+def record_layout(
+    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum], is_part: bool
+) -> RecordLayout:
+    """The layout of a record, which may be part of others. `records` are the layouts of the records in it."""
+    last = record.fields[-1] if record.fields else None
+    if last is None or last.choice is None:
+        return _fixed(record, records, orders, enums)
+    is_behind = any(_varies(field, records) for field in record.fields[:-1])
+    if not last.is_list and (is_part or is_behind):
+        return _fixed(record, records, orders, enums)
+    return _choosing(record, last, last.choice, records, orders, enums)
+
+
+def _varies(field: Field, records: Mapping[str, RecordLayout]) -> bool:
+    """Whether the bytes of a field, or of its content, differ from data to data."""
+    if field.record and records[field.record].size is None:
+        return True
+    return field.repeat is not None or field.choice is not None
+
+
+def _case_layouts(record: Record, choice: Choice, orders: Orders, enums: Mapping[str, Enum]) -> tuple[CaseLayout, ...]:
+    selector = record.named(choice.by)
+    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
+    assert enum is not None
+    return tuple(
+        CaseLayout(
+            case,
+            case.name,
+            frozenset(member.value for name in case.when if (member := enum.named(name)) is not None),
+            case.value,
+            *orders.of(case.value),
+        )
+        for case in choice.cases
+    )
+
+
+def _choosing(
+    record: Record,
+    last: Field,
+    choice: Choice,
+    records: Mapping[str, RecordLayout],
+    orders: Orders,
+    enums: Mapping[str, Enum],
+) -> RecordLayout:
+    """The layout of a record whose last field has cases, with one for each of these."""
+    cases = _case_layouts(record, choice, orders, enums)
+    chosen: dict[int, RecordLayout] = {}
+    for case in cases:
+        decided = replace(last, value=case.value, choice=None)
+        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders, enums)
+        chosen |= dict.fromkeys(sorted(case.numbers), record_layout)
+    shapes = list(chosen.values())
+    first = shapes[0]
+    sizes = {shape.size for shape in shapes}
+    smallest = min((shape.fields[-1] for shape in shapes), key=lambda field: field.size)
+    field = replace(smallest, field=last, value=None, cases=cases)
+    bounds = [shape.most for shape in shapes]
+    return RecordLayout(
+        record,
+        record.name,
+        (*first.fields[:-1], field),
+        sizes.pop() if len(sizes) == 1 else None,
+        min(shape.least for shape in shapes),
+        None if None in bounds else max(bound for bound in bounds if bound is not None),
+        first.named(choice.by),
+        chosen,
+    )
+
+
+def _fixed(
+    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
+) -> RecordLayout:
+    """The layout of a record that is the same for all data, or has an image."""
+    offset = 0
+    fields: list[FieldLayout] = []
+    differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
+    lists = [field for field in record.fields if _varies(field, records)]
+    is_inner = any(field is not record.fields[-1] or field.choice is not None for field in lists) or bool(differing)
+    remaining_fields = [field for field in record.fields if field not in lists]
+    for field in (*remaining_fields, *lists) if is_inner else record.fields:
+        nested = records[field.record] if field.record else None
+        cases = _case_layouts(record, field.choice, orders, enums) if field.choice is not None else ()
+        case_size = max((case.value.size for case in cases), default=0)
+        size = field.value.size if field.value else (nested.most or 0) if nested else case_size
+        count = None if field.repeat else field.count or 1
+        order, swapped = orders.of(field.value)
+        sizes = _sizes(record, field, enums)
+        field_layout = FieldLayout(
+            field, field.name, offset, size, count, field.value, nested, order, swapped, cases, sizes
+        )
+        fields.append(_with_forms(field_layout, fields))
+        offset += size * (field.repeat.high if field.repeat is not None else count or 1)
+    if any(field.value is not None and field.value.width for field in fields):
+        return _varying(record, tuple(fields))
+    fixed = sum(field.size * (field.count or 0) for field in fields if field.field not in lists)
+    if not lists:
+        return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
+    varying = [field for field in fields if field.field in lists]
+    minimum = fixed + sum(field.bounds[0] * field.least_size for field in varying)
+    maximum = fixed + sum(field.bounds[1] * field.size for field in varying)
+    layout = RecordLayout(record, record.name, tuple(fields), None, minimum, maximum)
+    return replace(layout, inner_lists=inner_lists_of(layout)) if is_inner else layout
+
+
+def _with_forms(field: FieldLayout, before: list[FieldLayout]) -> FieldLayout:
+    """A field with its form in each case; `before` are the fields before it in the image."""
+    choice = field.field.choice
+    if choice is None:
+        return field
+    forms: dict[int, FieldLayout] = {}
+    for case in field.cases:
+        decided = replace(field.field, value=case.value, choice=None)
+        form = replace(field, field=decided, size=case.value.size, value=case.value, order=case.order, cases=())
+        forms |= dict.fromkeys(sorted(case.numbers), replace(form, swapped=case.swapped))
+    return replace(field, forms=forms, selector=next(other for other in before if other.name == choice.by))
+
+
+def _sizes(record: Record, field: Field, enums: Mapping[str, Enum]) -> Mapping[int, int]:
+    """The numbers of bytes that are the value of a parameter, by the numbers of the field that says so."""
+    part = field.value.parameter if field.value is not None else None
+    selector = record.named(part.sizes.by) if part is not None and part.sizes is not None else None
+    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
+    if part is None or part.sizes is None or enum is None:
+        return {}
+    members = ((enum.named(name), case.bytes) for case in part.sizes.cases for name in case.when)
+    return {member.value: size for member, size in members if member is not None}
+
+
+def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
+    """The layout of a record of which some fields vary in width."""
+    spans = []
+    for field, following in zip(fields, (*fields[1:], None), strict=True):
+        varies = field.value is not None and field.value.width > 0
+        count = text_count(record, field.field)
+        if count is not None and count.measures is not None:
+            number = record.fields.index(count)
+            order, plus = fields[number].order, count.measures.plus
+            spans.append(Span(field.name, field.size, field.value, None, number, order, plus))
+            continue
+        end = following.value.const if following is not None and following.value is not None else None
+        size = field.size * (field.count or 0)
+        spans.append(Span(field.name, size, field.value if varies else None, end if varies else None))
+    minimum = sum(span.size if span.value is None else span.value.least_width for span in spans)
+    maximum = sum(span.size if span.value is None else span.value.width for span in spans)
+    return RecordLayout(record, record.name, fields, None, minimum, maximum, spans=tuple(spans))

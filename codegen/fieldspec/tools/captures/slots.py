@@ -1,0 +1,92 @@
+"""The values of records whose lists come last, each at its place, and the images of records in records."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.widths import extents
+from fieldspec.foundation.classes import dataclass, replace
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
+
+    In a record that differs in size, it is an element of some lists: `places` are these, each with the offset of the
+    record that counts it and with the number of the element. For a counted text, `text` are its bytes as a list.
+    It is only in bodies in which each of some selectors, with the offsets of their records, has one of some `numbers`.
+    """
+
+    path: str
+    offset: int
+    layout: FieldLayout
+    field: FieldLayout
+    places: tuple[tuple[int, InnerList, int], ...] = ()
+    text: InnerList | None = None
+    numbers: tuple[tuple[int, FieldLayout, frozenset[int]], ...] = ()
+
+
+def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
+    """The values of a record and of the records in it, in the order of the wire; a repeated field counts once."""
+    parts = inner_lists_of(record, is_element=True).lists if outer is not None and record.size is None else ()
+    by_name = {inner.name: inner for inner in parts}
+    for field in record.sent_fields:
+        is_list = field.is_list and not (outer is None and field.count is None)
+        inner = by_name.get(field.name)
+        for index in range(field.count or (inner.most // inner.element if inner is not None else 1)):
+            path = f"{prefix}{field.name}[{index}]" if is_list else f"{prefix}{field.name}"
+            place = start + field.offset + index * field.size
+            if field.record is not None:
+                field_slots = slots(field.record, f"{path}.", place, outer or field)
+            elif field.selector is not None:
+                field_slots = _slots_of_cases(record, field, path, start, outer)
+            elif inner is not None and field.value is not None and field.value.width:
+                count = record.named(inner.count)
+                assert count is not None
+                text = replace(inner, room=field.offset, count_at=count.offset)
+                field_slots = iter([Slot(path, place, field, outer or field, text=text)])
+                inner = None
+            else:
+                field_slots = iter([Slot(path, place, field, outer or field)])
+            for slot in field_slots:
+                if inner is not None and inner.count:
+                    slot = replace(slot, places=((start, inner, index), *slot.places))
+                yield slot
+
+
+def _slots_of_cases(
+    record: RecordLayout, field: FieldLayout, path: str, start: int, outer: FieldLayout | None
+) -> Iterator[Slot]:
+    """A slot for each type of a field that another one decides; that one has its place in the image."""
+    assert field.selector is not None
+    for case in field.cases:
+        form = field.forms[min(case.numbers)]
+        numbers = ((start, field.selector, case.numbers),)
+        yield Slot(path, start + form.offset, form, outer or field, numbers=numbers)
+
+
+def deepened(record: RecordLayout, image: bytes) -> bytes:
+    """The image of a record in which the elements that differ in size are images, too."""
+    result = bytearray(image)
+    for field in record.fields:
+        if field.record is None or field.record.size is not None:
+            continue
+        parts, room = inner_lists_of(field.record, is_element=True), record.room_of(field)
+        stop = len(image) if room is None else field.offset + (room.size_in(image) or 0)
+        for place in range(field.offset, min(stop, len(image)), field.size):
+            sent_bytes = parts.sent_bytes(image[place : place + field.size])
+            element = _element_image(field.record, parts, sent_bytes)
+            result[place : place + len(element)] = element
+    return bytes(result)
+
+
+def _element_image(record: RecordLayout, parts: InnerLists, data: bytes) -> bytes:
+    """The image of an element that differs in size, from what is sent of it."""
+    if record.spans:
+        pairs = zip(record.spans, extents(record.spans, data), strict=True)
+        return b"".join(data[extent.start : extent.stop].ljust(span.size, b"\0") for span, extent in pairs)
+    list_extents, _ = parts.extents_in(data)
+    *rooms, _ = parts.lists
+    return deepened(replace(record, rooms=tuple(rooms)), parts.image_of(data, list_extents))
