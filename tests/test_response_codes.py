@@ -82,13 +82,13 @@ def test_a_response_with_another_code_is_refused_at_the_code(frame: bytes, asked
 
 
 def test_only_the_request_tells_which_of_several_responses_with_one_code_this_is() -> None:
-    with pytest.raises(CodecError, match="only the request tells which one this is"):
+    with pytest.raises(CodecError, match="only the request identifies the message"):
         LINK.decode(TEMPERATURES, "response")
     assert LINK.decode(TEMPERATURES, "response", "read_hours").values == {"hours": 0x3CFB}
     assert MODULE.datagrams.decode_response(TEMPERATURES, MODULE.ReadTemperaturesRequest()).message.bridge == -5
     assert MODULE.datagrams.decode_response(TEMPERATURES, MODULE.ReadHoursRequest()).message.hours == 0x3CFB
     (row, *_) = explained(ECU, "datagrams", "response", TEMPERATURES).rows
-    assert "only the request tells apart" in row.verdict
+    assert "only the request distinguishes them" in row.verdict
 
 
 @pytest.mark.parametrize(

@@ -127,10 +127,10 @@ def test_the_value_of_the_parameter_is_encoded(
     ("number", "entered", "reason"),
     [
         ("2", "-31.234mm", "zero_offset is -31234"),
-        ("3", "window", "no bit of inputs: door, lamp"),
-        ("4", "backward", "no member of mode"),
+        ("3", "window", "not a bit of inputs: door, lamp"),
+        ("4", "backward", "not a member of mode"),
         ("1", "-1", "out_of_range"),
-        ("2", "5kg", "no number"),
+        ("2", "5kg", "not a number"),
     ],
 )
 def test_a_value_that_the_parameter_does_not_take_is_refused(

@@ -61,9 +61,9 @@ def test_registers_that_are_no_words_are_left_out_with_a_warning_for_each_group(
         ("words 0x0000..0x0000", "limit"),
     ]
     assert findings == [
-        "output_registers_words: an address of the registers in levels is a byte, and a word map has one register a "
+        "output_registers_words: an address of the registers in levels is a byte, and a word map has one register per "
         "word; register level is left out",
-        "output_registers_words: an address of the registers in lit is a bit, and a word map has one register a "
+        "output_registers_words: an address of the registers in lit is a bit, and a word map has one register per "
         "word; register lamp is left out",
     ]
 

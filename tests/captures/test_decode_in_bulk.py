@@ -267,7 +267,7 @@ def test_other_formats_have_the_same_rows(tmp_path: Path, form: str) -> None:
 REFUSED = {
     "an option of single frames": (("--request", "0104"), "--request explains single frames"),
     "no folder": ((), "name it with --out FOLDER"),
-    "ports that are none": (("--out", "out", "--port", "99999"), "no list of numbers up to 65535"),
+    "ports that are none": (("--out", "out", "--port", "99999"), "not a list of numbers up to 65535"),
     "a missing file": (("--out", "out"), "there is no file"),
 }
 

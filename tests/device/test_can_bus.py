@@ -121,7 +121,7 @@ def test_live_reads_and_writes_objects_by_name_over_a_bus(
         (["live", "servo", "read", "--port", "can://virtual/x"], "bus is not a CAN bus"),
         (
             ["live", "axis", "read", "read_hours", "--link", "vehicle", "--port", "can://virtual/x"],
-            "says which priority",
+            "the priority in the identifier of requests on vehicle is unknown",
         ),
     ],
 )
