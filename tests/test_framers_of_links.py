@@ -36,7 +36,9 @@ def lost_frames(layout: DeviceLayout, module: ModuleType) -> list[str]:
             frames = frames_of(layout, link, direction, chance)
             framer = make()
             received = []
-            for stream in [[frame] for frame in frames] if "only `idle`" in " ".join(make.__doc__.split()) else [frames]:
+            for stream in (
+                [[frame] for frame in frames] if "only `idle`" in " ".join(make.__doc__.split()) else [frames]
+            ):
                 for piece in pieces_of(stream, 3 if stands_out(framer) else 0, chance):
                     received += framer.feed(piece)
                     assert len(framer._buffer) <= getattr(framer, "most", framer.longest)

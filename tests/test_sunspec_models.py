@@ -131,7 +131,10 @@ def test_values_bits_and_exponents_of_a_model_have_their_names(run: CommandLine)
     [
         ('{"group": {"points": [{"name": "a"}]}}', "has a point a whose size is not a number of registers"),
         ('{"group": {"points": [1]}}', "has a point that is not an object"),
-        ('{"group": {"points": [{"name": "a", "size": 1, "type": "int7"}]}}', "has the type int7, which is not a SunSpec type"),
+        (
+            '{"group": {"points": [{"name": "a", "size": 1, "type": "int7"}]}}',
+            "has the type int7, which is not a SunSpec type",
+        ),
         ('{"group": {"points": []}}', "has no object that can be a row of a list"),
         ('{"group": {"points": [{"name": "a", "size": 99999999, "type": "int16"}]}}', "is not a number of registers"),
         ('{"group": ' + '{"points": [], "groups": [' * 40, "is JSON that is nested more than 16 levels deep"),

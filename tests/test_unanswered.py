@@ -104,7 +104,9 @@ def test_a_generated_client_sends_what_nobody_answers_and_refuses_to_ask_it() ->
     client = importlib.import_module(f"{MODULE.__package__}.client")
     line = Line()
     caller = client.Client(line, link="bus", timeout=5)
-    with pytest.raises(runtime("errors").InvalidValueError, match=r"ResetRequest has no response on this link: use `send`"):
+    with pytest.raises(
+        runtime("errors").InvalidValueError, match=r"ResetRequest has no response on this link: use `send`"
+    ):
         caller.ask(MODULE.ResetRequest(5))
     assert line.frames == []
     caller.send(MODULE.ResetRequest(5))
