@@ -36,9 +36,8 @@ def lost_frames(layout: DeviceLayout, module: ModuleType) -> list[str]:
             frames = frames_of(layout, link, direction, chance)
             framer = make()
             received = []
-            for stream in (
-                [[frame] for frame in frames] if "only `idle`" in " ".join(make.__doc__.split()) else [frames]
-            ):
+            ends_by_idle = "only `idle`" in " ".join(make.__doc__.split())
+            for stream in [[frame] for frame in frames] if ends_by_idle else [frames]:
                 for piece in pieces_of(stream, 3 if stands_out(framer) else 0, chance):
                     received += framer.feed(piece)
                     assert len(framer._buffer) <= getattr(framer, "most", framer.longest)

@@ -32,7 +32,7 @@ VERSIONS = [
     for root in (SPECS, TEST_SPECS)
     for versions in layouts(root).values()
     for layout in versions
-    if not has_digits(layout)
+    if not has_digits(layout) and not any(register.register.value.write_word_order for register in layout.registers)
 ]
 
 

@@ -16,8 +16,20 @@ DEVICES = [
     (folder, path.parent.name) for folder in (SPECS, TEST_SPECS) for path in sorted(folder.glob("*/device.yaml"))
 ]
 WITHOUT = (
-    *("beacon", "courier", "gateway", "grinder", "herald", "pedal", "scanner", "sealer", "sequencer", "sorter"),
-    *("stamper", "tariff"),
+    *(
+        "beacon",
+        "courier",
+        "gateway",
+        "grinder",
+        "herald",
+        "pedal",
+        "pressure",
+        "scanner",
+        "sealer",
+        "sequencer",
+        "sorter",
+    ),
+    *("stamper", "tariff", "turret"),
 )
 """Devices without registers and parameters."""
 

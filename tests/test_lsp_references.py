@@ -293,7 +293,7 @@ async def test_a_rename_that_breaks_something_is_refused_with_the_reason(tmp_pat
         text = session.text(METER) + NOTE
         await session.opened(METER, text)
         ((_, line, character, *_),) = spots(METER, text, r"about: \[enums/exception_code/(illegal_data_address)")
-        with pytest.raises(JsonRpcException, match="in a protocol that is installed"):
+        with pytest.raises(JsonRpcException, match="belongs to an installed protocol"):
             await renamed(session, METER, types.Position(line, character), "no_address")
 
 

@@ -128,9 +128,9 @@ def test_an_example_frame_means_what_the_spec_says_and_is_made_of_it(layout: Dev
     assert all(head.get(name, value) == value for name, value in expected.items())
     assert all(holds(body.get(name, value), value) for name, value in expected.items())
     shape, frame = layout.links[example.link].frame(example.direction), example.frame
-    encoded_frame = encode(layout, example, {**head, **body, **expected}, code)
+    encoded = encode(layout, example, {**head, **body, **expected}, code)
     # A frame may have a longer preamble than the one that is sent.
-    assert encoded_frame[shape.surplus(encoded_frame) :] == frame[shape.surplus(frame) :]
+    assert encoded[shape.surplus(encoded) :] == frame[shape.surplus(frame) :]
 
 
 def holds(actual: Any, expected: Any) -> bool:

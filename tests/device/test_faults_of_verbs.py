@@ -26,7 +26,7 @@ DETAILS: dict[str, dict[str, Any]] = {
     "out_of_range": {"signal": "registers/limit", "value": 9},
 }
 ERRORS = (
-    *("is not written", "may be written or not", "the device holds", "is not taken over", "no answer", "exception"),
+    *("is not written", "may be written or not", "the device holds", "was not accepted", "no answer", "exception"),
     *("was not read back", "cannot be read back", "differ again", "refused", "closed", "disconnected", "Errno"),
 )
 """What an error says: one of these."""

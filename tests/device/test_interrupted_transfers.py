@@ -165,7 +165,7 @@ def test_a_process_that_is_killed_on_the_line_leaves_a_journal(
         (
             "stuck_bit",
             {"signal": "registers/acceleration_time", "value": 3},
-            "is not taken over: the device has 3 instead",
+            "was not accepted: the device has 3 instead",
         ),
         ("connection_lost", {}, "may be written or not: acceleration_time"),
     ],

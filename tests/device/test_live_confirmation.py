@@ -60,7 +60,7 @@ def test_the_servo_is_not_switched_where_nobody_can_agree(
     assert live(tc100.place, "write", f"servo={state}") == 2
     error = capsys.readouterr().err
     assert "servo: it energizes the motor, or releases what the motor holds" in error
-    assert "confirm what stands above with --yes" in error
+    assert "confirm the list above with --yes" in error
     assert requests == []
 
 

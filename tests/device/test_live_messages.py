@@ -154,7 +154,7 @@ def test_a_scan_of_parameters_finds_what_the_spec_does_not_have(
         ("esc11", ["read", "nonsense"], "there is no value nonsense"),
         ("esc11", ["write", "status=1"], "only parameters are written"),
         ("esc11", ["write", "positive_soft_limit=1 km"], "positive_soft_limit"),
-        ("esc11", ["write", "positive_soft_limit=5"], "confirm what stands above with --yes"),
+        ("esc11", ["write", "positive_soft_limit=5"], "confirm the list above with --yes"),
         ("hiwin-e", ["read", "--link", "cyclic"], "nothing on cyclic only asks"),
         ("hiwin-e", ["write", "alarm_codes[0]=1"], "not written by itself"),
     ],

@@ -68,7 +68,7 @@ def test_a_device_is_read_and_written_only_where_that_is_permitted() -> None:
         )
         assert tools == {*READS, "read", "connected", "write"}
         assert [error for error, _ in results] == [False, True, False]
-        assert "confirm what stands above" in results[1][1]
+        assert "confirm the list above" in results[1][1]
         assert device.value("registers/motion_speed") == 50
 
 

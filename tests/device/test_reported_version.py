@@ -86,7 +86,7 @@ def test_a_default_of_another_version_gives_way() -> None:
     layout, behaviour = layout_at(spec, "1.20"), behaviour_of(spec.tree_at("1.20"))
     reported = reported_version(layout, behaviour)
     assert reported is not None
-    assert reported.text == "registers/firmware is 120, which tells the version 1.20"
+    assert reported.text == "registers/firmware is 120, which identifies the version 1.20"
 
 
 def test_a_number_whose_form_is_not_known_stays_as_it_is() -> None:

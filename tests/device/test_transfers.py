@@ -114,7 +114,7 @@ def test_nothing_is_written_without_consent(
         monkeypatch.setattr("sys.stdin", nobody)
         writes = writes_of(tc100)
         assert live(tc100, "points", "upload", five_points(tmp_path)) == 2
-    assert "confirm what stands above with --yes" in capsys.readouterr().err
+    assert "confirm the list above with --yes" in capsys.readouterr().err
     assert writes == []
 
 

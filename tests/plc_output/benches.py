@@ -55,7 +55,7 @@ class Bench:
     ) -> None:
         self.world, routines, spelling, content = _generated(root, device, dialect)
         by_name = {routine.name: routine for routine in routines}
-        prefix = f"FB_{self.world.names.device}_"
+        prefix = self.world.block()
         blocks: dict[str, Routine] = {name: by_name[prefix + name.split()[0]] for name in program or names}
         self.blocks = {name: blocks[name] for name in names}
         shared = _lent(blocks)
@@ -185,7 +185,7 @@ def _types(content: str, dialect: str) -> Unit:
 def block_names(root: Path, device: str) -> list[str]:
     """The blocks of a device, without the words before their names."""
     world, routines, _, _ = _generated(root, device, "iec")
-    prefix = f"FB_{world.names.device}_"
+    prefix = world.block()
     return [routine.name.removeprefix(prefix) for routine in routines if routine.name.startswith(prefix)]
 
 

@@ -29,6 +29,7 @@ CLIENTS = {
     "meter": ["rtu"],
     "station": ["rtu", "ascii", "tcp"],
     "totalizer": ["line"],
+    "warmer": ["rtu", "tcp"],
     "wattmeter": ["rtu", "tcp"],
     "widget": ["rtu", "ascii", "packet"],
 }

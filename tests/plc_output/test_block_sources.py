@@ -54,7 +54,7 @@ FAULTS = {
     "two numbers": ("client", "Frames.error <> 0", "1 «<>» 0", "both sides of <> are numbers"),
     "a number that does not fit": (
         *("client", "    uiReason := 0;", "    uiReason := «70000»;"),
-        "70000 is not a UINT, which has 0..65535",
+        "70000 is not a valid UINT, which has 0..65535",
     ),
     "a time for a number": ("client", "iTry := 0;", "iTry := «T#5s»;", "T#5s is not a number"),
     "a missing THEN": (

@@ -38,12 +38,13 @@ class Line:
         self.codec, self.message = codec(layout).links[link], message
         functions = text(source(layout)) if dialect == "iec" else siemens(device)
         words = (link, *message.split("_"))
-        name = f"FB_{device.title()}_{''.join(word.title() for word in words)}"
+        prefix = "FB_" if dialect == "iec" else ""
+        name = f"{prefix}{device.title()}_{''.join(word.title() for word in words)}"
         functions = needed(functions, [name])
         unpacked_text = anonymous(functions) if dialect == "iec" else functions
         unit = parsed(unpacked_text)
         match = re.search(
-            rf"FUNCTION_BLOCK (FB_\w+_{link}{message.replace('_', '')})\n(.*?)END_FUNCTION_BLOCK",
+            rf"FUNCTION_BLOCK ({prefix}\w+_{link}{message.replace('_', '')})\n(.*?)END_FUNCTION_BLOCK",
             unpacked_text,
             re.S | re.I,
         )

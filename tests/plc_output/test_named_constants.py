@@ -58,7 +58,11 @@ def test_no_block_has_a_bare_number_where_a_name_belongs(target: str, device: st
         for kind, pattern in BARE.items()
         if (matches := [match for block in blocks(target, device) for match in re.findall(pattern, block)])
     }
-    of_tasks = [block for block in blocks(target, device) if re.search(r'^\W*\w+ (?:Name=|name=)?"?FB_', block)]
+    of_tasks = [
+        block
+        for block in blocks(target, device)
+        if re.search(r'^\W*\w+ (?:Name=|name=)?"?FB_|^FUNCTION_BLOCK "\w+_', block)
+    ]
     assert bare == {}
     assert [match for block in of_tasks for match in re.findall(MASK, block)] == []
 

@@ -50,6 +50,8 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
             parts.append(f"{unit_key}: {_bound(number)}")
         elif key in texts and (row.is_own or row.kind == PARAMETER) and is_text(primitive.encoding):
             parts.append(f"default: {quoted(texts[key])}")
+        elif key == "default" and number is not None and row.is_own and is_real(primitive.encoding):
+            parts.append(f"default: {number:f}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")
     return parts
