@@ -121,7 +121,7 @@ def rows() -> Iterator[Row]:
         narrow = instruction_counts(folder, text, "-O2")
         small = instruction_counts(folder, text, "-Os")
         wide = instruction_counts(folder, text, "-O2", "-DCK10_WIDE_CRC_TABLE")
-        by = f"3 per field and 1; {version(needed('gcc', 'gcc'))} -O2"
+        by = f"3 per field, plus 1; {version(needed('gcc', 'gcc'))} -O2"
         for subject in all_subjects:
             for way, fields in (("read", subject.reads), ("write", subject.writes)):
                 best = 3 * fields + 1

@@ -28,8 +28,8 @@ other figures; these compare the blocks with each other and show the order of ma
 
 *code* is the body of the block. The functions that blocks call exist once for each device; the line above each table
 has their sum, for a program that uses all of them. *data* is one instance. matiec copies each constant and
-each struct passed to a block, and adds a byte of flags to each variable. CODESYS, TwinCAT and TIA Portal pass a
-reference, and need no memory for a constant, so *own data*, which excludes these, is a better estimate for them.
+each struct passed to a block, and adds a byte of flags to each variable. CODESYS, TwinCAT and TIA Portal pass
+references and need no memory for constants; for them, *own data*, without these copies, is a better estimate.
 """
 
 

@@ -276,8 +276,8 @@ class RegisterTask(Task):
     def write(self, place: Any, value: Any) -> Work[None]:
         """Writes a value, which is encoded at once."""
         holder: Any = self.registers if isinstance(place, Register) else self.parameters
-        written: Work[None] = holder.write(place, value)
-        return written
+        work: Work[None] = holder.write(place, value)
+        return work
 
     def write_in_unit(self, place: Register[Any] | Parameter[Any], quantity: Quantity) -> Work[None]:
         """Writes a value in its unit, which is encoded at once."""

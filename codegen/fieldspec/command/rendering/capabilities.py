@@ -20,25 +20,26 @@ _INTRODUCTION = """\
 
 # What the outputs express
 
-The [first table](#constructs) says which constructs the outputs for
-engineering tools express, adapt or refuse. The [second one](#keys) says which outputs each key of the language changes.
+The [first table](#constructs) lists the constructs that outputs for
+engineering tools express, adapt or refuse. The [second table](#keys) lists the outputs that each key of the language
+changes.
 
 ## Constructs
 
-**exact**: programs get all of it, and nothing else. **adapted**: they get it in another form; the number leads to how.
-**refused**: nothing of it is written. Where a rule says so, the build does too: see [below](#what-is-left-out).
+**exact**: the output expresses the construct completely. **adapted**: in a different form; the number refers to the
+explanation below. **refused**: the output omits the construct; if a rule is named, the build reports it: see
+[below](#what-is-left-out).
 """
 
 _KEYS = """\
 ## Keys
 
-The outputs that change when the key changes in a spec, apart from the identity, which every output has. An output
-that a row does not name has no place for what the key states: the lists for operator panels have no registers, and a
-codec has no use for the line of a manual. A key of which only `docs` is named is documentation. `export` are the
-lists of `fieldspec export`, `audit` is the report of `fieldspec audit`, `simulate` is what `fieldspec simulate` does,
-and `check` are the findings, which stand only at keys that change nothing else: the findings compare them with other
-facts, or refuse them where they stand. `none` means that nothing which is built has the key: it is for readers of the
-spec. Tests verify the lines: they change a key in made-up devices and compare everything that is built from them.
+The tables list the outputs that change if a key changes in a spec, apart from the identity, which every output
+contains. Outputs that a row does not list do not use the key: the lists for operator panels contain no registers, and
+codecs do not need the line of a manual. A key with only `docs` is documentation. `export` is the list of
+`fieldspec export`, `audit` the report of `fieldspec audit`, and `simulate` the behaviour of `fieldspec simulate`.
+`check` means that only findings use the key. `none` means that no output uses the key; it only informs readers of the
+spec. Tests verify the rows: they change a key in sample devices and compare all outputs.
 """
 
 _ALL = "all outputs"

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 _INTRODUCTION = """\
 ### What is left out
 
-Where a device has something that an output refuses by a rule, the output leaves out the least that has it, and what
-needs it: a message with its functions, a table of the record, a register whose exponent it is, a task that reads it.
-The build warns of each such fact and writes all the rest; the generated files name what is left out, and why. A
-finding about the device as a whole is an error: the output leaves the device out, with one warning, and the others are
-written. Where `--to` names the output, nothing of the device is written. `fieldspec rule CODE` explains a rule.
+If a rule excludes a fact from an output, the output leaves out the fact, and the facts that need it: a message with
+its functions, a table of the record, a register with this exponent, a task that reads it. The build warns of each
+omitted fact and writes the rest; the generated files list the omitted facts with the reasons. A finding about the
+whole device is an error: the output leaves the device out, with one warning, and writes the others. If `--to` names
+the output, no file of the device is written. `fieldspec rule CODE` explains a rule.
 """
 
 NUMBERS = ("plc_numbers_binary", "plc_numbers_fit", "plc_reals_fit", "plc_reals_present", "plc_texts_ascii")
@@ -25,14 +25,14 @@ ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
         (*NUMBERS, "plc_arrays_flat", *TABLES, *LISTS),
         "its message, or its record with all messages and tables of that record, is left out",
     ),
-    ("a value in pieces", ("plc_values_whole",), "its message and the messages of the pieces are left out"),
+    ("a segmented value", ("plc_values_whole",), "its message and the messages of its segments are left out"),
     ("a telegram", ("plc_telegrams_fit",), "it is left out"),
     ("the image of a telegram", ("plc_images_exact",), "it is left out; functions convert the bytes"),
-    ("a table that moves", ("plc_addresses_constant", "output_addresses_constant"), "it is left out"),
+    ("a table with a variable base", ("plc_addresses_constant", "output_addresses_constant"), "it is left out"),
     ("a conversion", ("plc_numbers_fit",), "it is left out"),
     ("a register or a field, in dissectors", (*TABLES, "wireshark_parameters_typed"), "it is shown as bytes"),
     (
-        "a field that says how long something is, in dissectors",
+        "a field with a length or count, in dissectors",
         ("output_numbers_binary",),
         "the data of the message are shown as bytes",
     ),
@@ -43,7 +43,7 @@ ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
     (
         "a field of an exception response",
         NUMBERS,
-        "an error, since a program must know that a request was not carried out",
+        "an error, because a program must detect rejected requests",
     ),
     (
         "frames, address spaces, names, enums",
@@ -60,10 +60,10 @@ ROWS: tuple[tuple[str, tuple[str, ...], str], ...] = (
 def left_out_lines() -> Iterator[str]:
     """The lines of the part about what outputs leave out."""
     yield _INTRODUCTION
-    yield "| what breaks a rule | rules | becomes of it |"
+    yield "| fact | rules | consequence |"
     yield "|---|---|---|"
     for subject, rules, result in ROWS:
         yield f"| {subject} | {', '.join(f'[{code}](checks.md#{code})' for code in rules)} | {result} |"
     yield ""
-    yield "Codecs in Python, C and JavaScript, documentation, vectors and lists for operator panels refuse only codecs"
-    yield "of packages."
+    yield "Codecs in Python, C and JavaScript, documentation, vectors and lists for operator panels support all facts"
+    yield "except codecs of packages."

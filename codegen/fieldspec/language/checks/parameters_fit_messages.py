@@ -8,7 +8,7 @@ number, and each parameter has its own scale.
 Example: a parameter of the type `u32`, and messages that all carry its value as `u16`, or `number: index` where `index`
 has the numbers of a different set.
 
-Fix: Correct the type of the parameter, or that of the field. Name the field with the number.
+Fix: Correct the type of the parameter or of the field. Name the field with the number.
 """
 
 from __future__ import annotations

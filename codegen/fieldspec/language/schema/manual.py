@@ -162,10 +162,10 @@ def _also(part: Schema, required: list[str]) -> Iterator[str]:
         if few:
             text = f"It also takes {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
         elif left_out:
-            text += f" but {_enumeration(left_out)}"
+            text += f" except {_enumeration(left_out)}"
         must = [key for key in shared_keys if key in required]
         yield ""
-        yield text + (f"; {_enumeration(must)} is needed." if must else ".")
+        yield text + (f"; {_enumeration(must)} is required." if must else ".")
 
 
 def _words(part: Schema) -> Iterator[str]:

@@ -22,38 +22,38 @@ CONSTRUCTS = {
     "absent_reals": "sentinels of floating-point numbers that are NaN",
     "booleans": "booleans",
     "texts": "texts and bytes",
-    "formed_texts": "texts in other encodings than ASCII, and with a padding, an end or a byte order of their own",
+    "formed_texts": "texts that are not ASCII, or with a special padding, terminator or byte order",
     "text_lists": "lists of texts",
     "closed_enums": "closed enums",
     "open_enums": "open enums",
-    "aliases": "values of enums with several names",
-    "flags": "words of flags",
-    "bit_fields": "fields of several bits",
-    "bit_numbers": "fields of several bits with a sign or a scale",
-    "records": "records, and records in records",
+    "aliases": "enum values with several names",
+    "flags": "bit fields",
+    "bit_fields": "groups of several bits",
+    "bit_numbers": "groups of several bits with a sign or a scale",
+    "records": "records, also nested",
     "lists": "lists with a fixed number of elements",
-    "inner_lists": "lists of free length and choices that fields follow, and records that differ in size",
-    "choices": "fields whose type another field decides",
-    "groups": "groups of registers",
+    "inner_lists": "lists of varying length and choices before other fields, and records of varying size",
+    "choices": "fields whose type a different field selects",
+    "groups": "register groups",
     "bits": "registers of single bits",
     "byte_registers": "registers in spaces of bytes",
-    "tables": "tables of records in registers",
-    "moving_tables": "tables of records that begin where a register says",
-    "pieces": "values of parameters that are read and written in pieces",
-    "frames": "frames: head, length, check, refusals",
+    "tables": "record tables in registers",
+    "moving_tables": "record tables whose address is in a register",
+    "pieces": "parameter values that are transferred in segments",
+    "frames": "frames: header, length, checksum, exception responses",
     "hex_frames": "frames whose bytes are sent as two characters",
     "escaped_frames": "frames with escapes",
-    "other_frames": "frames with several checksums, or others than CRC-8, CRC-16, and sums and xors of 8 bits",
+    "other_frames": "frames with several checksums, or with one other than CRC-8, CRC-16, 8-bit sum or xor",
     "can_frames": "frames of CAN buses",
     "telegrams": "process data of telegrams, as values",
-    "aligned_images": "process data whose words begin at even bytes, as a struct laid over the bytes",
-    "images": "process data whose words begin at odd bytes, as a struct laid over the bytes",
+    "aligned_images": "process data with words at even offsets, as a struct that overlays the bytes",
+    "images": "process data with words at odd offsets, as a struct that overlays the bytes",
     "orders": "byte and word orders",
     "scales": "scales, offsets and units",
-    "powers": "scales that are read from another register or field",
-    "conversions": "shares of a reference",
+    "powers": "scales that are read from a different register or field",
+    "conversions": "fractions of a reference",
     "ranges": "ranges, sentinels and constants",
-    "told_ranges": "numbers that are read outside of their range, distinguished from others",
+    "told_ranges": "a mark for received numbers outside their range",
     "constants": "addresses, codes, masks and limits as constants",
     "code_texts": "texts of codes",
     "remedies": "causes and remedies of codes",
@@ -85,57 +85,65 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities: dict[str, Capability] = {}
     if dialect.widest < 8:
         capabilities["wide_numbers"] = adapted(
-            "become two numbers of 32 bits, whose scale and range programs must apply to both"
+            "each is two 32-bit numbers; programs must apply scale and range to the whole number"
         )
-        capabilities["wide_lists"] = refused("the halves of an element cannot be adjacent: plc_numbers_fit")
-        capabilities["odd_numbers"] = adapted("numbers of 24 bits are exact; wider ones are refused: plc_numbers_fit")
-        capabilities["magnitudes"] = adapted("up to 32 bits are exact; wider numbers are refused: plc_numbers_fit")
-    capabilities["digits"] = refused("there are no functions that convert them: plc_numbers_binary")
-    capabilities["inner_lists"] = refused("no functions find the fields after them: plc_lists_last")
-    capabilities["formed_texts"] = refused("there are no functions that convert them: plc_texts_ascii")
+        capabilities["wide_lists"] = refused("the two halves of an element cannot be adjacent: plc_numbers_fit")
+        capabilities["odd_numbers"] = adapted("24 bits are exact, wider numbers are refused: plc_numbers_fit")
+        capabilities["magnitudes"] = adapted("up to 32 bits are exact, wider numbers are refused: plc_numbers_fit")
+    capabilities["digits"] = refused("the functions do not convert digits: plc_numbers_binary")
+    capabilities["inner_lists"] = refused("the functions cannot locate the fields after a list: plc_lists_last")
+    capabilities["formed_texts"] = refused("the functions do not convert such texts: plc_texts_ascii")
     if not dialect.nested_arrays:
-        capabilities["text_lists"] = refused("there are no arrays of arrays: plc_arrays_flat")
+        capabilities["text_lists"] = refused("arrays of arrays are not supported: plc_arrays_flat")
     if not dialect.enums:
-        capabilities["closed_enums"] = adapted(
-            "are numbers with constants; the functions refuse numbers that are not listed"
-        )
-    capabilities["open_enums"] = adapted("are numbers with constants, because a variable of an enum holds nothing else")
-    capabilities["aliases"] = adapted("have the name to write; the others are in its comment")
-    capabilities["floats"] = adapted("infinity and NaN are refused, because comparing them differs between controllers")
-    capabilities["half_floats"] = adapted("are numbers of 32 bits; infinity and NaN are refused")
-    capabilities["wide_floats"] = refused("the functions do not convert their bits: plc_reals_fit")
-    capabilities["absent_reals"] = refused("a function would refuse the whole message: plc_reals_present")
-    capabilities["can_frames"] = refused("there are no functions for them: plc_frames_supported")
-    capabilities["escaped_frames"] = refused("there are no functions for them: plc_frames_supported")
-    capabilities["other_frames"] = refused("there are no functions for them: plc_frames_supported")
-    capabilities["byte_registers"] = refused("there are no functions for them: plc_spaces_supported")
-    capabilities["moving_tables"] = refused("the addresses of elements are constants: plc_addresses_constant")
-    capabilities["pieces"] = refused("nothing puts the pieces together: plc_values_whole")
-    capabilities["choices"] = adapted(
-        "are bit strings as wide as the widest type, with a function that returns the type; programs that convert them "
-        "to a number compare it with the ranges and the enum"
+        capabilities["closed_enums"] = adapted("numbers with named constants; the functions reject unlisted numbers")
+    capabilities["open_enums"] = adapted(
+        "numbers with named constants, because an enum variable holds only listed numbers"
     )
-    capabilities["bit_numbers"] = adapted("are masks with the sign and the scale in a comment")
-    capabilities["told_ranges"] = adapted("are numbers; programs compare them with the constants of the range")
-    capabilities["powers"] = adapted("are counts, with the name of the exponent in a comment")
+    capabilities["aliases"] = adapted("the main name; its comment lists the other names")
+    capabilities["floats"] = adapted("infinity and NaN are rejected, because controllers compare them differently")
+    capabilities["half_floats"] = adapted("32-bit numbers; infinity and NaN are rejected")
+    capabilities["wide_floats"] = refused("the functions do not convert 64-bit floating-point numbers: plc_reals_fit")
+    capabilities["absent_reals"] = refused(
+        "one missing value would make a function reject the whole message: plc_reals_present"
+    )
+    capabilities["can_frames"] = refused("the functions do not support such frames: plc_frames_supported")
+    capabilities["escaped_frames"] = refused("the functions do not support such frames: plc_frames_supported")
+    capabilities["other_frames"] = refused("the functions do not support such frames: plc_frames_supported")
+    capabilities["byte_registers"] = refused("the functions do not support byte addresses: plc_spaces_supported")
+    capabilities["moving_tables"] = refused(
+        "the functions contain element addresses as constants: plc_addresses_constant"
+    )
+    capabilities["pieces"] = refused("the functions do not reassemble segments: plc_values_whole")
+    capabilities["choices"] = adapted(
+        "bit strings as wide as the widest type, with a function that returns the type; programs that convert them to "
+        "numbers must check the ranges and the enum"
+    )
+    capabilities["bit_numbers"] = adapted("masks, with the sign and the scale in a comment")
+    capabilities["told_ranges"] = adapted("no mark; programs compare the number with the constants of the range")
+    capabilities["powers"] = adapted("raw values, with the name of the exponent in a comment")
     if dialect.bits == "packed":
-        capabilities["bit_fields"] = adapted("are masks and single bits in images, because a BOOL is one bit")
-        capabilities["images"] = refused("a gap would move every value after it: plc_images_exact")
+        capabilities["bit_fields"] = adapted(
+            "masks, or single bits in a struct over the bytes, where a BOOL is one bit"
+        )
+        capabilities["images"] = refused(
+            "the compiler inserts a gap, which moves the following values: plc_images_exact"
+        )
     else:
-        capabilities["flags"] = adapted("are words with masks, because a BOOL is a byte there")
+        capabilities["flags"] = adapted("words with masks, because a BOOL occupies a byte")
         capabilities["images"] = capabilities["aligned_images"] = adapted(
-            "have the bytes of the wire; numbers are read through functions, which turn them"
+            "the bytes in wire order; functions convert the byte order of numbers"
         )
     if not dialect.packs:
         capabilities["images"] = capabilities["aligned_images"] = adapted(
-            "are bytes, which functions make values of: the standard does not say how a struct lies in memory"
+            "bytes, which functions convert to values: the standard does not define the memory layout of a struct"
         )
     if not dialect.texts:
-        capabilities["code_texts"] = refused("are lists of structs with values, which constants cannot be there")
+        capabilities["code_texts"] = refused("they are lists of structs, which cannot be constants in this dialect")
     elif not dialect.wide_texts:
-        capabilities["code_texts"] = adapted("have ASCII alone, and at most 254 characters")
-    capabilities["remedies"] = refused("are texts for people: see the output for operator panels")
-    capabilities["labels"] = adapted("are comments")
+        capabilities["code_texts"] = adapted("only ASCII, at most 254 characters")
+    capabilities["remedies"] = refused("see the output for operator panels")
+    capabilities["labels"] = adapted("comments")
     if dialect.foreign:
         capabilities["records"] = capabilities["closed_enums"] = capabilities["constants"] = adapted(dialect.foreign)
     return {name: capabilities.get(name, Capability(EXACT)) for name in CONSTRUCTS}

@@ -212,7 +212,7 @@ DIALECTS = {
         _in_other_files(
             "plcopen",
             "PLCopen XML",
-            "attributes and lists of constants are data of CODESYS, which tools of others leave out",
+            "attributes and constant lists are CODESYS extensions, which other tools ignore",
         ),
         IEC,
         SIEMENS,

@@ -61,7 +61,7 @@ Example: a field with `type: u64, count: 4`.
 
 Fix: Do without the omitted facts, or state the numbers as separate fields.
 """,
-    "plc_enums_fit": """One type holds all numbers of an enum, and one holds all codes that have texts.
+    "plc_enums_fit": """All numbers of an enum fit one type, and so do all codes that have texts.
 
 Why: a member is compared with the number on the wire in one type, and lists of texts have their codes in one column.
 

@@ -51,4 +51,7 @@ _EXACT = ("code_texts", "remedies", "labels")
 
 def capabilities() -> Mapping[str, Capability]:
     """How far each construct is expressed: codes alone, since a list of texts has nothing else."""
-    return {name: Capability(EXACT) if name in _EXACT else refused("is not a text of a code") for name in CONSTRUCTS}
+    return {
+        name: Capability(EXACT) if name in _EXACT else refused("the output contains only texts of codes")
+        for name in CONSTRUCTS
+    }

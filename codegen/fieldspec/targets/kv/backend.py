@@ -87,36 +87,40 @@ def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[
         address = dialect.next_step(address + area.words)
 
 
-_TABLE = "are in the table, for people; KV STUDIO imports comments alone"
+_TABLE = "only in the table, because KV STUDIO imports only comments"
 _NOT_EXACT = {
-    "wide_numbers": adapted("are words; no instruction of the KV takes them"),
-    "wide_lists": adapted("are words; no instruction of the KV takes them"),
-    "magnitudes": adapted("are words; the ladder makes numbers of them"),
-    "half_floats": adapted("are words; the ladder makes numbers of them"),
-    "bits": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
-    "escaped_frames": refused("have other bytes than their parts: output_frames_words"),
-    "hex_frames": refused("have two characters for each byte: output_frames_words"),
-    "can_frames": refused("are not words of a serial line: output_frames_words"),
-    "byte_registers": refused("are in no word; the bytes of their messages are in the map: output_registers_words"),
-    "moving_tables": refused("addresses are constants: output_addresses_constant"),
-    "pieces": adapted("are messages whose words are in the map; nothing puts them together"),
-    "choices": adapted("are listed once for each type, with the values that select it"),
-    "aliases": adapted("have the name to write"),
-    "other_frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
-    "frames": adapted("are words to fill in and to compare; nothing sums and compares them"),
-    "orders": adapted("are said for each value; the ladder turns words and bytes"),
+    "wide_numbers": adapted("words, which no KV instruction reads as one number"),
+    "wide_lists": adapted("words, which no KV instruction reads as one number"),
+    "magnitudes": adapted("words, which the ladder must convert to numbers"),
+    "half_floats": adapted("words, which the ladder must convert to numbers"),
+    "bits": refused(
+        "they do not occupy whole words; the map lists the bytes of their messages: output_registers_words"
+    ),
+    "escaped_frames": refused("the sent bytes differ from the bytes of the parts: output_frames_words"),
+    "hex_frames": refused("each byte is sent as two characters: output_frames_words"),
+    "can_frames": refused("they are not sent as words on a serial line: output_frames_words"),
+    "byte_registers": refused(
+        "they do not occupy whole words; the map lists the bytes of their messages: output_registers_words"
+    ),
+    "moving_tables": refused("the map contains addresses as constants: output_addresses_constant"),
+    "pieces": adapted("the map lists the words of the messages; the ladder must reassemble the segments"),
+    "choices": adapted("listed once for each type, with the values that select it"),
+    "aliases": adapted("only the main name"),
+    "other_frames": adapted("words; the ladder must fill, sum and compare them"),
+    "frames": adapted("words; the ladder must fill, sum and compare them"),
+    "orders": adapted("stated for each value; the ladder must exchange words and bytes"),
     "scales": adapted(_TABLE),
     "powers": adapted(_TABLE),
-    "conversions": refused("are formulas, which a map of words has not"),
-    "digits": refused("instructions do not read them as numbers: output_numbers_binary"),
-    "inner_lists": refused("the words after them have no fixed address: output_lists_last"),
-    "formed_texts": refused("instructions copy their bytes: output_texts_ascii"),
+    "conversions": refused("they are formulas, which a word map does not contain"),
+    "digits": refused("KV instructions do not read digits as numbers: output_numbers_binary"),
+    "inner_lists": refused("the words after a list have no fixed address: output_lists_last"),
+    "formed_texts": refused("KV instructions copy the bytes unconverted: output_texts_ascii"),
     "ranges": adapted(_TABLE),
     "told_ranges": adapted(_TABLE),
     "constants": adapted(_TABLE),
-    "code_texts": refused("are not words: see the output for operator panels"),
-    "remedies": refused("are not words: see the output for operator panels"),
-    "labels": adapted("are in the table; comments are ASCII"),
+    "code_texts": refused("see the output for operator panels"),
+    "remedies": refused("see the output for operator panels"),
+    "labels": adapted("only in the table, because comments are ASCII"),
 }
 
 

@@ -280,9 +280,9 @@ def _device_order(device: Device, key: str) -> str:
 
 
 def conversion_changed(comparison: Comparison) -> Iterator[Change]:
-    """The percentage of the reference for a count, the signals or the references of a conversion have changed.
+    """The full scale, the complement, the signals or the references of a conversion have changed.
 
-    Why: the same count is a different speed, torque or distance.
+    Why: the same raw value is a different speed, torque or distance.
 
     Example: `full_scale: 0x4000` that becomes `full_scale: 0x40000000`.
 
