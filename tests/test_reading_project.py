@@ -170,7 +170,7 @@ uses: [{protocol: wire, links: [rtu]}]
 links: [{name: rtu, doc: Laid over.}]
 """
     model = device("uses: [{protocol: layer}]\n", protocols_layer=layer, protocols_wire=WIRE)
-    assert (model.links["rtu"].doc, model.links["rtu"].encoding) == ("Laid over.", "binary")
+    assert (model.links["rtu"].doc, model.links["rtu"].transmission) == ("Laid over.", "binary")
 
 
 def test_facts_of_a_device_override_those_of_its_protocol_by_name_and_at_any_depth() -> None:
