@@ -190,7 +190,7 @@ enums:
         protocols_wire=WIRE,
     )
     rtu = model.links["rtu"]
-    assert (rtu.encoding, rtu.doc) == ("binary", "Of the protocol.")
+    assert (rtu.transmission, rtu.doc) == ("binary", "Of the protocol.")
     assert rtu.unit_addresses is not None
     assert [(part.name, part.role, part.label) for part in rtu.request] == [
         ("station", "unit_address", ""),
