@@ -117,7 +117,9 @@ def device(names: list[str]) -> dict[str, Any]:
     manual = {"title": "The manual", "file": "chance.txt", "sha256": "0" * 64, "lines": 99}
     return {
         "device": {"id": "chance", "name": "Chance", "vendor": "Nobody", "manual": manual},
-        "links": [fact("line", transmission="binary", byte_order="big", word_order="big", request=parts, response=parts)],
+        "links": [
+            fact("line", transmission="binary", byte_order="big", word_order="big", request=parts, response=parts)
+        ],
         "enums": [fact("mode", members=members)],
         "flags": [fact("status", type="u32", bits=[fact(name, bit=at) for at, name in enumerate(names[:30])])],
         "records": [fact("all", fields=[*words[:40], fact("mode_now", type="u16", enum="mode")])],

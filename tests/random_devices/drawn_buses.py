@@ -99,7 +99,7 @@ def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:
             behind.insert(draft.pick((0, len(behind) - 1, len(behind))), _checksum(draft))
         if not is_bare and draft.chance(15):
             first = next(at for at, part in enumerate(behind) if part.get("role") == "body")
-            behind.insert(draft.number(0, first), _part(draft, "length", "u8", counts={"from": behind[0]["name"]}))
+            behind.insert(draft.number(0, first), _part(draft, "length", "u8", measures={"from": behind[0]["name"]}))
         for part in behind:
             if part.get("role") == "checksum":
                 others = [other["name"] for other in behind if other is not part]
