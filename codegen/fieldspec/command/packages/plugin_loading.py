@@ -153,7 +153,7 @@ def _checked_findings(plugin: Plugin, findings: Any) -> list[Diagnostic]:
             raise plugin.error("it yields something that is not a Diagnostic")
         for attribute, kind, noun in _FINDING:
             if not isinstance(getattr(finding, attribute), kind):
-                raise plugin.error(f"the {attribute} of its finding is not a valid {noun}")
+                raise plugin.error(f"the {attribute} of its finding is not a {noun}")
         if not isinstance(finding.labels, tuple) or not all(isinstance(label, Label) for label in finding.labels):
             raise plugin.error("the labels of its finding are not a tuple of Label objects")
     return result
