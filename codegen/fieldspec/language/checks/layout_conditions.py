@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.language.checks.can_frames_complete import can_frames_complete
 from fieldspec.language.checks.choices_complete import choices_complete
 from fieldspec.language.checks.links_complete import links_complete
 from fieldspec.language.checks.messages_complete import messages_complete
@@ -12,6 +13,7 @@ from fieldspec.language.checks.varying_widths_end import varying_widths_end
 from fieldspec.language.model.device import Device
 
 _CHECKS = (
+    can_frames_complete,
     references_resolve,
     records_finite,
     repeat_last,
