@@ -72,7 +72,7 @@ def _of_blocks(data: bytes) -> list[tuple[int, int]]:
 def _of_identifier(escape: Escape, data: bytes) -> list[tuple[int, int]]:
     """The first part is in the place of the whole header, and the other parts of the identifier follow it.
 
-    In a remote request the number of the data has the second half of the header.
+    In a remote request, the requested number of bytes is in the second half of the header.
     """
     wrong = escape.wrong_header(data)
     if wrong is not None:

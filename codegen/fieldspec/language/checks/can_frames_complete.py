@@ -1,6 +1,6 @@
 """The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
-data have at most eight bytes. Numbers fit into their bits. Nothing else than a CAN bus has parts with bits, and remote
-requests; these have all their parts in the identifier, and a code among them.
+data have at most eight bytes. Numbers fit into their bits. Only a CAN bus has parts with bits and remote requests. A
+remote request has all its parts in the identifier, and a code among them.
 
 Why: the value of a bit without a part would be undefined, and a frame with more data cannot be sent.
 

@@ -3,8 +3,8 @@ member of that enum is in at most one case. A choice with several elements ends 
 exception, and all before it has a fixed size. No field measures another choice, no parameter is in one, and no table
 has a choice.
 
-Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members without a case,
-without a case, because nothing says what follows them. Where elements of a choice end, only the end of the data tells.
+Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
+without a case, because the data that follow them are unknown. Only the end of the data ends the elements of a choice.
 
 Example: `choice: {by: format, cases: [...]}` where two cases have `when: [unsigned16]`, or where the field
 `format` comes after the values.

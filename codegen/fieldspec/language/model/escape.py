@@ -23,9 +23,10 @@ class Escape:
 
     `can` packs the first parts into the identifier of a CAN frame, which has `bits` bits. `fields` has the size, the
     byte order, the first bit and the number of bits of each of these parts. The sent bytes are a frame as SocketCAN
-    writes it in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of the data;
-    zeros; the data. Where there are remote requests, `remote` is the place of the code in `fields`, and the code of one
-    has the bit `CAN_REMOTE`. It is sent without data, and its only byte of data is the number of the data.
+    writes it in captures: the identifier in four bytes, the first bit set where it has 29 bits; the number of data
+    bytes; three zeros; the data. Where there are remote requests, `remote` is the place of the code
+    in `fields`, and the code of one has the bit `CAN_REMOTE`. It is sent without data,
+    and its only byte of data is the requested number of data bytes.
 
     `pairs` are for `replace`: a byte, and the two bytes that are sent for it. `insert` sends the byte `inserted` after
     each occurrence of `pattern`; the search restarts after it. `add` sends each byte plus `inserted`, without the

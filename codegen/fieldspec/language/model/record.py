@@ -218,8 +218,8 @@ class Message(Fact):
     people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
     those that it `supplements`. It is answered on the links in `answered_on`, which is None for all. The lengths of the
     frame are in bytes, and the words count the data, as printed. A message that does more with registers than one
-    access has `access_steps`; outputs never choose it to read or to write a register. A request that
-    is `remote` goes over a CAN bus as a remote request for bytes, whose number its only field repeats.
+    access has `access_steps`; outputs never choose it to read or to write a register. `remote` is the number of
+    bytes that a remote request on a CAN bus asks for, which its only field repeats; None for other requests.
     """
 
     title: str

@@ -147,10 +147,7 @@ def _refuse_unstated(entry: Entry) -> None:
     entry.refuse("missing_key", "name", text, help)
 
 
-_OF_REQUESTS = (
-    *("request", "remote", "accesses"),
-    *("segments", "broadcast", "supplements", "response_code"),
-)
+_OF_REQUESTS = ("request", "remote", "accesses", "segments", "broadcast", "supplements", "response_code")
 """The keys of messages that say something of a request."""
 
 

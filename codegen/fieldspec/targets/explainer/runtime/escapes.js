@@ -164,8 +164,8 @@ export function canIdentifier(bits, fields, remote = -1) {
       if (size > 8) throw new CodecError("wrong_length", `a CAN frame has at most 8 bytes of data, not ${size}`);
       return Uint8Array.from([identifier / 2 ** 24, identifier / 2 ** 16, identifier / 256, identifier, size, 0, 0, 0, ...content].map((byte) => byte & 0xff));
     },
-    // The first part is in the place of the whole header, and the others of the identifier are behind it. In a remote
-    // request the number of the data has the second half of the header.
+    // The first part is in the place of the whole header, and the other parts of the identifier follow it. In a remote
+    // request, the requested number of bytes is in the second half of the header.
     walk(data, give) {
       const wrong = wrongCanHeader(bits, data, remote);
       if (wrong >= 0) throw wrongEscape(canHeaderFault(bits, data, wrong, remote), wrong);
