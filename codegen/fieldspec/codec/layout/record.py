@@ -41,10 +41,10 @@ class FieldLayout:
     other fields follow it, or its record is part of another one, `size` is that of the greatest case, and `forms`
     is the field as each number of the `selector`, a field before it, decides it.
 
-    `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. For a field with
-    the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of equal sizes
-    the number to write first; it is empty if all bytes are the value. For the bit count of a write request, `bits_of` is
-    the list into whose bytes the bits are packed; it is empty for other fields.
+    `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. For a field
+    with the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of
+    equal sizes the number to write first; it is empty if all bytes are the value. For the bit count of a write
+    request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields.
     """
 
     field: Field
