@@ -8,7 +8,7 @@ from device_models.done_rules import (
     home_is_done_by_this_run,
     what_waits_for_the_device_ends,
 )
-from device_models.monitor_cases import DONE, EDGE, HOME, MOVES, POINT, STANDS, Case
+from device_models.monitor_cases import DONE, EDGE, HOME, HOMED, MOVES, POINT, STANDS, Case
 
 DONE_CASES = (
     Case(
@@ -28,6 +28,18 @@ DONE_CASES = (
         34,
         ("", HOME, "accepted:home:1 n1", "stop:outside interrupted:home:1 n0", "-Home.Busy +Home.Done"),
         ("", HOME, "accepted:home:1 n1", "stop:command interrupted:home:1 n0", "-Home.Busy +Home.Done"),
+    ),
+    Case(
+        home_is_done_by_this_run,
+        34,
+        ("", HOME, "accepted:home:1 n1", "restart -Home.Execute -Home.Busy", HOME, HOMED, "-Home.Busy +Home.Done"),
+        ("", HOME, "accepted:home:1 n1", "-Home.Execute -Home.Busy", HOME, HOMED, "-Home.Busy +Home.Done"),
+    ),
+    Case(
+        home_is_done_by_this_run,
+        34,
+        ("", HOME, "accepted:home:1 n1", "restart -Home.Execute -Home.Busy", HOME, HOMED, "-Home.Busy +Home.Done"),
+        ("", HOME, "accepted:home:1 n1", f"restart -Home.Execute -Home.Busy {HOMED}", HOME, "-Home.Busy +Home.Done"),
     ),
     Case(
         done_is_at_the_target,

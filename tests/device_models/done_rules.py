@@ -85,6 +85,8 @@ def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Ite
                 continue
             edge = calls.edge_before(scan)
             begun = history.accepted(calls, calls.scans[edge], scan) if edge >= 0 else []
+            if not begun and edge >= 0 and calls.kind == "home":
+                begun = _homing_before_restart(history, calls.scans[edge], scan)
             if not begun:
                 yield Violation(rule, scan, calls.name, "Done, and the device has accepted no command for it")
                 continue
@@ -98,6 +100,24 @@ def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Ite
             elif not _was_there(history, _looks_from(history, calls, index, accepted), scan, reached):
                 text = f"Done at {state.position:g}, and the last looks do not show that it stands at {reached:g}"
                 yield Violation(rule, scan, calls.name, text)
+
+
+def _homing_before_restart(history: History, edge: int, last: int) -> list[tuple[int, Event]]:
+    """The homing that a device has accepted before its controller was switched on, and ends after an edge.
+
+    A device that is homing takes no second start, and shows the block the home that is set after its edge.
+    """
+    restarted = max((scan for scan in history.restarts if scan <= edge), default=-1)
+    ended = {
+        event.number
+        for scan, event in history.events
+        if edge < scan <= last and event.about == "home" and event.kind == "reached"
+    }
+    return [
+        (edge, event)
+        for scan, event in history.events
+        if scan < restarted and event.kind == "accepted" and event.number in ended
+    ]
 
 
 def _place_reached(history: History, command: Event, last: int) -> float | None:

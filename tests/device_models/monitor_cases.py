@@ -28,6 +28,7 @@ JOGS = "ask:start_jog_forward accepted:jog_forward:1:1 began:jog_forward:1:1 n1 
 JOG_EDGE = "+Jog.JogForward +Jog.Busy"
 POINT = "+Point.Execute +Point.Busy"
 HOME = "+Home.Execute +Home.Busy"
+HOMED = "reached:home:1 n0"
 HOMES = "word:0C2F ask:start_home accepted:home:1 began:home:1 n1 v-100"
 STOP = "+Stop.Execute +Stop.Busy"
 MOVING = "began:absolute:1:500 w0 n1 v100"
