@@ -119,7 +119,10 @@ def _meant(unit: str, known: Collection[str]) -> str:
     if scaled is not None and (symbol := _symbol(scaled[2], known)):
         return f"state the factor apart: `scale: {scaled[1]}, unit: {_yaml_text(symbol)}`"
     symbol = _symbol(unit, known)
-    return f"write it as `{_yaml_text(symbol)}`" if symbol else near(unit, known)
+    if symbol:
+        return f"write it as `{_yaml_text(symbol)}`"
+    help = near(unit, known)
+    return help if help.endswith("?") else f"{help}, or declare it under `units`"
 
 
 def _symbol(unit: str, known: Collection[str]) -> str:
