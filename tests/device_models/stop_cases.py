@@ -21,6 +21,7 @@ from device_models.stop_rules import (
 )
 
 HALT = "word:042F +Halt.Execute +Halt.Busy"
+ACCEPTED = "ask:start_absolute accepted:absolute:1 w1 -Halt.Busy +Halt.Done"
 
 STOP_CASES = (
     Case(
@@ -134,6 +135,12 @@ STOP_CASES = (
     Case(
         a_stop_never_gives_up,
         23,
+        ("word:043F", HALT, EDGE, "word:043F", "-Halt.Busy +Halt.Done -Move.Busy +Move.Error"),
+        ("word:043F", HALT, EDGE, "word:043F -Move.Busy +Move.Error", "-Halt.Busy +Halt.Done"),
+    ),
+    Case(
+        a_stop_never_gives_up,
+        23,
         ("word:043F", HALT, EDGE, "word:047F ask:start_absolute -Halt.Busy +Halt.Done"),
         ("word:043F", "+Halt.Execute +Halt.Busy", EDGE, "word:047F ask:start_absolute -Halt.Busy +Halt.Done"),
     ),
@@ -160,6 +167,18 @@ STOP_CASES = (
         24,
         ("w1", "+Stop.Execute +Stop.Busy", "+Stop.Done", "began:absolute:1 w0 n1 v9"),
         ("w1", "+Stop.Execute +Stop.Busy", "-Stop.Busy +Stop.Done", "began:absolute:1 w0 n1 v9"),
+    ),
+    Case(
+        a_stop_is_done_at_standstill,
+        24,
+        ("", HALT, EDGE, ACCEPTED, "began:absolute:1 w0 n1 v9"),
+        ("", EDGE, HALT, ACCEPTED, "began:absolute:1 w0 n1 v9"),
+    ),
+    Case(
+        a_stop_is_done_at_standstill,
+        24,
+        ("", HALT, EDGE, ACCEPTED, "began:absolute:1 w0 n1 v9"),
+        ("", HALT, EDGE, "accepted:absolute:1 w1", "-Halt.Busy +Halt.Done", "began:absolute:1 w0 n1 v9"),
     ),
     Case(
         a_stop_is_done_at_standstill,

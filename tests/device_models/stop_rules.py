@@ -88,7 +88,7 @@ def a_stop_is_done_at_standstill(history: History) -> Iterator[Violation]:
                 continue
             number = states[1].waiting
             begin = _begin_of(history, number)
-            if not number or begin <= scan:
+            if not number or begin <= scan or (calls.kind == "halt" and _is_of_successor(history, calls, scan, number)):
                 continue
             if "Done" in calls.ends[calls.index_at(begin)] and not calls.busy_at(begin):
                 yield Violation(24, begin, calls.name, "Done, and a motion of before begins")
@@ -316,10 +316,18 @@ def _others_lock(history: History, calls: Calls, first: int, last: int) -> bool:
 
 
 def _is_succeeded(history: History, first: int, last: int) -> bool:
-    """Whether the axis stands, and a motion is Busy whose edge was not before a scan."""
-    edges = [(calls, calls.edge_before(last)) for calls in history.of_kind(*MOTIONS) if calls.busy_at(last)]
+    """Whether the axis stands, and a motion is Busy, or was until now, whose edge was not before a scan."""
+    motions = [calls for calls in history.of_kind(*MOTIONS) if calls.busy_at(last) or calls.busy_at(last - 1)]
+    edges = [(calls, calls.edge_before(last)) for calls in motions]
     stands = not history.scans[last].state.velocity
     return stands and any(edge >= 0 and calls.scans[edge] >= first for calls, edge in edges)
+
+
+def _is_of_successor(history: History, halt: Calls, last: int, number: int) -> bool:
+    """Whether the device has accepted a motion in the scan in which a halt ends, of a block called after its edge."""
+    edge = halt.scans[max(halt.edge_before(last), 0)]
+    owner = next((name for scan, event, name in history.owners if scan == last and event.number == number), "")
+    return bool(owner) and history.blocks[owner].scans[max(history.blocks[owner].edge_before(last), 0)] >= edge
 
 
 def _is_followed(history: History, number: int, last: int) -> bool:
