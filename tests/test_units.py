@@ -15,9 +15,9 @@ UNITS = standard_units()
 
 
 def unit(symbol: str) -> Unit:
-    found = standard_unit(symbol)
-    assert found is not None, symbol
-    return found
+    result = standard_unit(symbol)
+    assert result is not None, symbol
+    return result
 
 
 def test_no_symbol_stands_for_two_units() -> None:
