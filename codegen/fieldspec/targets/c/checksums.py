@@ -14,9 +14,10 @@ from fieldspec.targets.c.declarations import Declaration, Source
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, add, add_size, different, negate
 from fieldspec.targets.c.literals import decimal, hexadecimal, unsigned
 from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.number_access import access_name
 from fieldspec.targets.c.runtime_files import copy_runtime, package_text
 from fieldspec.targets.c.statements import Evaluation, Statement
-from fieldspec.targets.c.values import access_name, store
+from fieldspec.targets.c.values import store
 
 _FORMS = "checksum_forms.h"
 _SIZES = (1, 2, 4, 8)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cache
+from functools import cache, partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.package_codecs import number_codecs
@@ -17,14 +17,15 @@ from fieldspec.codec.layout.record import Orders, RecordLayout, RegisterLayout
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.codecs import Codec, NumberCodec
 from fieldspec.language.model.digits import NIBBLES
-from fieldspec.language.model.encoding import Sign, Whole, is_odd, is_text
+from fieldspec.language.model.encoding import MACHINE_BITS, Sign, Whole, is_odd, is_text
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.declarations import Source
 from fieldspec.targets.c.digits import digits_parts
 from fieldspec.targets.c.literals import hexadecimal
 from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
-from fieldspec.targets.c.values import WireValue, access_name
+from fieldspec.targets.c.number_access import access_functions, access_name
+from fieldspec.targets.c.values import WireValue
 from fieldspec.targets.pieces import piece
 from fieldspec.targets.templates import text
 
@@ -41,10 +42,29 @@ def copy_runtime(naming: Naming, file: str, part: str = "", words: Mapping[str, 
 
 
 def _copied(naming: Naming, file: str, part: str, words: Mapping[str, str] | None) -> Source:
+    return _named(naming, runtime_text(file, part, words))
+
+
+def runtime_text(file: str, part: str = "", words: Mapping[str, str] | None = None) -> str:
+    """A file, or a part of it, with the names of no device. `words` replace the words of a form."""
     content = _parts(file)[part] if part else text(f"{_FOLDER}/{file}")
-    if words:
-        content = re.sub(r"\b(device_)?(" + "|".join(words) + r")\b", lambda m: (m[1] or "") + words[m[2]], content)
+    if not words:
+        return content
+    return re.sub(r"\b(device_)?(" + "|".join(words) + r")\b", lambda m: (m[1] or "") + words[m[2]], content)
+
+
+def _named(naming: Naming, content: str) -> Source:
+    """C of this folder or of a package, with the names of a device."""
     return Source(_PREFIXED.sub(lambda match: _device_name(naming, match), content))
+
+
+def _copy_accesses(naming: Naming, used: set[str], is_odd: bool) -> list[list[Source]]:
+    """The functions that load and store numbers of the sizes that C has, or of the others."""
+    return [
+        [piece("c accesses", (), (name,), partial(_named, naming, functions), naming)]
+        for name, functions in access_functions(is_odd).items()
+        if name in used
+    ]
 
 
 def _device_name(naming: Naming, match: re.Match[str]) -> str:
@@ -86,7 +106,6 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     usual_texts = any(is_text(wire.encoding) and wire.value.text_form is None for wire in wires)
     characters = any(link.link.transmission == "hex_ascii" for link in layout.links.values())
     parts = [
-        *_accesses(layout, wires),
         *(["bits"] if has_bits(layout) else []),
         "signed",
         *(["float"] if functions & {"float_of", "float_of_half"} else []),
@@ -94,9 +113,11 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
         *(["text"] if usual_texts else []),
         *(["hexadecimal"] if characters else []),
     ]
-    odd_parts = _odd_accesses(layout, wires) | functions
-    odd = [
-        [copy_runtime(naming, "odd_numbers.h", part)] for part in runtime_parts("odd_numbers.h") if part in odd_parts
+    odd = _copy_accesses(naming, _odd_accesses(layout, wires), is_odd=True)
+    odd += [
+        [copy_runtime(naming, "number_forms.h", "signed", signed_words(bits))]
+        for bits in range(8, 65, 8)
+        if bits not in MACHINE_BITS and f"signed_{bits}" in functions
     ]
     odd += [[copy_runtime(naming, "number_forms.h", "half")]] * ("float_of_half" in functions)
     odd += [
@@ -113,10 +134,11 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     odd += [[copy_runtime(naming, "inner_lists.h", "inner_lists")]] * inner
     odd += [_codec(naming, name, codec) for name, codec in number_codecs(layout).items()]
     additional = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
-    return [[copy_runtime(naming, "numbers.h", part)] for part in parts] + additional
+    accesses = _copy_accesses(naming, _accesses(layout, wires), is_odd=False)
+    return accesses + [[copy_runtime(naming, "numbers.h", part)] for part in parts] + additional
 
 
-def _accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> list[str]:
+def _accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
     """The widths and orders of the device's numbers, as in the names of the functions that load and store them."""
     used = {wire.access for wire in wires if not wire.is_array and not wire.value.is_as_sent}
     for link in layout.links.values():
@@ -125,7 +147,7 @@ def _accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> list[str]:
             subcodes = link.subcodes(frame.direction) if frame.role("code") is not None else {}
             used |= {access_name(subcode.size, subcode.order, False) for subcode in subcodes.values()}
         used |= {access_name(4, "big", False)} if link.link.is_can else set()  # that of the identifier
-    return [name for name in runtime_parts("numbers.h") if name in used]
+    return used
 
 
 def _odd_accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
@@ -137,7 +159,7 @@ def _odd_accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
 
 def package_text(naming: Naming, codec: Codec) -> Source:
     """The C of a package, with the names of a device."""
-    return Source(_PREFIXED.sub(lambda match: _device_name(naming, match), codec.c.strip() + "\n"))
+    return _named(naming, codec.c.strip() + "\n")
 
 
 def _codec(naming: Naming, name: str, codec: NumberCodec) -> list[Source]:
@@ -145,6 +167,15 @@ def _codec(naming: Naming, name: str, codec: NumberCodec) -> list[Source]:
     words = {"codec_decode": f"{name}_decode", "is_codec": f"is_codec_{name}", "load_codec": f"load_codec_{name}"}
     words |= {"LOW": f"INT64_C({codec.low})", "HIGH": f"INT64_C({codec.high})"}
     return [package_text(naming, codec), copy_runtime(naming, "number_forms.h", "codec", words)]
+
+
+def signed_words(bits: int) -> dict[str, str]:
+    """The words of the function from the bits of a signed number that has fewer bits than its type to the number."""
+    number = machine(Whole(bits, Sign.COMPLEMENT))
+    sign = hexadecimal(1 << bits - 1, machine_bits(bits) // 8).text
+    least = sign.removesuffix("u") if sign.endswith("u") else sign.replace("UINT64_C", "INT64_C")
+    words = {"signed": f"signed_{bits}", "number_type": number.type, "word_type": number.word}
+    return {**words, "SIGN": sign, "LEAST": least}
 
 
 def _magnitude_words(bits: int) -> dict[str, str]:

@@ -31,8 +31,9 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.number_access import access_name
 from fieldspec.targets.c.statements import If, Return, Statement, Variable, assign
-from fieldspec.targets.c.values import access_name, refuse
+from fieldspec.targets.c.values import refuse
 
 
 def shared_codes(link: LinkLayout, direction: str) -> dict[int, Subcode]:

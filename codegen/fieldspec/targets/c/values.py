@@ -55,6 +55,7 @@ from fieldspec.targets.c.expressions import (
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.machine import fixed_bits, literal, machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.number_access import access_name
 from fieldspec.targets.c.statements import Assignment, Body, Evaluation, Return, Variable, call, return_if
 
 if TYPE_CHECKING:
@@ -125,15 +126,6 @@ def accessed_type(naming: Naming, device: Device, value: Value) -> str:
     """The type of a value as a parameter or a result: that of its closed enum, where it may have it."""
     enum = enum_type(device, value)
     return type_name(value) if enum is None else naming.type("enum", enum.name)
-
-
-def access_name(size: int, order: str, swapped: bool) -> str:
-    """The end of the names of functions that load and store a number: `u32_be`, `u32_be_words_le`"""
-    if size == 1:
-        return "u8"
-    first = "be" if order == "big" else "le"
-    second = ("_words_le" if order == "big" else "_words_be") if swapped else ""
-    return f"u{8 * size}_{first}{second}"
 
 
 def load_bits(naming: Naming, wire: WireValue, source: Expression) -> Expression:

@@ -61,6 +61,13 @@ static inline uint16_t device_half_of(float value)
     return (uint16_t)(sign | half);
 }
 
+/* ---- signed ---- */
+
+DEVICE_INLINE number_type device_signed(word_type raw)
+{
+    return (number_type)(raw ^ SIGN) - LEAST;
+}
+
 /* ---- magnitude ---- */
 
 /* The number of bits of which the highest says that it is below zero. */
