@@ -229,6 +229,12 @@ MOTION_CASES = (
     Case(
         an_alarm_ends_a_motion,
         33,
+        ("", EDGE, MOVES, "alarm:3 alarm n0 v0", f"{STOP} -Move.Busy +Move.CommandAborted"),
+        ("", f"{STOP} -Stop.Execute", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.CommandAborted"),
+    ),
+    Case(
+        an_alarm_ends_a_motion,
+        33,
         ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.Error Move.ErrorID=8 x400"),
         ("ms:50", EDGE, MOVES, "alarm:3 alarm n0 v0 x200", "-Move.Busy +Move.Error Move.ErrorID=8 x400"),
     ),

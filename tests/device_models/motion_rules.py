@@ -56,6 +56,12 @@ def _has_successor(history: History, number: int, scan: int) -> bool:
     )
 
 
+def _is_stopped(history: History, first: int, last: int) -> bool:
+    """Whether a stop has an edge in one of some scans, both included. It has the axis, whatever the device shows."""
+    edges = [(calls, calls.edge_before(last)) for calls in history.of_kind(*STOPS)]
+    return any(edge >= 0 and calls.scans[edge] >= first for calls, edge in edges)
+
+
 def _is_being_stopped(history: History, number: int, first: int) -> bool:
     """Whether each telegram from a scan on asks to stop until the device gets one, and a stop answers for it so long.
 
@@ -220,7 +226,11 @@ def an_alarm_ends_a_motion(history: History) -> Iterator[Violation]:
                     yield Violation(33, scan, calls.name, "an alarm, and it stays Busy")
             elif ending[1] == "Done" and not _was_reached(history, number, ending[0]):
                 yield Violation(33, ending[0], calls.name, f"Done after the alarm of scan {scan}")
-            elif ending[1] == "CommandAborted" and not _has_successor(history, number, ending[0]):
+            elif (
+                ending[1] == "CommandAborted"
+                and not _has_successor(history, number, ending[0])
+                and not _is_stopped(history, scan, ending[0])
+            ):
                 yield Violation(33, ending[0], calls.name, f"CommandAborted after the alarm of scan {scan}")
             elif ending[0] > history.after(scan) and _is_clear(history, scan + 1):
                 yield Violation(33, ending[0], calls.name, f"the alarm of scan {scan} ends it so late")

@@ -172,8 +172,8 @@ def _codec(naming: Naming, name: str, codec: NumberCodec) -> list[Source]:
 def signed_words(bits: int) -> dict[str, str]:
     """The words of the function from the bits of a signed number that has fewer bits than its type to the number."""
     number = machine(Whole(bits, Sign.COMPLEMENT))
-    sign = hexadecimal(1 << bits - 1, machine_bits(bits) // 8).text
-    least = sign.removesuffix("u") if sign.endswith("u") else sign.replace("UINT64_C", "INT64_C")
+    sign = f"0x{1 << bits - 1:X}"
+    sign, least = (f"{sign}u", sign) if bits < 32 else (f"UINT64_C({sign})", f"INT64_C({sign})")
     words = {"signed": f"signed_{bits}", "number_type": number.type, "word_type": number.word}
     return {**words, "SIGN": sign, "LEAST": least}
 
