@@ -8,7 +8,7 @@ from device_models.done_rules import (
     home_is_done_by_this_run,
     what_waits_for_the_device_ends,
 )
-from device_models.monitor_cases import DONE, EDGE, HOME, HOMED, MOVES, POINT, STANDS, Case
+from device_models.monitor_cases import DONE, EDGE, HOME, HOMED, MOVES, POINT, STANDS, STOP, Case
 
 DONE_CASES = (
     Case(
@@ -155,6 +155,12 @@ DONE_CASES = (
         40,
         ("ms:50", "+Read.Enable +Read.Valid", "-Read.Valid +Read.Error lost", "x150", "-Read.Error +Read.Valid x300"),
         ("ms:50", "+Read.Enable +Read.Valid", "-Read.Valid +Read.Error lost", "x300"),
+    ),
+    Case(
+        a_reading_recovers,
+        40,
+        ("ms:50", "+Read.Enable +Read.Error", f"{STOP}", "-Stop.Busy +Stop.Done x200", "-Read.Error +Read.Valid x300"),
+        ("ms:50", f"{STOP}", "-Stop.Busy +Stop.Done", "+Read.Enable +Read.Error x201", "-Read.Error +Read.Valid x300"),
     ),
     Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, MOVES, DONE)),
     Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, DONE)),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from device_models.axis import Event
-from device_models.history import LOCKS, MOVES, POWER, Calls, History, Violation
+from device_models.history import LOCKS, MOVES, POWER, STOPS, Calls, History, Violation
 from device_models.motion_rules import _is_clear, _last_before_edge
 
 WINDOW = 10.5
@@ -51,19 +51,27 @@ def what_waits_for_the_device_ends(history: History) -> Iterator[Violation]:
 
 
 def a_reading_recovers(history: History) -> Iterator[Violation]:
-    """Rule 40: a block that reads is Valid again where all is well."""
+    """Rule 40: a block that reads is Valid again where all is well. Each stop goes before it, and takes its time."""
     for calls in history.of_kind("read"):
         judged = -1
         for index, scan in enumerate(calls.scans):
             if scan <= judged or not calls.execute[index] or not _is_clear(history, scan):
                 continue
-            judged = history.after(scan)
+            judged = history.after(scan, 1 + _stops_between(history, scan, history.after(scan)))
             places = range(index, calls.index_at(judged) + 1)
             enabled = all(calls.execute[place] for place in places) and len(places) == judged - scan + 1
             if enabled and not any(
                 history.scans[calls.scans[place]].outputs.get((calls.name, "Valid")) for place in places
             ):
                 yield Violation(40, judged, calls.name, "nothing is disturbed, and it is not Valid again")
+
+
+def _stops_between(history: History, first: int, last: int) -> int:
+    """The number of edges of stops in some scans, both included."""
+    edges = [
+        scan for calls in history.of_kind(*STOPS) for scan, edge in zip(calls.scans, calls.edges, strict=True) if edge
+    ]
+    return sum(first <= scan <= last for scan in edges)
 
 
 def _has_cause(history: History, scan: int) -> bool:
