@@ -29,7 +29,7 @@ INPUTS = {
     ),
     "instInput.returned": "int",
     "instOutput.returned": "int",
-    "instInput.bytes": ("array", 0, 23, "byte"),
+    "instInput.statBytes": ("array", 0, 23, "byte"),
     "statAxis/request.velocityOverride": "uint",
 }
 OUTPUTS = {
@@ -70,7 +70,7 @@ class Walk:
         """Switches the controller on; the drive stands, without an alarm, and is off."""
         self._program.restart()
         self.inputs: dict[str, Any] = {name: self._program.fresh(kind) for name, kind in INPUTS.items()}
-        self.inputs["instInput.bytes"] = list(standing())
+        self.inputs["instInput.statBytes"] = list(standing())
         self.outputs: dict[str, Any] = {}
 
     def scan(self, scans: int = 1, **inputs: Any) -> Walk:
