@@ -268,4 +268,4 @@ def test_a_write_of_codesys_may_be_the_longest_at_the_lowest_rate() -> None:
 
 def test_the_port_of_an_s7_knows_the_instance_of_its_master() -> None:
     call = searched(r"#instLoad\((REQ.*?)\);", " ".join(SIEMENS["Tc100_ModbusMaster"].split()))[0]
-    assert "MB_DB := #master.MB_DB" in call
+    assert "MB_DB := #instMaster.MB_DB" in call
