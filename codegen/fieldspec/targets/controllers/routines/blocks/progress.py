@@ -155,8 +155,8 @@ class Conditions:
         """Sees whether a motion that lasts has begun; the branch is for one that has not: it may be refused."""
         flags = {"xStanding": self._fresh(kind, *_STANDING), "xMoved": self._fresh(kind, *_MOVED)}
         idle = self._idle(flags["xStanding"])
-        seen = self.draft.action("SeeStanding", **flags, is_standing=is_standing, shows_motion=True)
-        return seen, (every([idle, Negation(flags["xMoved"])]), [self.draft.fail("idle")])
+        statements = self.draft.action("SeeStanding", **flags, is_standing=is_standing, shows_motion=True)
+        return statements, (every([idle, Negation(flags["xMoved"])]), [self.draft.fail("idle")])
 
     def _fresh(self, kind: Moving | Stopping, name: str, remark: str) -> Variable:
         """A flag that is FALSE where the block starts."""
@@ -195,8 +195,8 @@ class Conditions:
         if has_target:
             flags["xAway"] = self._away()
         slots["is_standing"] = flags["xReached"] if is_standing is None else is_standing
-        shown = {"shows_motion": is_standing is not None, "must_begin": must_begin, "has_target": has_target}
-        return draft.action("JudgeMotion", **flags, **slots, **shown)
+        truths = {"shows_motion": is_standing is not None, "must_begin": must_begin, "has_target": has_target}
+        return draft.action("JudgeMotion", **flags, **slots, **truths)
 
     def stopped(
         self,
