@@ -161,7 +161,13 @@ FIVE = (
     "devices: {tc100: {outputs: {OUTPUT: }, "
     "blocks: {tasks: [servo_on, home, move_absolute, stop, reset_alarm], links: [rtu]}}}"
 )
-BLOCKS = {"ServoOn", "Home", "MoveAbsolute", "Stop", "ResetAlarm", "RtuClient"}
+BLOCKS = {"ServoOn", "Home", "MoveAbsolute", "Stop", "Halt", "ResetAlarm", "RtuClient", "Panel"}
+ADAPTERS = {
+    "scl": {"ModbusMaster", "Program"},
+    "twincat": {"ModbusMaster"},
+    "plcopen": {"SerialPort", "ModbusRequest"},
+}
+"""What serves the port of the device, and the ready program where it is a block too."""
 
 
 @pytest.fixture
@@ -183,7 +189,7 @@ def test_a_program_has_the_chosen_blocks_and_what_they_need(motor: Bench, output
     text = re.sub(r"\(\*.*?\*\)|<documentation>.*?</documentation>", "", re.sub(r"//[^\n]*", "", text), flags=re.S)
     function, block = ("", "") if output == "scl" else ("F_", "FB_")
     blocks = set(re.findall(rf"""(?:FUNCTION_BLOCK|pou name=|POU Name=)\s*"?{block}Tc100_(\w+)""", text))
-    assert blocks == BLOCKS
+    assert blocks == BLOCKS | ADAPTERS.get(output, set())
     declared = set(re.findall(rf"""(?:FUNCTION|name=|Name=)\s*"?({function}Tc100_\w+)""", text))
     called = set(re.findall(rf"\b{function}Tc100_\w+", text)) - {f"Tc100_{name}" for name in blocks}
     assert declared - {f"{function}Tc100_{name}" for name in blocks} == called
@@ -207,6 +213,28 @@ def test_registers_and_messages_have_their_blocks(motor: Bench, blocks: str, exp
     assert build(motor, "tc100") == 0
     text = (motor.folder / "generated/iec/tc100_v2_0.st").read_text("utf-8")
     assert set(re.findall(r"FUNCTION_BLOCK FB_Tc100_(\w+)", text)) == expected
+
+
+@pytest.mark.parametrize(
+    ("device", "blocks", "expected"),
+    [
+        ("tc100", "tasks: [jog_negative, jog_positive], links: [rtu]", {"Jog", "RtuClient", "Panel"}),
+        ("hiwin-e", "tasks: [home, jog_positive], messages: [telegram_111]", {"Home", "Jog", "Panel"}),
+        ("esc11", "tasks: [grip, release]", {"Grip", "Release", "Panel"}),
+    ],
+)
+def test_chosen_tasks_of_any_device_have_their_blocks_and_a_program(
+    motor: Bench, device: str, blocks: str, expected: set[str]
+) -> None:
+    shutil.copytree(ROOT / "specs" / device, motor.specs / device, dirs_exist_ok=True)
+    state(motor, f"devices: {{{device}: {{outputs: {{iec: }}, blocks: {{{blocks}}}}}}}\n")
+    assert build(motor, device) == 0
+    texts = [path.read_text("utf-8") for path in (motor.folder / "generated/iec").glob("*.st")]
+    names = [
+        name for text in texts for name in re.findall(r"FUNCTION_BLOCK FB_[A-Za-z0-9]+_(?:Telegram111)?(\w+)", text)
+    ]
+    assert set(names) == expected
+    assert sum("\nPROGRAM PRG_" in text for text in texts) == 1
 
 
 @pytest.mark.parametrize(("old", "new"), [("home", "hoem"), ("[rtu]", "[rut]"), ("tasks", "task"), ("OUTPUT", "kv")])

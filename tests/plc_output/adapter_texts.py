@@ -71,7 +71,7 @@ def objects(text: Source) -> dict[str, str]:
 CODESYS = program_texts("codesys", *DEVICES)
 TWINCAT = program_texts("twincat", *DEVICES)
 SIEMENS = program_texts("siemens", *DEVICES)
-STRUCTURED = CODESYS | {name: TWINCAT[name] for name in ("FB_Esc11SerialPort", "FB_Tc100ModbusMaster")}
+STRUCTURED = CODESYS | {name: TWINCAT[name] for name in ("FB_Esc11_SerialPort", "FB_Tc100_ModbusMaster")}
 """The adapters that are run: one of each kind."""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Iterable
 from typing import Any
 
 from drawing import drawn_bytes, drawn_values
@@ -14,11 +15,15 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference import CodecError, codec
+from fieldspec.codec.reference.quantities import state_name
 from fieldspec.codec.reference.records import decoded, encoded
 from fieldspec.language.model.encoding import is_count
-from fieldspec.targets.controllers.routines.absent import absent_values
+from fieldspec.language.model.value import OUT_OF_RANGE, Value
+from fieldspec.targets.controllers.routines.absent import absent_values, ranged_values
+from fieldspec.targets.controllers.routines.quantities import quantities
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.wrapping import framed
+from fieldspec.targets.controllers.statements.expressions import EnumType
 
 
 def compare_telegrams(prover: Proof, dice: random.Random, tries: int) -> None:
@@ -32,22 +37,53 @@ def compare_telegrams(prover: Proof, dice: random.Random, tries: int) -> None:
                     packed(prover, data, unit, values)
 
 
-def compare_absent(prover: Proof) -> None:
-    """Compares what tells states from quantities, on each sentinel and what is next to it. Raises AssertionError."""
-    for name, same in absent_values(prover.world.layout).items():
+def compare_states(prover: Proof) -> None:
+    """Compares what tells special values, and values out of range, from others, on the numbers about each bound.
+
+    Raises AssertionError.
+    """
+    world, device = prover.world, prover.world.layout.device
+    for name, same in absent_values(world.layout).items():
         value = same[0].value
-        function = prover.world.routine(name, "is_absent")
-        parameter = next(
-            variable
-            for role, variable, _, _ in prover.machine.unit.functions[function.lower()].variables
-            if role == "VAR_INPUT"
-        )
-        for number in {sentinel.value + step for sentinel in value.sentinels for step in (-1, 0, 1)} | {0, 1}:
-            if is_count(value.encoding) and not value.type.low <= number <= value.type.high:
-                continue
-            result = prover.machine.call(function, **{parameter: number})
-            actual = result[0] if isinstance(result, tuple) else result
+        for number in numbers_about(value, value.special_intervals):
+            actual = is_true(prover, world.routine(name, "is_absent"), number)
             assert actual == (value.sentinel(number) is not None), (name, number, actual)
+    for name, same in ranged_values(world).items():
+        value = same[0].value
+        masks = [bit.mask for bit in device.flags[value.flags].bits] if value.flags else []
+        members = {member.value for member in device.enums[value.enum].members} if value.enum else set()
+        for number in numbers_about(value, [*bounds_of_value(value), *((mask, mask) for mask in masks)]):
+            if isinstance(world.type_of(value), EnumType) and number not in members:
+                continue
+            actual = is_true(prover, world.routine(name, "is_out_of_range"), number)
+            assert actual == (state_name(device, value, number) == OUT_OF_RANGE), (name, number, actual)
+    for name, same in quantities(world.layout).items():
+        value = same[0].value
+        for number in numbers_about(value, bounds_of_value(value)):
+            status, (_, *marks) = prover.positional(world.routine(name, "from_counts"), number)
+            state = "" if all(quantity.trigger for quantity in same) else state_name(device, value, number)
+            assert status == ("out_of_range" if value.sentinel(number) is not None else "ok"), (name, number)
+            assert any(marks) == (state == OUT_OF_RANGE), (name, number)
+
+
+def bounds_of_value(value: Value) -> list[tuple[float, float]]:
+    """The intervals that a value states: its range, and its special values."""
+    return [*(value.ranges.intervals if value.ranges is not None else ()), *value.special_intervals]
+
+
+def numbers_about(value: Value, intervals: Iterable[tuple[float, float]]) -> set[float]:
+    """The bounds of intervals and what is next to them, as far as a value has them."""
+    bounds = {bound for interval in intervals for bound in interval} | {0, 1}
+    numbers = {bound + step for bound in bounds for step in (-1, 0, 1)}
+    return {number for number in numbers if not is_count(value.encoding) or value.low <= number <= value.high}
+
+
+def is_true(prover: Proof, function: str, number: float) -> bool:
+    """What a function with one input returns."""
+    variables = prover.machine.unit.functions[function.lower()].variables
+    parameter = next(variable for role, variable, _, _ in variables if role == "VAR_INPUT")
+    result = prover.machine.call(function, **{parameter: number})
+    return bool(result[0] if isinstance(result, tuple) else result)
 
 
 def compare_requests(prover: Proof, dice: random.Random, tries: int) -> None:

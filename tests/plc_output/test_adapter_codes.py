@@ -17,25 +17,36 @@ from vendor_codes import COMM_LOAD, IO_DRV_MODBUS, MODBUS_ERRORS, MODBUS_MASTER
 COUNTERS = {"Requests": "int", "Code": "int", "First": "word"}
 WORDS = {
     "ModbusRequest": Adapter(
-        *("FB_Tc100ModbusRequest", "tc100", "Axis", "ST_Tc100_Axis", "Station := 3"),
+        *("FB_Tc100_ModbusRequest", "tc100", "Axis", "ST_Tc100_Axis", "Station := 3"),
         {"fbRequest.Answer": "int"},
         {f"fbRequest.{name}": kind for name, kind in COUNTERS.items()} | {"Diagnostics": "byte"},
     ),
     "ModbusRtuMasterV2": Adapter(
-        *("FB_Tc100ModbusMaster", "tc100", "Axis", "ST_Tc100_Axis", "Station := BYTE#16#03"),
+        *("FB_Tc100_ModbusMaster", "tc100", "Axis", "ST_Tc100_Axis", "Station := BYTE#16#03"),
         {"fbMaster.Answer": "int"},
         {f"fbMaster.{name}": kind for name, kind in COUNTERS.items()} | {"Diagnostics": "int"},
     ),
     "Modbus_Master": Adapter(
-        *("Tc100ModbusMaster", "tc100", "axis", "typeTc100Axis", "station := 3"),
-        {"master.Answer": "word", "load.Answer": "word", "setUp": "bool"},
-        {f"master.{name}": kind for name, kind in COUNTERS.items()}
-        | {"status": "word", "ready": "bool", "load.Requests": "int", "load.MODE": "usint", "load.RETRIES": "word"}
-        | {"load.PARITY": "uint", "load.BAUD": "udint", "load.STOP_BITS": "usint", "master.STATUS": "word"},
+        *("Tc100_ModbusMaster", "tc100", "axis", "typeTc100Axis", "station := 3"),
+        {"instMaster.Answer": "word", "instLoad.Answer": "word", "setUp": "bool"},
+        {f"instMaster.{name}": kind for name, kind in COUNTERS.items()}
+        | {
+            "status": "word",
+            "ready": "bool",
+            "instLoad.Requests": "int",
+            "instLoad.MODE": "usint",
+            "instLoad.RETRIES": "word",
+        }
+        | {
+            "instLoad.PARITY": "uint",
+            "instLoad.BAUD": "udint",
+            "instLoad.STOP_BITS": "usint",
+            "instMaster.STATUS": "word",
+        },
     ),
 }
 """The adapters of words by the vendor's block."""
-BLOCKS = {"ModbusRequest": "fbRequest", "ModbusRtuMasterV2": "fbMaster", "Modbus_Master": "master"}
+BLOCKS = {"ModbusRequest": "fbRequest", "ModbusRtuMasterV2": "fbMaster", "Modbus_Master": "instMaster"}
 REASONS = {"ModbusRequest": "Diagnostics", "ModbusRtuMasterV2": "Diagnostics", "Modbus_Master": "status"}
 CODES = {"ModbusRequest": IO_DRV_MODBUS, "ModbusRtuMasterV2": MODBUS_ERRORS, "Modbus_Master": MODBUS_MASTER}
 EACH = [(block, code, error) for block, codes in CODES.items() for code, error in codes.items()]
@@ -179,43 +190,43 @@ def test_words_that_are_abandoned_before_they_are_sent_are_not_sent(block: str, 
 
 def test_the_port_is_set_up_in_the_first_cycles(folder: Path) -> None:
     stand = begun("Modbus_Master", folder)
-    assert (stand.get("ready"), stand.get("load.Requests")) == (True, 1)
+    assert (stand.get("ready"), stand.get("instLoad.Requests")) == (True, 1)
 
 
 def test_the_port_is_half_duplex_without_parity_and_without_repetitions(folder: Path) -> None:
     stand = begun("Modbus_Master", folder)
     names = ("MODE", "RETRIES", "PARITY", "BAUD", "STOP_BITS")
-    assert [stand.get(f"load.{name}") for name in names] == [4, 0, 0, 19200, 1]
+    assert [stand.get(f"instLoad.{name}") for name in names] == [4, 0, 0, 19200, 1]
 
 
 def test_an_edge_sets_the_port_up_once_more(folder: Path) -> None:
     stand = begun("Modbus_Master", folder)
     stand.set(setUp=True)
     stand.run(40)
-    assert stand.get("load.Requests") == 2
+    assert stand.get("instLoad.Requests") == 2
 
 
 @pytest.mark.parametrize(("code", "loads"), [(0x8280, 2), (0x80C9, 2), (0x80C8, 1), (0x8381, 1)])
 def test_the_port_is_set_up_again_where_it_may_have_lost_its_settings(code: int, loads: int, folder: Path) -> None:
     stand = begun("Modbus_Master", folder, code)
     stand.ask_words(write=True)
-    stand.set(master__Answer=0)
+    stand.set(instMaster__Answer=0)
     assert stand.ask_words(write=True) == 0
-    assert stand.get("load.Requests") == loads
+    assert stand.get("instLoad.Requests") == loads
 
 
 @pytest.mark.parametrize("code", COMM_LOAD)
 def test_a_port_that_cannot_be_set_up_is_an_error_of_the_port(code: int, folder: Path) -> None:
     stand = begun("Modbus_Master", folder)
     stand.restart()
-    stand.set(load__Answer=code)
+    stand.set(instLoad__Answer=code)
     assert stand.ask_words(write=True) == 7
-    assert (stand.get("status"), stand.get("master.Requests"), stand.get("ready")) == (code, 0, False)
+    assert (stand.get("status"), stand.get("instMaster.Requests"), stand.get("ready")) == (code, 0, False)
 
 
 def test_the_status_outlives_the_cycle_in_which_it_is_valid(folder: Path) -> None:
     stand = begun("Modbus_Master", folder, 0x8383)
     stand.ask_words(write=True)
-    stand.set(master__Answer=0)
+    stand.set(instMaster__Answer=0)
     stand.ask_words(write=True)
-    assert (stand.get("master.STATUS"), stand.get("status")) == (0, 0x8383)
+    assert (stand.get("instMaster.STATUS"), stand.get("status")) == (0, 0x8383)

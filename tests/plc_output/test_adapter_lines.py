@@ -24,30 +24,30 @@ from vendor_codes import CAA_SERIAL_COM, COM_ERROR, PORT_CONFIG, RECEIVE_P2P, SE
 
 LINE = ("array", 0, 254, "byte")
 CODESYS = Adapter(
-    *("FB_Tc100SerialPort", "tc100", "Frames", "ST_Tc100_Frames", "Port := 7"),
+    *("FB_Tc100_SerialPort", "tc100", "Frames", "ST_Tc100_Frames", "Port := 7"),
     {"Open": "bool", "fbRead.Line": LINE, "fbRead.Arrived": "int", "fbRead.Taken": "int", "fbRead.Waits": "bool"}
     | {"fbRead.Answer": "uint", "fbWrite.Answer": "uint"},
     {"fbWrite.Requests": "int", "iStep": "int", "Diagnostics": "uint", "Lost": "bool"},
     milliseconds=5,
 )
 TWINCAT = Adapter(
-    *("FB_Esc11SerialPort", "esc11", "Frames", "ST_Esc11_Frames", "Pause := T#200ms"),
+    *("FB_Esc11_SerialPort", "esc11", "Frames", "ST_Esc11_Frames", "Pause := T#200ms"),
     {"fbReceive.Line": LINE, "fbReceive.Arrived": "int", "fbReceive.Taken": "int", "fbReceive.Answer": "int"}
     | {"fbSend.Answer": "int", "fbSend.Full": "bool", "iLineError": "int"},
     {"fbSend.Requests": "int", "iStep": "int", "Diagnostics": "int"},
 )
 SIEMENS = Adapter(
-    *("Esc11PointToPoint", "esc11", "frames", "typeEsc11Frames", "pause := T#200ms"),
-    {"receive.Line": LINE, "receive.Arrived": "int", "receive.Taken": "int", "receive.Answer": "word"}
-    | {"send.Answer": "word", "config.Answer": "word", "reset.Answer": "word", "setUp": "bool"},
-    {"send.Requests": "int", "reset.Requests": "int", "config.Requests": "int", "phase": "int"}
+    *("Esc11_PointToPoint", "esc11", "frames", "typeEsc11Frames", "pause := T#200ms"),
+    {"instReceive.Line": LINE, "instReceive.Arrived": "int", "instReceive.Taken": "int", "instReceive.Answer": "word"}
+    | {"instSend.Answer": "word", "instConfig.Answer": "word", "instReset.Answer": "word", "setUp": "bool"},
+    {"instSend.Requests": "int", "instReset.Requests": "int", "instConfig.Requests": "int", "statPhase": "int"}
     | {"status": "word", "ready": "bool"},
 )
 ADAPTERS = {"codesys": CODESYS, "twincat": TWINCAT, "siemens": SIEMENS}
-RECEIVERS = {"codesys": "fbRead", "twincat": "fbReceive", "siemens": "receive"}
-STEPS = {"codesys": ("iStep", 3), "twincat": ("iStep", 3), "siemens": ("phase", 4)}
+RECEIVERS = {"codesys": "fbRead", "twincat": "fbReceive", "siemens": "instReceive"}
+STEPS = {"codesys": ("iStep", 3), "twincat": ("iStep", 3), "siemens": ("statPhase", 4)}
 """The step in which an adapter waits for the answer."""
-SENT = {"codesys": "fbWrite.Requests", "twincat": "fbSend.Requests", "siemens": "send.Requests"}
+SENT = {"codesys": "fbWrite.Requests", "twincat": "fbSend.Requests", "siemens": "instSend.Requests"}
 
 
 @cache
@@ -154,7 +154,7 @@ def test_the_next_request_works_after_a_silence(name: str, folder: Path) -> None
 
 @pytest.mark.parametrize(
     ("name", "sent", "count"),
-    [("codesys", "fbWrite.Requests", 2), ("twincat", "fbSend.Requests", 8), ("siemens", "send.Requests", 2)],
+    [("codesys", "fbWrite.Requests", 2), ("twincat", "fbSend.Requests", 8), ("siemens", "instSend.Requests", 2)],
 )
 def test_a_frame_that_replaces_another_is_sent_itself(name: str, sent: str, count: int, folder: Path) -> None:
     line = Line(name, folder)
@@ -247,12 +247,12 @@ def test_a_long_request_is_sent_in_one_cycle(folder: Path) -> None:
 
 @pytest.mark.parametrize(("code", "error"), RECEIVE_P2P.items(), ids=[f"{code:X}" for code in RECEIVE_P2P])
 def test_a_code_of_receive_p2p_becomes_its_error(code: int, error: int, folder: Path) -> None:
-    line = Line("siemens", folder).put(receive__Answer=code)
+    line = Line("siemens", folder).put(instReceive__Answer=code)
     assert (line.ask(), line.stand.get("status")) == (error, code)
 
 
 @pytest.mark.parametrize("code", SEND_P2P)
-@pytest.mark.parametrize("block", ["send", "reset"])
+@pytest.mark.parametrize("block", ["instSend", "instReset"])
 def test_a_code_of_send_p2p_or_receive_reset_is_an_error_of_the_port(block: str, code: int, folder: Path) -> None:
     line = Line("siemens", folder).put(**{f"{block}__Answer": code})
     assert (line.ask(), line.stand.get("status")) == (7, code)
@@ -262,24 +262,24 @@ def test_a_code_of_send_p2p_or_receive_reset_is_an_error_of_the_port(block: str,
 def test_a_code_of_port_config_is_an_error_of_the_port(code: int, folder: Path) -> None:
     line = Line("siemens", folder)
     line.stand.restart()
-    line.put(config__Answer=code).stand.scan()
-    assert (line.ask(), line.stand.get("status"), line.stand.get("send.Requests")) == (7, code, 0)
+    line.put(instConfig__Answer=code).stand.scan()
+    assert (line.ask(), line.stand.get("status"), line.stand.get("instSend.Requests")) == (7, code, 0)
 
 
 def test_the_port_is_set_up_at_first_at_an_edge_and_after_its_errors(folder: Path) -> None:
     line = Line("siemens", folder, packet(4), 50)
-    assert (line.stand.get("ready"), line.stand.get("config.Requests")) == (True, 1)
+    assert (line.stand.get("ready"), line.stand.get("instConfig.Requests")) == (True, 1)
     line.put(setUp=True).stand.run(20)
-    assert line.stand.get("config.Requests") == 2
-    line.put(send__Answer=0x8280).ask()
-    line.put(send__Answer=0).ask()
-    assert line.stand.get("config.Requests") == 3
+    assert line.stand.get("instConfig.Requests") == 2
+    line.put(instSend__Answer=0x8280).ask()
+    line.put(instSend__Answer=0).ask()
+    assert line.stand.get("instConfig.Requests") == 3
 
 
 def test_a_frame_that_waits_in_the_module_is_thrown_away_before_a_request(folder: Path) -> None:
     line = Line("siemens", folder, packet(4), 50)
     line.ask()
-    assert line.stand.get("reset.Requests") == line.stand.get("send.Requests") == 1
+    assert line.stand.get("instReset.Requests") == line.stand.get("instSend.Requests") == 1
 
 
 def test_a_request_of_frames_that_is_abandoned_frees_the_port(name: str, folder: Path) -> None:
@@ -316,15 +316,15 @@ def test_a_frame_that_is_abandoned_before_it_is_sent_is_not_sent(name: str, fold
 
 @cache
 def opening(folder: Path) -> Compiled:
-    """PRG_Tc100SerialPort; what it gives to the walk is its own."""
-    program = standard(TEXTS["PRG_Tc100SerialPort"])
+    """PRG_Tc100_SerialPort; what it gives to the walk is its own."""
+    program = standard(TEXTS["PRG_Tc100_SerialPort"])
     program = re.sub(r"PRG_Tc100\.(\w+)", r"\1", program)
     program = program.replace("\nVAR\n", "\nVAR\n    Open : BOOL;\n    Port : UDINT;\n    Lost : BOOL;\n", 1)
     parameter = "TYPE Parameter : STRUCT udiParameterId : UDINT; udiValue : UDINT; END_STRUCT; END_TYPE\n"
     program = program.replace("OF COM.PARAMETER", "OF Parameter")
     outputs = (("Open", "bool"), ("Port", "udint"), ("Error", "bool"), ("Diagnostics", "uint"))
     inputs = (("fbOpen.Answer", "uint"), ("Lost", "bool"), ("fbClose.Answer", "uint"))
-    block = Block("PRG_Tc100SerialPort", inputs, (*outputs, ("fbOpen.Requests", "int"), ("fbClose.Requests", "int")))
+    block = Block("PRG_Tc100_SerialPort", inputs, (*outputs, ("fbOpen.Requests", "int"), ("fbClose.Requests", "int")))
     return Compiled(named(parameter + ALL + program), folder, block, parsed(parameter))
 
 

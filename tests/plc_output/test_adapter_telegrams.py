@@ -22,27 +22,28 @@ from fieldspec.codec.reference import codec
 from layouts import SPECS, newest
 
 INPUTS = {
-    **dict.fromkeys(("panel.Servo", "panel.Home", "panel.MoveAbsolute", "panel.Stop"), "bool"),
-    "panel.Position": "dint",
-    **dict.fromkeys(("panel.Velocity", "panel.Acceleration", "panel.Deceleration", "panel.SpeedOverride"), "lreal"),
-    "input.returned": "int",
-    "output.returned": "int",
-    "input.bytes": ("array", 0, 23, "byte"),
-    "axis/request.velocityOverride": "uint",
+    **dict.fromkeys(("instPanel.Servo", "instPanel.Home", "instPanel.MoveAbsolute", "instPanel.Stop"), "bool"),
+    "instPanel.Position": "dint",
+    **dict.fromkeys(
+        ("instPanel.Velocity", "instPanel.Acceleration", "instPanel.Deceleration", "instPanel.SpeedOverride"), "lreal"
+    ),
+    "instInput.returned": "int",
+    "instOutput.returned": "int",
+    "instInput.statBytes": ("array", 0, 23, "byte"),
+    "statAxis/request.velocityOverride": "uint",
 }
 OUTPUTS = {
-    "panel.Ready": "bool",
-    "panel.Status": "word",
+    "instPanel.Ready": "bool",
+    "instPanel.Status": "word",
     "status": "word",
     "diagnostics": "int",
-    "axis/valid": "bool",
-    "input.error": "bool",
-    "input.readResult": "int",
-    "input.lastFault": "int",
-    "output.error": "bool",
-    "output.writeResult": "int",
-    "output.packStatus": "uint",
-    "output.lastFault": "int",
+    "statAxis/valid": "bool",
+    "instInput.error": "bool",
+    "instInput.diagnostics": "int",
+    "instInput.lastFault": "int",
+    "instOutput.error": "bool",
+    "instOutput.diagnostics": "int",
+    "instOutput.lastFault": "int",
 }
 
 
@@ -57,11 +58,11 @@ class Walk:
     """The walk between two scans: `inputs` and `outputs` by their names."""
 
     def __init__(self, folder: Path) -> None:
-        adapters = "".join(siemens(SIEMENS[f"HiwinETelegram111{way}"]) for way in ("Input", "Output"))
-        block = siemens(SIEMENS["HiwinETelegram111Program"])
+        adapters = "".join(siemens(SIEMENS[f"HiwinE_Telegram111{way}"]) for way in ("Input", "Output"))
+        block = siemens(SIEMENS["HiwinE_Telegram111Program"])
         types = needed(siemens_types("hiwin-e"), called_in(adapters + block))
         unit = parsed(needed(types, ()))
-        program = Block("HiwinETelegram111Program", tuple(INPUTS.items()), tuple(OUTPUTS.items()))
+        program = Block("HiwinE_Telegram111Program", tuple(INPUTS.items()), tuple(OUTPUTS.items()))
         self._program = Compiled(named(types + adapters + block), folder, program, unit)
         self.restart()
 
@@ -69,7 +70,7 @@ class Walk:
         """Switches the controller on; the drive stands, without an alarm, and is off."""
         self._program.restart()
         self.inputs: dict[str, Any] = {name: self._program.fresh(kind) for name, kind in INPUTS.items()}
-        self.inputs["input.bytes"] = list(standing())
+        self.inputs["instInput.statBytes"] = list(standing())
         self.outputs: dict[str, Any] = {}
 
     def scan(self, scans: int = 1, **inputs: Any) -> Walk:
@@ -104,46 +105,46 @@ def signed(code: int) -> int:
 
 
 def test_a_telegram_that_arrives_is_valid(walk: Walk) -> None:
-    names = ("axis/valid", "input.error", "output.error", "status", "diagnostics")
+    names = ("statAxis/valid", "instInput.error", "instOutput.error", "status", "diagnostics")
     assert walk.show(*names) == [True, False, False, 0, 0]
 
 
 @pytest.mark.parametrize("code", DPRD_DAT)
 def test_a_code_of_dprd_dat_makes_the_telegram_invalid_and_is_shown(code: int, walk: Walk) -> None:
-    walk.scan(input__returned=signed(code))
-    names = ("axis/valid", "input.error", "input.readResult", "output.error", "status", "diagnostics")
+    walk.scan(instInput__returned=signed(code))
+    names = ("statAxis/valid", "instInput.error", "instInput.diagnostics", "instOutput.error", "status", "diagnostics")
     assert walk.show(*names) == [False, True, signed(code), False, 0x8600, signed(code)]
 
 
 @pytest.mark.parametrize("code", DPWR_DAT)
 def test_a_code_of_dpwr_dat_makes_the_next_telegram_invalid_and_is_shown(code: int, walk: Walk) -> None:
-    walk.scan(output__returned=signed(code)).scan()
-    names = ("axis/valid", "input.error", "output.writeResult", "output.error", "status", "diagnostics")
+    walk.scan(instOutput__returned=signed(code)).scan()
+    names = ("statAxis/valid", "instInput.error", "instOutput.diagnostics", "instOutput.error", "status", "diagnostics")
     assert walk.show(*names) == [False, False, signed(code), True, 0x8601, signed(code)]
 
 
 def test_a_line_that_is_back_is_valid_by_itself_and_its_fault_stays_to_be_seen(walk: Walk) -> None:
-    walk.scan(3, input__returned=signed(0x80A0), output__returned=signed(0x80A1))
-    walk.scan(3, input__returned=0, output__returned=0)
-    names = ("axis/valid", "input.error", "output.error", "input.lastFault", "output.lastFault")
+    walk.scan(3, instInput__returned=signed(0x80A0), instOutput__returned=signed(0x80A1))
+    walk.scan(3, instInput__returned=0, instOutput__returned=0)
+    names = ("statAxis/valid", "instInput.error", "instOutput.error", "instInput.lastFault", "instOutput.lastFault")
     assert walk.show(*names) == [True, False, False, signed(0x80A0), signed(0x80A1)]
 
 
 def test_a_request_that_cannot_be_packed_is_shown_and_makes_the_next_telegram_invalid(walk: Walk) -> None:
-    walk.scan(2, **{"axis/request.velocityOverride": 40000})
-    assert walk.show("output.error", "output.packStatus", "output.writeResult", "axis/valid") == [True, 10, 0, False]
+    walk.scan(2, **{"statAxis/request.velocityOverride": 40000})
+    assert walk.show("instOutput.error", "instOutput.diagnostics", "statAxis/valid") == [True, 10, False]
 
 
-@pytest.mark.parametrize("way", ["input", "output"])
+@pytest.mark.parametrize("way", ["instInput", "instOutput"])
 def test_a_block_that_works_while_a_telegram_fails_ends_with_error_7(way: str, walk: Walk) -> None:
-    walk.scan(3, panel__Servo=True)
-    assert walk.show("panel.Status") == [0]
+    walk.scan(3, instPanel__Servo=True)
+    assert walk.show("instPanel.Status") == [0]
     walk.scan(2, **{f"{way}__returned": signed(0x80A0)})
-    assert walk.show("panel.Status") == [0x8600 + 7]
+    assert walk.show("instPanel.Status") == [0x8600 + 7]
 
 
 def test_the_error_of_the_walk_goes_with_that_of_its_block(walk: Walk) -> None:
-    walk.scan(2, panel__MoveAbsolute=True)
-    assert walk.show("panel.Status") != [0]
-    walk.scan(2, panel__MoveAbsolute=False)
-    assert walk.show("panel.Status") == [0]
+    walk.scan(2, instPanel__MoveAbsolute=True)
+    assert walk.show("instPanel.Status") != [0]
+    walk.scan(2, instPanel__MoveAbsolute=False)
+    assert walk.show("instPanel.Status") == [0]

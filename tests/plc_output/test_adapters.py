@@ -62,7 +62,7 @@ def translated(content: str, folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["FB_Tc100SerialPort", "FB_Tc100ModbusRequest", "FB_Tc100ModbusMaster", "FB_Esc11SerialPort"]
+    "name", ["FB_Tc100_SerialPort", "FB_Tc100_ModbusRequest", "FB_Tc100_ModbusMaster", "FB_Esc11_SerialPort"]
 )
 def test_an_adapter_of_codesys_or_twincat_compiles(name: str, tmp_path: Path) -> None:
     device = "Tc100" if "Tc100" in name else "Esc11"
@@ -71,7 +71,7 @@ def test_an_adapter_of_codesys_or_twincat_compiles(name: str, tmp_path: Path) ->
     translated(named(without_comments(functions) + ALL + block), tmp_path)
 
 
-@pytest.mark.parametrize(("device", "name"), [("tc100", "Tc100ModbusMaster"), ("esc11", "Esc11PointToPoint")])
+@pytest.mark.parametrize(("device", "name"), [("tc100", "Tc100_ModbusMaster"), ("esc11", "Esc11_PointToPoint")])
 def test_an_adapter_of_tia_portal_compiles(device: str, name: str, tmp_path: Path) -> None:
     block = siemens(SIEMENS[name])
     types = needed(siemens_types(device), called_in(block))
@@ -80,7 +80,7 @@ def test_an_adapter_of_tia_portal_compiles(device: str, name: str, tmp_path: Pat
 
 @pytest.mark.parametrize(("device", "name"), [("tc100", "Tc100"), ("ck10", "Ck10"), ("esc11", "Esc11")])
 def test_a_program_for_codesys_compiles_with_its_adapter(device: str, name: str, tmp_path: Path) -> None:
-    adapter, block = standard(CODESYS[f"FB_{name}SerialPort"]), standard(CODESYS[f"PRG_{name}"])
+    adapter, block = standard(CODESYS[f"FB_{name}_SerialPort"]), standard(CODESYS[f"PRG_{name}"])
     functions = needed(text(source(newest(SPECS, device))), called_in(block))
     (last,) = re.findall(r"aBytes : ARRAY\[0\.\.(\d+)\]", adapter)
     stands = ALL.replace("[0..254]", f"[0..{last}]")
@@ -96,7 +96,7 @@ def test_a_program_for_codesys_compiles_with_its_adapter(device: str, name: str,
     ],
 )
 def test_a_program_for_twincat_compiles_with_its_adapter(device: str, name: str, port: str, tmp_path: Path) -> None:
-    adapter, block = standard(TWINCAT[f"FB_{name}{port}"]), standard(TWINCAT[f"PRG_{name}"])
+    adapter, block = standard(TWINCAT[f"FB_{name}_{port}"]), standard(TWINCAT[f"PRG_{name}"])
     functions = needed(text(source(newest(SPECS, device))), called_in(block))
     translated(named(without_comments(functions) + ALL + adapter + block), tmp_path)
 
@@ -105,14 +105,14 @@ def test_a_program_for_twincat_compiles_with_its_adapter(device: str, name: str,
 @pytest.mark.parametrize(
     ("device", "name", "adapters"),
     [
-        ("tc100", "Tc100Program", ["Tc100ModbusMaster"]),
-        ("ck10", "Ck10Program", ["Ck10ModbusMaster"]),
-        ("esc11", "Esc11Program", ["Esc11PointToPoint"]),
+        ("tc100", "Tc100_Program", ["Tc100_ModbusMaster"]),
+        ("ck10", "Ck10_Program", ["Ck10_ModbusMaster"]),
+        ("esc11", "Esc11_Program", ["Esc11_PointToPoint"]),
         *(
             (
                 "hiwin-e",
-                f"HiwinETelegram{number}Program",
-                [f"HiwinETelegram{number}{way}" for way in ("Input", "Output")],
+                f"HiwinE_Telegram{number}Program",
+                [f"HiwinE_Telegram{number}{way}" for way in ("Input", "Output")],
             )
             for number in (3, 5, 9, 102, 105, 111)
         ),

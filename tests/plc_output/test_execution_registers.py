@@ -15,19 +15,20 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from comparisons import all_finite, compare_absent
+from comparisons import all_finite, compare_states
 from drawing import drawn_bytes, drawn_value, drawn_values
 from loaded import COMPUTING, DEVICES, NAMES, WAY_NAMES, WAYS, computing, judged, proof_by, words_in
 from proving import Proof, without
 
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.codec.reference import CodecError
+from fieldspec.codec.reference.quantities import state_name
 from fieldspec.codec.reference.records import decoded, decoded_value, encoded, encoded_value
 from fieldspec.codec.reference.structs import value_construct
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.targets.controllers.routines.enums import enum_routines
+from fieldspec.targets.controllers.routines.quantities import quantities
 from fieldspec.targets.controllers.routines.register_range import answer_name, answer_type
-from fieldspec.targets.controllers.routines.scaling import quantities
 from fieldspec.targets.vectors.backend import idle_vectors
 from layouts import SPECS, TEST_SPECS
 
@@ -302,12 +303,14 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
         for raw in {low, high, low - 1, high + 1, 0, 1, *(dice.randint(low, high) for _ in range(8)), *sentinels}:
             if not value.type.low <= raw <= value.type.high:
                 continue
-            right = raw not in sentinels and (value.ranges is None or raw in value.ranges)
-            status, (quantity,) = prover.positional(prover.world.routine(name, "from_counts"), raw)
-            assert status == ("ok" if right else "out_of_range"), (name, raw)
-            if right:
+            state = state_name(prover.world.layout.device, value, raw)
+            status, (quantity, *marks) = prover.positional(prover.world.routine(name, "from_counts"), raw)
+            assert status == ("ok" if state in ("", "out_of_range") else "out_of_range"), (name, raw)
+            assert any(marks) == (state == "out_of_range"), (name, raw)
+            if status == "ok":
                 assert quantity == pytest.approx(float(value.in_unit(raw)), rel=1e-15, abs=1e-300)
-                for beside in (Fraction(0), Fraction(49, 100), Fraction(-49, 100)) if abs(raw) < 1 << 40 else ():
+                is_resolved = not state and abs(raw) < 1 << 40
+                for beside in (Fraction(0), Fraction(49, 100), Fraction(-49, 100)) if is_resolved else ():
                     exact = (raw + beside) * Fraction(value.scale) + Fraction(value.offset)
                     assert counts(prover, name, float(exact)) == ("ok", raw), (name, raw, beside)
         assert counts(prover, name, float("nan"))[0] == "out_of_range"
@@ -319,10 +322,10 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
 
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
-def test_numbers_that_stand_for_a_state_are_told_from_quantities(
+def test_special_values_and_values_out_of_range_are_told_from_others(
     root: Path, device: str, way: str, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
-    compare_absent(computing(root, device, way, tmp_path_factory))
+    compare_states(computing(root, device, way, tmp_path_factory))
 
 
 def counts(prover: Proof, name: str, quantity: float) -> tuple[str, int]:
@@ -346,7 +349,9 @@ def test_conversions_by_a_reference_agree_with_their_formula(
     for share in prover.world.layout.device.conversions.values():
         for raw in (0, 1, 77, share.full_scale // 3, share.full_scale // 2):
             exact = share.quantity(raw, Fraction(3000))
-            status, (quantity,) = prover.positional(prover.world.routine(share.name, "from_counts"), raw, 3000.0)
+            name = prover.world.routine(share.name, "from_counts")
+            status, (quantity, *marks) = prover.positional(name, raw, 3000.0)
+            assert not any(marks)
             assert (status, quantity) == ("ok", pytest.approx(float(exact), rel=1e-12, abs=1e-12)), share.name
             status, (back,) = prover.positional(prover.world.routine(share.name, "to_counts"), float(exact), 3000.0)
             assert (status, back) == ("ok", raw), share.name

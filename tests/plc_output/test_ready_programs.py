@@ -44,7 +44,7 @@ class ProgramBench(Bench):
         pascal = Name.of(device).pascal()
         program, block = f"PRG_{pascal}", f"FB_{pascal}_Panel"
         if telegram:
-            program, block = f"{program}Telegram{telegram}", block.replace("Panel", f"Telegram{telegram}Panel")
+            program, block = f"{program}_Telegram{telegram}", block.replace("Panel", f"Telegram{telegram}Panel")
         panel = next(routine for routine in iec.routines if routine.name == block)
         self.blocks = {PANEL: panel}
         kinds = {

@@ -73,7 +73,7 @@ def searched(pattern: str, text: str) -> tuple[str, ...]:
 
 def codesys(device: str) -> Setting:
     """What the program for CODESYS opens the port with."""
-    program = CODESYS[f"PRG_{device}SerialPort"]
+    program = CODESYS[f"PRG_{device}_SerialPort"]
     (rate,) = searched(r"udiBaudrate;\s*\S+ := (\d+)", program)
     (parity,) = searched(r"COM\.PARITY\.(\w+)", program)
     (size,) = searched(r"udiByteSize;\s*\S+ := (\d+)", program)
@@ -83,7 +83,7 @@ def codesys(device: str) -> Setting:
 
 def comm_load(device: str) -> Setting:
     """What the adapter for Modbus_Master sets."""
-    block = SIEMENS[f"{device}ModbusMaster"]
+    block = SIEMENS[f"{device}_ModbusMaster"]
     patterns = (r"baud .*:= (\d+)", r"parity .*:= (\d)", r"STOP_BITS := (\d)")
     rate, parity, stop = (searched(pattern, block)[0] for pattern in patterns)
     return int(rate), LOAD_PARITIES[int(parity)], 8, int(stop)
@@ -92,7 +92,7 @@ def comm_load(device: str) -> Setting:
 def port_config(device: str) -> Setting:
     """What the adapter for Send_P2P sets."""
     pattern = r"BAUD := (\d+), PARITY := (\d), DATABITS := (\d), STOPBITS := (\d), MODE := 4\)"
-    rate, parity, data, stop = map(int, searched(pattern, SIEMENS[f"{device}PointToPoint"]))
+    rate, parity, data, stop = map(int, searched(pattern, SIEMENS[f"{device}_PointToPoint"]))
     return PORT_RATES[rate], PORT_PARITIES[parity], {1: 8, 2: 7}[data], stop
 
 
@@ -229,13 +229,13 @@ def timing(name: str) -> int:
 
 def test_an_answer_that_the_adapter_for_twincat_awaits_may_begin_as_late_as_the_manual_says() -> None:
     longest = on_the_line("esc11", "serial")
-    begin = milliseconds("Timeout", STRUCTURED["FB_Esc11SerialPort"])
+    begin = milliseconds("Timeout", STRUCTURED["FB_Esc11_SerialPort"])
     assert begin >= longest + timing("response_timeout")
 
 
 def test_an_answer_that_the_adapter_for_an_s7_awaits_may_be_the_longest_and_begin_as_late() -> None:
     longest = on_the_line("esc11", "serial")
-    whole = milliseconds("timeout", SIEMENS["Esc11PointToPoint"])
+    whole = milliseconds("timeout", SIEMENS["Esc11_PointToPoint"])
     assert whole >= longest + timing("response_timeout") + longest
 
 
@@ -249,7 +249,7 @@ def test_the_character_gap_of_an_s7_is_in_bit_times() -> None:
 
 @pytest.mark.parametrize("cycle", [5])
 def test_a_read_of_codesys_lasts_longer_than_a_cycle_and_the_gap_longer_than_a_read(cycle: int) -> None:
-    block = STRUCTURED["FB_Tc100SerialPort"]
+    block = STRUCTURED["FB_Tc100_SerialPort"]
     (micros,) = searched(r"SIZEOF\(aBytes\), udiTimeOut := (\d+)\)", block)
     assert f"interval {cycle} ms" in page("plc-codesys.md")
     read = int(micros) / 1000
@@ -262,10 +262,10 @@ def test_a_write_of_codesys_may_be_the_longest_at_the_lowest_rate() -> None:
     assert isinstance(frame, ArrayType)
     serial = layout("tc100").device.links["rtu"].serial
     assert serial is not None
-    micros = max(int(value) for value in re.findall(r"udiTimeOut := (\d+)\)", STRUCTURED["FB_Tc100SerialPort"]))
+    micros = max(int(value) for value in re.findall(r"udiTimeOut := (\d+)\)", STRUCTURED["FB_Tc100_SerialPort"]))
     assert micros > (frame.high + 1) * BITS_PER_BYTE * 1_000_000 / min(serial.baud)
 
 
 def test_the_port_of_an_s7_knows_the_instance_of_its_master() -> None:
-    call = searched(r"#load\((REQ.*?)\);", " ".join(SIEMENS["Tc100ModbusMaster"].split()))[0]
-    assert "MB_DB := #master.MB_DB" in call
+    call = searched(r"#instLoad\((REQ.*?)\);", " ".join(SIEMENS["Tc100_ModbusMaster"].split()))[0]
+    assert "MB_DB := #instMaster.MB_DB" in call

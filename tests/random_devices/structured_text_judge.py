@@ -17,7 +17,7 @@ from random_devices.queries import Answer, Query
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "plc_output"))
 
-from comparisons import compare_absent, compare_requests, compare_responses, compare_telegrams
+from comparisons import compare_requests, compare_responses, compare_states, compare_telegrams
 from compiled import Compiled
 from proving import Proof
 from st_machine import Machine
@@ -61,7 +61,7 @@ class StructuredText:
         """Nothing about single queries; raises AssertionError where a function does other than the reference."""
         if self.prover is not None:
             dice = random.Random(len(queries))
-            compare_absent(self.prover)
+            compare_states(self.prover)
             compare_telegrams(self.prover, dice, TRIES)
             compare_requests(self.prover, dice, TRIES)
             compare_responses(self.prover, dice, 2 * TRIES)

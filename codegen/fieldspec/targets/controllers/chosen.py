@@ -20,6 +20,8 @@ from fieldspec.targets.controllers.structs import Struct
 
 _UNITS = ("words", "bytes")
 """The form of the process data of a telegram."""
+_OF_TASKS = ("task ", "telegram ", "ready program")
+"""The groups of blocks for tasks, of which only those are made that a project chooses."""
 
 
 def chosen_routines(world: World, routines: Sequence[Routine]) -> tuple[Routine, ...]:
@@ -27,11 +29,15 @@ def chosen_routines(world: World, routines: Sequence[Routine]) -> tuple[Routine,
     choice = world.layout.blocks
     if choice is None:
         return tuple(routines)
-    subjects = {f"task {name}" for name in choice.tasks}
+    subjects: set[str] = set()
     for name in _groups(world.layout, choice):
         subjects |= {f"registers {name}", f"table {name}"}
     by_name = {routine.name: routine for routine in routines}
-    waiting = [routine.name for routine in routines if routine.group in subjects and routine.returns is None]
+    waiting = [
+        routine.name
+        for routine in routines
+        if routine.returns is None and (routine.group in subjects or routine.group.startswith(_OF_TASKS))
+    ]
     waiting += [name for name in _of_messages(world, choice) if name in by_name]
     reached: set[str] = set()
     while waiting:

@@ -10,10 +10,10 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Parameter, ParameterSet
-from fieldspec.language.model.value import Value
+from fieldspec.language.model.value import Signal
 from fieldspec.targets.controllers.enums import available
+from fieldspec.targets.controllers.routines.quantities import every_value
 from fieldspec.targets.controllers.routines.remarks import cited, count_of, member_remark, printed
-from fieldspec.targets.controllers.routines.scaling import every_value
 from fieldspec.targets.controllers.routines.world import narrowest
 from fieldspec.targets.controllers.statements.expressions import BITS, LREAL, REAL, UINT, Elementary
 from fieldspec.targets.controllers.statements.numbers import is_single, whole_type
@@ -187,35 +187,23 @@ def _codes(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
 
 
 def _ranges(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
-    for name, fact, value in _ranged(layout):
-        kind = whole_type(value.encoding)
+    bodies = {data.name for message in layout.messages.values() for data in message.bodies}
+    for quantity in sorted(every_value(layout), key=lambda quantity: isinstance(quantity.fact, Signal)):
+        value, fact = quantity.value, quantity.fact
+        is_only_sent = quantity.answer is None and quantity.owner in bodies
+        if is_only_sent or not is_count(value.encoding) or value.const is not None:
+            continue
         unit = f"1 count = {count_of(value)}." if value.scaled or value.unit else ""
         for word, ranges in (("", value.ranges), ("write_", value.write_ranges)):
             if ranges is not None and (ranges.low, ranges.high) != (value.type.low, value.type.high):
-                yield Draft(f"{name}_{word}min", kind, ranges.low, cited(unit, fact), fact)
-                yield Draft(f"{name}_{word}max", kind, ranges.high, cited(unit, fact), fact)
-
-
-def _ranged(layout: DeviceLayout) -> Iterator[tuple[str, Fact, Value]]:
-    """The values of registers, of records and of signals that have a range narrower than their type."""
-    for register in layout.registers:
-        yield from _narrow(register.name, register.register, register.register.value)
-    for record in layout.records.values():
-        for field in record.fields:
-            yield from _narrow(f"{record.name}_{field.name}", field.field, field.value)
-    for signal in layout.device.signals.values():
-        yield from _narrow(signal.name, signal, signal.value)
-
-
-def _narrow(name: str, fact: Fact, value: Value | None) -> Iterator[tuple[str, Fact, Value]]:
-    if value is not None and is_count(value.encoding) and value.const is None:
-        yield name, fact, value
+                for end, bound in (("min", ranges.low), ("max", ranges.high)):
+                    yield Draft(f"{quantity.full_name}_{word}{end}", quantity.kind, bound, cited(unit, fact), fact)
 
 
 def _absent(layout: DeviceLayout, types: frozenset[str]) -> Iterator[Draft]:
     for quantity in every_value(layout):
         value, fact = quantity.value, quantity.fact
-        name = quantity.name if quantity.owner == quantity.name else f"{quantity.owner}_{quantity.name}"
+        name = quantity.full_name
         for sentinel in value.sentinels:
             remark = cited(f"no quantity: {sentinel.doc or sentinel.name}", fact)
             if is_count(value.encoding):

@@ -97,7 +97,7 @@ def project_files(st_program: Program, items: Sequence[Item]) -> dict[str, str]:
 def _panel(st_program: Program, name: str) -> Routine:
     """The ready program that a program calls."""
     device = st_program.declared.world.names.device
-    rest = name.removeprefix(f"PRG_{device}")
+    rest = name.removeprefix(f"PRG_{device}").removeprefix("_")
     return next(item for item in st_program.routines if item.name == f"FB_{device}_{rest}Panel")
 
 

@@ -16,7 +16,6 @@ from fieldspec.targets.controllers.routines.blocks.ports import FRAMES, axis_key
 from fieldspec.targets.controllers.routines.printer import constants_section, parameter, type_text
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import BYTE, StructType, sequence
-from fieldspec.targets.controllers.statements.interfaces import camel
 from fieldspec.targets.controllers.statements.routine import Routine, sorted_constants
 from fieldspec.targets.templates import fill
 
@@ -127,13 +126,13 @@ def siemens(world: World, spelling: Spelling, routines: Sequence[Routine]) -> It
         elif station.shared and station.client:
             remarks = _about(station, "Modbus_Comm_Load and Modbus_Master; call it in each cycle, not in a start-up OB")
             templates = ("siemens_modbus_master.scl.j2", *templates)
-            yield _filled(world, spelling, station, templates, "program", remarks, f"{device}ModbusMaster")
+            yield _filled(world, spelling, station, templates, "program", remarks, f"{device}_ModbusMaster")
         elif not station.client and station.settings is not None and station.settings.rate in SIEMENS_RATES:
             remarks = _about(
                 station, "Port_Config, Send_P2P and Receive_P2P; messages end by a character gap of 55 bits"
             )
             templates = ("siemens_point_to_point.scl.j2", *templates)
-            yield _filled(world, spelling, station, templates, "program", remarks, f"{device}PointToPoint")
+            yield _filled(world, spelling, station, templates, "program", remarks, f"{device}_PointToPoint")
 
 
 def standard(world: World, spelling: Spelling, routines: Sequence[Routine]) -> Iterator[Source]:
@@ -192,11 +191,9 @@ def _filled(
     """The texts of some templates, one after the other."""
     names, lent = world.names, station.panel.of_role("in_out")
     siemens = spelling.variable.startswith("#")
-    # TIA Portal has local names without prefixes.
-    local = {name: camel(name) if siemens else f"st{name}" for name in (item.variable.name for item in lent)}
+    local = {name: f"stat{name}" if siemens else f"st{name}" for name in (item.variable.name for item in lent)}
     view: dict[str, object] = {
         "device": names.device,
-        "name": names.device,
         "panel": station.panel.name,
         "client": station.client if not siemens else "",
         "settings": station.settings,
@@ -236,10 +233,9 @@ def _telegram(world: World, spelling: Spelling, message: MessageLayout) -> dict[
     """The data for the templates of a telegram."""
     sizes = {data.name: data.size or 0 for data in (message.request, message.response)}
     request, response = (sequence(sizes[data.name], BYTE) for data in (message.request, message.response))
-    pascal = f"{world.names.device}{Name.of(message.name).pascal()}"
+    pascal = f"{world.names.device}_{Name.of(message.name).pascal()}"
     status = world.status
     return {
-        "name": pascal,
         "telegram": pascal,
         "axis": type_text(StructType(world.names.structs[axis_key(message)]), spelling),
         "request_last": request.high,

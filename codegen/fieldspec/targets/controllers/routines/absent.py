@@ -1,25 +1,23 @@
-"""Whether a number stands for a state and is not a quantity: a function for each kind of quantity with sentinels."""
+"""States of numbers that are read: functions that tell special values, and numbers out of range, from others."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.codec.layout.accepted import Within, range_conditions
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.encoding import is_count, is_real
-from fieldspec.language.model.ranges import merged
-from fieldspec.targets.controllers.routines.scaling import Quantity, by_name, every_value
+from fieldspec.targets.controllers.routines.quantities import Quantity, by_name, every_value, has_scale
+from fieldspec.targets.controllers.routines.stated import is_special, outside_stated
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     REAL,
     Elementary,
+    EnumType,
     Expression,
-    Fraction,
+    Type,
     Variable,
-    Whole,
-    compared,
-    either,
-    every,
 )
 from fieldspec.targets.controllers.statements.numbers import is_single
 from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Routine
@@ -42,46 +40,65 @@ def absent_routines(world: World) -> Iterator[Routine]:
     """`F_METER_VoltageIsAbsent`: TRUE for a number that stands for a state."""
     for name, same in absent_values(world.layout).items():
         first = same[0]
-        function = world.routine(name, "is_absent")
         kind = _kind(first)
-        number = Variable(f"{PREFIXES[kind.name]}{'Value' if kind is REAL else 'Counts'}", kind)
-        owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
+        number = _parameter(kind)
         states = ", ".join(f"{sentinel.text} is {sentinel.name}" for sentinel in first.value.sentinels)
-        owners_text = f"Of {owners}. " if owners else ""
-        yield Routine(
-            function,
-            "scaling",
-            BOOL,
-            (Declared(number, "input"),),
-            (Assignment(Variable(function, BOOL), _test(first, number, kind)),),
-            (
-                f"Whether a number of {name} is not a quantity: {states}.",
-                f"{owners_text}{world.comment(first.fact, None)}".strip(),
-            ),
+        remark = f"Whether a number of {name} is not a quantity: {states}."
+        yield _test(
+            world, world.routine(name, "is_absent"), same, number, is_special(first.value, number, kind), remark
         )
+
+
+def ranged_values(world: World) -> dict[str, list[Quantity]]:
+    """The values that may be read out of range, by the names under which they get functions.
+
+    Functions for quantities mark the counts of those that have a scale, and two constants say a single interval.
+    """
+    return by_name(quantity for quantity in every_value(world.layout) if _has_function(world, quantity))
+
+
+def _has_function(world: World, quantity: Quantity) -> bool:
+    value = quantity.answer
+    if value is None or has_scale(value) or not (is_count(value.encoding) or is_single(value.encoding)):
+        return False
+    match range_conditions(world.layout.device, value, quantity.trigger):
+        case ():
+            return False
+        case (condition,):
+            test, kind = condition.test, world.type_of(value)
+            is_interval = isinstance(test, Within) and len(test.intervals) == 1 and not test.sentinels
+            return not is_interval or isinstance(kind, EnumType) or bool(value.flags)
+        case _:
+            return True
+
+
+def range_routines(world: World) -> Iterator[Routine]:
+    """`F_METER_NextPointIsOutOfRange`: TRUE for a number that is read and neither stated nor a special value."""
+    for name, same in ranged_values(world).items():
+        value = same[0].answer
+        assert value is not None
+        number = _parameter(world.type_of(value))
+        test = outside_stated(world, value, same[0].trigger, number)
+        remark = f"Whether a number of {name} is out of its range."
+        if test is not None:
+            yield _test(world, world.routine(name, "is_out_of_range"), same, number, test, remark)
+
+
+def _parameter(kind: Type) -> Variable:
+    is_count_type = isinstance(kind, Elementary) and kind.family in ("signed", "unsigned")
+    prefix = PREFIXES[kind.name] if isinstance(kind, Elementary) else "e"
+    return Variable(f"{prefix}{'Counts' if is_count_type else 'Value'}", kind)
+
+
+def _test(
+    world: World, function: str, same: list[Quantity], number: Variable, test: Expression, remark: str
+) -> Routine:
+    owners = ", ".join(dict.fromkeys(quantity.owner for quantity in same if quantity.owner != quantity.name))
+    owners_text = f"Of {owners}. " if owners else ""
+    facts = f"{owners_text}{world.comment(same[0].fact, None)}".strip()
+    body = (Assignment(Variable(function, BOOL), test),)
+    return Routine(function, "scaling", BOOL, (Declared(number, "input"),), body, (remark, facts))
 
 
 def _kind(quantity: Quantity) -> Elementary:
     return REAL if is_real(quantity.value.encoding) else quantity.kind
-
-
-def _test(quantity: Quantity, number: Expression, kind: Elementary) -> Expression:
-    """Whether a number is one of the sentinels. Not every controller has a literal of the least number of a type."""
-    sentinels = quantity.value.sentinels
-    if kind is REAL:
-        literals = [Fraction(f"{sentinel.value}.0", REAL) for sentinel in sentinels]
-        return either(
-            [every([compared(number, ">=", literal), compared(number, "<=", literal)]) for literal in literals]
-        )
-    return either(
-        [
-            every([compared(number, ">=", Whole(low, kind)), compared(number, "<=", Whole(high, kind))])
-            if kind.low < low < high < kind.high
-            else compared(number, ">=", Whole(low, kind))
-            if kind.low < low < high
-            else compared(number, "=", Whole(low, kind))
-            if low == high and not low == kind.low < 0
-            else compared(number, "<", Whole(high + 1, kind))
-            for low, high in merged(quantity.value.special_intervals)
-        ]
-    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.targets.controllers.routines.absent import absent_routines
+from fieldspec.targets.controllers.routines.absent import absent_routines, range_routines
 from fieldspec.targets.controllers.routines.blocks.all_blocks import Blocks, device_blocks
 from fieldspec.targets.controllers.routines.checksums import checksum
 from fieldspec.targets.controllers.routines.enums import enum_routines
@@ -45,6 +45,7 @@ def _all(world: World) -> Iterator[Routine]:
     yield from magnitude_routines(world)
     yield from scaling_routines(world)
     yield from absent_routines(world)
+    yield from range_routines(world)
     yield from table_routines(world)
     yield from group_routines(world)
     yield from telegram_routines(world)

@@ -1,18 +1,15 @@
-"""Counts to quantities in their units and back, in LREAL, with everything refused that is out of range."""
+"""Counts to quantities in their units and back, in LREAL: a count out of range is read with a mark, and never sent."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction as Ratio
 
-from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.encoding import is_count
-from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Conversion as Share
-from fieldspec.language.model.value import Value
+from fieldspec.targets.controllers.routines.quantities import Quantity, quantities
 from fieldspec.targets.controllers.routines.remarks import count_of
-from fieldspec.targets.controllers.routines.world import PREFIXES, World, every_record
+from fieldspec.targets.controllers.routines.stated import is_special, outside_stated
+from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     LREAL,
@@ -36,80 +33,8 @@ _WHOLE_ONLY = 1 << 52
 
 _ZERO = Fraction("0.0")
 
-
-@dataclass(frozen=True, slots=True)
-class Quantity:
-    """A value with another number in its unit, or with numbers that stand for states.
-
-    `owner` is what it belongs to, `fact` what states it.
-    """
-
-    owner: str
-    name: str
-    value: Value
-    fact: Fact
-
-    @property
-    def kind(self) -> Elementary:
-        """The type of the counts."""
-        return whole_type(self.value.encoding)
-
-    @property
-    def key(self) -> tuple[object, ...]:
-        """The facts in which two quantities of one name must be equal to share a function."""
-        value = self.value
-        sentinels = tuple((sentinel.interval, sentinel.name) for sentinel in value.sentinels)
-        ranges = value.ranges, value.write_ranges
-        return value.type.name, value.scale, value.offset, value.unit, *ranges, sentinels
-
-
-def quantities(layout: DeviceLayout) -> dict[str, list[Quantity]]:
-    """The values that have a scale, by the names under which they get functions; those that share one are together."""
-    return by_name(quantity for quantity in every_value(layout) if _has_scale(quantity.value))
-
-
-def _has_scale(value: Value) -> bool:
-    return value.scaled and is_count(value.encoding) and bool(value.quantity_intervals)
-
-
-def by_name(quantities: Iterable[Quantity]) -> dict[str, list[Quantity]]:
-    """Quantities by distinct names; those that have the same name and key are in one list."""
-    groups: dict[tuple[object, ...], list[Quantity]] = {}
-    for quantity in quantities:
-        groups.setdefault((quantity.name, *quantity.key), []).append(quantity)
-    by_distinct_name: dict[str, list[Quantity]] = {}
-    for same in groups.values():
-        first = same[0]
-        name = first.name if first.name not in by_distinct_name else f"{first.owner}_{first.name}"
-        number = 1
-        while name in by_distinct_name:
-            number += 1
-            name = f"{first.owner}_{first.name}_{number}"
-        by_distinct_name[name] = same
-    return by_distinct_name
-
-
-def every_value(layout: DeviceLayout) -> Iterator[Quantity]:
-    """The values of signals, registers, fields and parameters."""
-    device = layout.device
-    every_value: list[tuple[str, str, Value | None, Fact]] = [
-        (signal.name, signal.name, signal.value, signal) for signal in device.signals.values()
-    ]
-    every_value += [
-        (register.name, register.name, register.register.value, register.register) for register in layout.registers
-    ]
-    for record in every_record(layout):
-        every_value += [(record.name, field.name, field.value, field.field) for field in record.fields]
-    for parameter_set in device.parameters.values():
-        for parameter in parameter_set.parameters:
-            if not parameter.reserved:
-                every_value.append((parameter_set.name, parameter.name, parameter.value, parameter))
-            every_value += [
-                (parameter.name, inner.name, inner.value, inner) for inner in parameter.subindices if not inner.reserved
-            ]
-    for owner, name, value, fact in every_value:
-        if value is not None:
-            yield Quantity(owner, name, value, fact)
+OUT_OF_RANGE = "xOutOfRange"
+"""The output of functions that says whether a number that was read is outside of its stated range."""
 
 
 def scaling_routines(world: World) -> Iterator[Routine]:
@@ -155,12 +80,24 @@ def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     counts = draft.declare(f"{PREFIXES[first.kind.name]}Counts", first.kind, "input")
     value = draft.declare("lrValue", LREAL, "output", f"in {first.value.unit}" if first.value.unit else "")
     draft.add([Assignment(value, _ZERO)])
-    wrong = outside(counts, first.value.quantity_intervals, first.kind)
-    if wrong is not None:
-        draft.refuse(wrong, "out_of_range")
+    _marked(draft, counts_out_of_range(world, same, counts))
+    if first.value.sentinels:
+        draft.refuse(is_special(first.value, counts, first.kind), "out_of_range")
     scaled = times(Conversion(counts, LREAL), Ratio(first.value.scale))
     draft.add([Assignment(value, _plus(scaled, Ratio(first.value.offset)))])
     return draft.finished()
+
+
+def counts_out_of_range(world: World, same: list[Quantity], counts: Expression) -> Expression | None:
+    """Whether counts of one function are out of range; None where they cannot be, and its output is not there."""
+    read = next((quantity for quantity in same if not quantity.trigger), same[0])
+    return outside_stated(world, read.answer or read.value, read.trigger, counts)
+
+
+def _marked(draft: Draft, wrong: Expression | None) -> None:
+    """Adds the output that says whether what was read is out of range; none where it cannot be."""
+    if wrong is not None:
+        draft.add([Assignment(draft.declare(OUT_OF_RANGE, BOOL, "output"), wrong)])
 
 
 def _plus(value: Expression, term_value: Ratio) -> Expression:
@@ -260,9 +197,7 @@ def _share_from_counts(world: World, share: Share) -> Routine:
     reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
     value = draft.declare("lrValue", LREAL, "output")
     draft.add([Assignment(value, _ZERO)])
-    wrong = outside(counts, [_share_bounds(world, share)], kind)
-    if wrong is not None:
-        draft.refuse(wrong, "out_of_range")
+    _marked(draft, outside(counts, [_share_bounds(world, share)], kind))
     part: Expression = Operation("/", (Conversion(counts, LREAL), _digits(share.full_scale)), LREAL)
     if share.complement:
         part = Operation("-", (_digits(1), part), LREAL)

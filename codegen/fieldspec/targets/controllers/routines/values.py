@@ -26,23 +26,21 @@ from fieldspec.language.model.encoding import (
 from fieldspec.language.model.encoding import Truth as TruthValue
 from fieldspec.language.model.encoding import Whole as WholeNumber
 from fieldspec.language.model.encoding import number_of as number_of_encoding
-from fieldspec.language.model.ranges import Ranges, bound_text, merged
+from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.holders import Holder
-from fieldspec.targets.controllers.routines.named_numbers import image_of
 from fieldspec.targets.controllers.routines.reals import outside_precision
+from fieldspec.targets.controllers.routines.stated import outside_part, outside_real
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
     BYTE,
-    REAL,
     UNSIGNED,
     ArrayType,
     Element,
     Elementary,
     EnumType,
     Expression,
-    Fraction,
     Member,
     Negation,
     Operation,
@@ -51,8 +49,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Whole,
     compared,
     converted,
-    either,
-    every,
     number,
     outside,
 )
@@ -231,7 +227,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
             wrong = outside_precision(encoding.precision, source)
             limits = [] if wrong is None else [draft.refusal(wrong, "out_of_range")]
             if value.ranges is not None:
-                limits = [draft.refusal(_outside_real(value, source), "out_of_range")]
+                limits = [draft.refusal(outside_real(value, source), "out_of_range")]
             stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
             return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
         case TruthValue():
@@ -276,28 +272,10 @@ def _write_count(
 def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) -> Iterator[Statement]:
     """The statements that refuse a word with a bit field that is out of its range."""
     word = world.layout.device.flags.get(wire.value.flags)
-    kind = UNSIGNED[wire.value.size]
     for bit in word.bounded if word is not None else ():
-        image = image_of(bit, converted(source, wire.bits), wire.bits)
-        wrong = outside(converted(image, kind), bit.images, kind)
+        wrong = outside_part(bit, wire.value.size, source)
         if wrong is not None:
             yield draft.refusal(wrong, "out_of_range")
-
-
-def _outside_real(value: Value, tested: Expression) -> Expression:
-    """Whether a floating-point number is neither in range nor a sentinel."""
-    pairs = list(value.ranges.intervals) if value.ranges is not None else []
-    pairs += value.special_intervals
-    intervals = [
-        every([compared(tested, ">=", Fraction(_real(low), REAL)), compared(tested, "<=", Fraction(_real(high), REAL))])
-        for low, high in sorted(pairs)
-    ]
-    return Negation(either(intervals))
-
-
-def _real(bound: float) -> str:
-    """The text of a bound with a decimal point."""
-    return f"{bound}.0" if isinstance(bound, int) else bound_text(bound)
 
 
 def _put(world: World, wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:

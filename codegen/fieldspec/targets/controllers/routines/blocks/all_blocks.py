@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.names import Name
@@ -54,7 +55,7 @@ class Job:
 
 
 def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
-    """The blocks of a device; `routines` are the functions that they may call."""
+    """The blocks of a device, for tasks those that a project chooses. `routines` are the functions they may call."""
     blocks: list[Routine] = []
     missing: list[tuple[str, str]] = []
     layout = world.layout
@@ -62,6 +63,8 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
     maker = _Maker(world, by_name)
     kinds: dict[str, str] = {}
     for job in jobs(layout.device.tasks):
+        if layout.blocks is not None and not any(task.name in layout.blocks.tasks for task in job.tasks):
+            continue
         job_blocks, reason = maker.tried(job)
         blocks += job_blocks
         kinds.update((block.name, "halt" if job.halts else job.kind) for block in job_blocks)
@@ -137,7 +140,8 @@ class _Maker:
         if task.not_applicable:
             raise NoBlock(task.not_applicable)
         if task.messages:
-            return [self._cyclic(job, item) for item in cyclic(world.layout) if item.name in task.messages]
+            messages = _chosen_messages(world.layout, task)
+            return [self._cyclic(job, item) for item in cyclic(world.layout) if item.name in messages]
         if all(has_only_registers(operands, job_task) for job_task in job.tasks):
             return [self._line(job, AXIS)]
         if own_links(world.layout) and all(_sends(job_task) for job_task in job.tasks):
@@ -179,6 +183,12 @@ class _Maker:
         task.all()
         describe(task.draft, job.tasks, Name.of(job.name).title(), *task.remarks, *_comments(task.kind))
         return task.block()
+
+
+def _chosen_messages(layout: DeviceLayout, task: Task) -> tuple[str, ...]:
+    """The telegrams of a task: those that a project chooses, all of them where it chooses none."""
+    chosen = layout.blocks.messages if layout.blocks is not None else ()
+    return tuple(name for name in task.messages if name in chosen) or task.messages
 
 
 def _kind(draft: BlockDraft, job: Job) -> Kind:

@@ -125,7 +125,7 @@ class Reading(Kind):
 class Stopping(Kind):
     """A block that stops the axis, and locks it while Execute is TRUE. `stop` is the last step that asks for it."""
 
-    sources = ("stopping",)
+    sources = ("judged", "stopping")
     comment = (
         "While it is Busy or Execute is TRUE, the axis is locked: no motion starts. It asks for the stop until it is "
         "answered, and is Busy until the device stands."
@@ -151,7 +151,7 @@ class Moving(Kind):
     under way then. Where it `remembers`, an edge that comes while the motion is being ended begins afterwards.
     """
 
-    sources: tuple[str, ...] = ("edged", "moving")
+    sources: tuple[str, ...] = ("edged", "judged", "moving")
     remembers = True
 
     def __init__(self, draft: BlockDraft, halts: bool = False, **slots: Any) -> None:
@@ -200,7 +200,7 @@ class Moving(Kind):
 class Jogging(Moving):
     """A block that moves the axis in a direction while the input of that direction alone is TRUE."""
 
-    sources = ("levels", "moving", "jogging")
+    sources = ("levels", "judged", "moving", "jogging")
     comment = (
         "It moves while one of its inputs is TRUE; with both TRUE, or none, it stops, and is Busy until the device "
         "stands. Nothing starts in the first scan, and after an error or CommandAborted not before both inputs were "

@@ -14,8 +14,9 @@ from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
 from fieldspec.targets.controllers.routines.named_numbers import joined_bits, mask_of
+from fieldspec.targets.controllers.routines.quantities import Quantity, quantities
 from fieldspec.targets.controllers.routines.remarks import count_of, of_value
-from fieldspec.targets.controllers.routines.scaling import Quantity, quantities
+from fieldspec.targets.controllers.routines.scaling import OUT_OF_RANGE, counts_out_of_range
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
@@ -59,10 +60,13 @@ class NoBlock(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Scaled:
-    """A value with another number in its unit: the words of its functions, and what they are made of."""
+    """A value with another number in its unit: the words of its functions, what they are made of, and all that have
+    these functions.
+    """
 
     name: str
     quantity: Quantity
+    same: list[Quantity]
 
 
 def scaled(world: World, fact: Fact) -> Scaled | None:
@@ -70,7 +74,7 @@ def scaled(world: World, fact: Fact) -> Scaled | None:
     for name, same in quantities(world.layout).items():
         for quantity in same:
             if quantity.fact is fact:
-                return Scaled(name, quantity)
+                return Scaled(name, quantity, same)
     return None
 
 
@@ -202,9 +206,13 @@ def outputs_of(block: BlockDraft, name: str, operand: Operand, value: Value | No
     assert isinstance(kind, Elementary)
     raw_output = block.declare(f"{PREFIXES[kind.name]}{Name.of(name).pascal()}Raw", kind, "output", of_value(value))
     parameter = f"{PREFIXES[quantity.quantity.kind.name]}Counts"
-    call = Call(
-        world.routine(quantity.name, "from_counts"), ((parameter, raw),), (("lrValue", physical),), block.status.type
-    )
+    filled = [("lrValue", physical)]
+    if counts_out_of_range(world, quantity.same, raw) is not None:
+        words = Name.of(f"{name}_out_of_range").pascal()
+        filled.append(
+            (OUT_OF_RANGE, block.declare(f"x{words}", BOOL, "output", "what was read is outside of its stated range"))
+        )
+    call = Call(world.routine(quantity.name, "from_counts"), ((parameter, raw),), tuple(filled), block.status.type)
     return [Assignment(raw_output, raw), *_refusing(block, call, block.fail("request"))]
 
 

@@ -124,6 +124,8 @@ class _Panel:
             name, remark_text, _ = _TASKS["servo_on"]
             return Negation(self.variables.declared_once(name, BOOL, "input", remark_text))
         name, remark_text, _ = _TASKS[kind]
+        if kind == "servo_on" and "servo_off" not in self.blocks:
+            remark_text = "a rising edge energizes the axis"
         return self.variables.declared_once(name, BOOL, "input", remark_text)
 
     def _gives(self, name: str, value: Output) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction as Ratio
+from typing import Any
 
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.operand import Operand, Operands
@@ -11,7 +12,7 @@ from fieldspec.language.model.task import Step, Task
 from fieldspec.language.model.watches import Watch, halting_task, last_command, proves_target, shows_acceptance
 from fieldspec.targets.controllers.routines.blocks.kinds import Branch, Moving, Stopping
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, holds, unit_of
-from fieldspec.targets.controllers.routines.blocks.standard import REASONS, BlockDraft, assigned, chain
+from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft
 from fieldspec.targets.controllers.routines.blocks.tasks import target
 from fieldspec.targets.controllers.routines.scaling import times
 from fieldspec.targets.controllers.routines.world import World
@@ -28,11 +29,13 @@ from fieldspec.targets.controllers.statements.expressions import (
     either,
     every,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Statement
 
 Seen = Callable[[Operand], "Expression | None"]
 """What shows a fact where a block looks: its raw number, the word of a bit, or None where it is not to be seen."""
 _START = "how long the device may stand before it moves, or off its target; not printed"
+_STANDING = "xStanding", "the device stands"
+_MOVED = "xMoved", "the device was seen to move"
 
 
 class Conditions:
@@ -150,14 +153,19 @@ class Conditions:
 
     def begun(self, kind: Moving, is_standing: Expression) -> tuple[list[Statement], Branch]:
         """Sees whether a motion that lasts has begun; the branch is for one that has not: it may be refused."""
-        draft = self.draft
-        standing = draft.flag("xStanding", "the device stands")
-        moved = draft.flag("xMoved", "the device was seen to move")
-        idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
-        for flag in (standing, moved):
-            kind.forget_first(flag)
-        moves = when(Negation(standing), [assigned(moved, True), *draft.action("SeeMotion")])
-        return [Assignment(standing, is_standing), moves], (every([idle, Negation(moved)]), [draft.fail("idle")])
+        flags = {"xStanding": self._fresh(kind, *_STANDING), "xMoved": self._fresh(kind, *_MOVED)}
+        idle = self._idle(flags["xStanding"])
+        statements = self.draft.action("SeeStanding", **flags, is_standing=is_standing, shows_motion=True)
+        return statements, (every([idle, Negation(flags["xMoved"])]), [self.draft.fail("idle")])
+
+    def _fresh(self, kind: Moving | Stopping, name: str, remark: str) -> Variable:
+        """A flag that is FALSE where the block starts."""
+        flag = self.draft.flag(name, remark)
+        kind.forget_first(flag)
+        return flag
+
+    def _idle(self, standing: Variable) -> Expression:
+        return self.draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
 
     def judged(
         self,
@@ -175,33 +183,20 @@ class Conditions:
         draft = self.draft
         computed, reached = self.all_of(steps, value_of)
         is_standing = self.stands(value_of)
-        reached_flag = draft.flag("xReached", "all conditions hold in one read")
-        standing = draft.flag("xStanding", "the device stands")
-        idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
-        body = [
-            *computed,
-            Assignment(reached_flag, reached),
-            Assignment(standing, reached_flag if is_standing is None else is_standing),
-        ]
-        fresh, wrong = [standing], [draft.fail("idle")]
-        evidence: list[Expression] = []
+        flags = {"xReached": draft.flag("xReached", "all conditions hold in one read")}
+        flags["xStanding"] = self._fresh(kind, *_STANDING)
+        slots: dict[str, Any] = {"computed": computed, "reached": reached, "success": success, "repeat": repeat}
+        slots["is_idle"] = self._idle(flags["xStanding"])
         if is_standing is not None:
-            moved = draft.flag("xMoved", "the device was seen to move")
-            fresh.append(moved)
-            body.append(when(Negation(standing), [assigned(moved, True), *draft.action("SeeMotion")]))
-            wrong = [when(moved, [draft.fail("short")], wrong)]
-            evidence.append(moved)
-        enough: Expression = reached_flag
+            flags["xMoved"] = self._fresh(kind, *_MOVED)
         if must_begin:
-            changed = draft.flag("xChanged", "a condition did not hold: the motion has begun")
-            fresh.append(changed)
-            body.append(when(Negation(reached_flag), [assigned(changed, True)]))
-            enough = every([reached_flag, changed])
-        elif any(step.argument for step in steps):
-            enough = every([reached_flag, either([self._away(), *evidence, idle])])
-        for flag in fresh:
-            kind.forget_first(flag)
-        return [*body, chain([(enough, success), (idle, wrong)], repeat)]
+            flags["xChanged"] = self._fresh(kind, "xChanged", "a condition did not hold: the motion has begun")
+        has_target = not must_begin and any(step.argument for step in steps)
+        if has_target:
+            flags["xAway"] = self._away()
+        slots["is_standing"] = flags["xReached"] if is_standing is None else is_standing
+        truths = {"shows_motion": is_standing is not None, "must_begin": must_begin, "has_target": has_target}
+        return draft.action("JudgeMotion", **flags, **slots, **truths)
 
     def stopped(
         self,
@@ -215,25 +210,26 @@ class Conditions:
         """Judges a stop: what stands may still begin to move where a command before was not seen to do so.
 
         A device that moves for long is stopped again: it may have begun a command that it had accepted before. A stop
-        that is sent too often might restart its ramp each time.
+        that is sent too often might restart its ramp each time. With an alarm, or without its servo, it has given up
+        what it had accepted.
         """
-        draft = self.draft
         computed, is_standing = self.all_of(steps, value_of)
-        standing = draft.flag("xStanding", "the device stands")
-        kind.forget_first(standing)
-        idle = draft.timer("fbStanding", standing, "StartTime", "T#2s", _START)
-        moving = draft.flag("xMoving", "the device moves although it was told to stop")
-        kind.forget_first(moving)
-        long = draft.timer("fbMoving", moving, "StartTime", "T#2s", _START)
-        unseen = draft.of_axis("unseen")
-        may_begin: list[Expression] = [unseen, Negation(idle)]
-        if isinstance(kind, Moving):
-            # With an alarm, or without its servo, the device has given up what it had accepted.
-            known = (REASONS[reason] for reason in ("alarm", "servo"))
-            may_begin += [compared(draft.variable("uiFirstReason"), "<>", reason) for reason in known]
-        waits = when(every(may_begin), [repeat, assigned(moving, False)], [assigned(unseen, False), *success])
-        onward = when(long, [resend, assigned(moving, False)], [repeat, assigned(moving, True)])
-        return [*computed, Assignment(standing, is_standing), when(standing, [waits], [onward])]
+        standing = self._fresh(kind, *_STANDING)
+        idle = self._idle(standing)
+        moving = self._fresh(kind, "xMoving", "the device moves although it was told to stop")
+        return self.draft.action(
+            "JudgeStop",
+            computed=computed,
+            is_standing=is_standing,
+            xStanding=standing,
+            is_idle=idle,
+            xMoving=moving,
+            is_long=self.draft.timer("fbMoving", moving, "StartTime", "T#2s", _START),
+            is_motion=isinstance(kind, Moving),
+            success=success,
+            repeat=[repeat],
+            resend=[resend],
+        )
 
 
 def standstill(operands: Operands, task: Task, message: str = "") -> tuple[Step, ...]:
