@@ -154,6 +154,27 @@ def test_the_cache_of_an_earlier_fieldspec_goes_on(tmp_path: Path, monkeypatch: 
     assert (folder / "CACHEDIR.TAG").is_file()
 
 
+@pytest.mark.parametrize(
+    ("platform", "variables", "place"),
+    [
+        ("linux", {}, "/home/a/.cache/fieldspec"),
+        ("linux", {"XDG_CACHE_HOME": "/caches"}, "/caches/fieldspec"),
+        ("win32", {}, "/home/a/AppData/Local/fieldspec/cache"),
+        ("win32", {"LOCALAPPDATA": "/local"}, "/local/fieldspec/cache"),
+        ("win32", {"FIELDSPEC_CACHE": "/cache/"}, "/cache"),
+    ],
+)
+def test_the_folder_is_where_the_system_keeps_caches(
+    platform: str, variables: dict[str, str], place: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.platform", platform)
+    for variable in ("FIELDSPEC_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(variable, raising=False)
+    for variable, text in {"HOME": "/home/a", "USERPROFILE": "/home/a", **variables}.items():
+        monkeypatch.setenv(variable, text)
+    assert Path(cache_folder.folder()) == Path(place)
+
+
 SHAPES = (
     b"",
     b"[]",

@@ -13,8 +13,9 @@ from pathlib import Path
 
 import pytest
 
+from compiler_modules import PACKAGE, tree
+
 ROOT = Path(__file__).parent.parent
-PACKAGE = ROOT / "codegen" / "fieldspec"
 GLOSSARY = "".join((ROOT / "docs" / name).read_text("utf-8") for name in ("glossary.md", "naming.md"))
 SCHEMA = PACKAGE / "language" / "schema" / "spec.schema.json"
 OUTSIDE = {"node_modules", ".venv", "__pycache__"}
@@ -71,7 +72,7 @@ def names(nodes: Iterable[ast.AST]) -> Iterator[tuple[int, str]]:
 
 def nodes_of(path: Path) -> Iterator[ast.AST]:
     """All nodes of a Python file."""
-    return ast.walk(ast.parse(path.read_text("utf-8")))
+    return ast.walk(tree(path))
 
 
 def is_attribute(node: ast.Name) -> bool:

@@ -106,7 +106,8 @@ class Scene:
         for name in (*named, "tc100", "protocols"):
             shutil.copytree(SPECS / name, folder / "specs" / name)
         shutil.copy(SPECS.parent / "fieldspec.yaml", folder)
-        if page == "audit":
+        self.has_lifter = page == "audit"
+        if self.has_lifter:
             self.write_lifter()
         self.write_traffic()
         self.commit()
@@ -158,7 +159,8 @@ class Scene:
     def replaced(self, word: str, line: str) -> str:
         """An argument, with the device and the file of this project for `DEVICE` and `FILE`."""
         if word == "DEVICE":
-            return "lifter" if "--manual" in line else "tc100"
+            # The device of the guide is small; only sections of the other one are signed.
+            return "lifter" if self.has_lifter and "--sign" not in line else "tc100"
         if word == "FILE":
             return "lifter.txt" if "--manual" in line else "read.csv"
         return word

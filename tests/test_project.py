@@ -24,7 +24,8 @@ ROOT = Path(__file__).parent.parent
 PINS = ROOT / "requirements" / "dev.txt"
 LOCK = ROOT / "tests" / "tools" / "package-lock.json"
 ARCHITECTURE = ROOT / "docs" / "architecture.md"
-MACHINE_PATH = re.compile(rb"(?<![\w.~-])/(?:work|root|home/\w+|Users/\w+)/")
+# It begins with a character, so that the beginnings of matches are found without trying each place.
+MACHINE_PATH = re.compile(rb"/(?<![\w.~-]/)(?:work|root|home/\w+|Users/\w+)/")
 PINNED = re.compile(r"[\w.-]+==[\w.]+ .*--hash=sha256:[0-9a-f]{64}")
 IN_WHEEL = {
     "codegen/fieldspec": "fieldspec",

@@ -15,7 +15,7 @@ import fieldspec.codec.reference
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.values import raw_values
 from fieldspec.codec.reference import CodecError, codec
-from fieldspec.codec.reference.parameters import value_of_bytes
+from fieldspec.codec.reference.parameters import data_of_value, value_of_bytes
 from fieldspec.language.model.texts import Example
 from layouts import SPECS, TEST_SPECS, all_layouts, newest
 
@@ -206,3 +206,19 @@ def test_the_reference_shares_no_code_that_decodes() -> None:
     names = {name.name for node in nodes if isinstance(node, ast.ImportFrom) for name in node.names}
     names |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
     assert names & DECODING == set()
+
+
+@pytest.mark.parametrize(
+    ("register", "raw", "order", "swapped", "data"),
+    [
+        ("target", 0x01020304, "big", False, "01 02 03 04"),
+        ("target", 0x01020304, "little", False, "04 03 02 01"),
+        ("target", 0x01020304, "big", True, "03 04 01 02"),
+        ("serial_number", b"AB", "big", False, "41 42 00 00 00 00 00 00 00 00 00 00"),
+    ],
+)
+def test_a_value_in_a_field_of_bytes_has_its_bytes_in_an_order(
+    register: str, raw: int | bytes, order: str, swapped: bool, data: str
+) -> None:
+    registers = {layout.name: layout.register for layout in newest(TEST_SPECS, "widget").registers}
+    assert data_of_value(registers[register].value, raw, order, swapped).hex(" ") == data

@@ -6,13 +6,9 @@ import ast
 import re
 from collections import Counter
 from collections.abc import Iterator
-from pathlib import Path
 
-import fieldspec
+from compiler_modules import MODULES, inside, tree
 
-PACKAGE = Path(fieldspec.__file__).parent
-# Python that is copied into an output is used by what is generated.
-MODULES = sorted(path for path in PACKAGE.rglob("*.py") if "runtime" not in path.parts)
 USED_ELSEWHERE = {
     "add_live": "cli.py joins the name of each verb after `add_`",
     "add_mcp": "cli.py joins the name of each verb after `add_`",
@@ -26,9 +22,9 @@ USED_ELSEWHERE = {
 }
 
 
-def defined(tree: ast.Module) -> Iterator[tuple[str, ast.stmt]]:
+def defined(module: ast.Module) -> Iterator[tuple[str, ast.stmt]]:
     """The names that a module defines, with their definitions."""
-    for node in tree.body:
+    for node in module.body:
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             yield node.name, node
         elif isinstance(node, (ast.Assign, ast.AnnAssign)):
@@ -38,15 +34,15 @@ def defined(tree: ast.Module) -> Iterator[tuple[str, ast.stmt]]:
             )
 
 
-def read(tree: ast.AST) -> Counter[str]:
+def read(part: ast.AST) -> Counter[str]:
     """How often each name is read."""
-    return Counter(node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
+    return Counter(node.id for node in ast.walk(part) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
 
 
 def named_from_outside(trees: list[ast.Module]) -> set[str]:
     """The names that modules import, read as attributes, or have in a text, as lazy imports of the command line do."""
     names: set[str] = set()
-    for node in (node for tree in trees for node in ast.walk(tree)):
+    for node in (node for module in trees for node in ast.walk(module)):
         if isinstance(node, ast.ImportFrom):
             names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.Attribute):
@@ -57,13 +53,12 @@ def named_from_outside(trees: list[ast.Module]) -> set[str]:
 
 
 def test_every_name_that_a_module_defines_is_used() -> None:
-    trees = {path: ast.parse(path.read_text("utf-8")) for path in MODULES}
-    outside = named_from_outside([*trees.values()])
+    outside = named_from_outside([tree(path) for path in MODULES])
     unused = set()
-    for path, tree in trees.items():
-        reads = read(tree)
-        for name, definition in defined(tree):
-            if reads[name] == read(definition)[name] and name not in outside and not name.startswith("__"):
-                unused.add((name, path.relative_to(PACKAGE).as_posix()))
+    for path in MODULES:
+        reads = read(tree(path))
+        for name, definition in defined(tree(path)):
+            if name not in outside and not name.startswith("__") and reads[name] == read(definition)[name]:
+                unused.add((name, inside(path)))
     assert {(name, path) for name, path in unused if name not in USED_ELSEWHERE} == set()
     assert USED_ELSEWHERE.keys() - {name for name, _ in unused} == set()

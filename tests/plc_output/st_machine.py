@@ -83,7 +83,10 @@ class Machine:
         """The value that a variable begins with."""
         kind = self.kind(kind)
         if isinstance(kind, tuple) and kind[0] == "array":
-            return [self.fresh(kind[3]) for _ in range(kind[1], kind[2] + 1)]
+            numbers = range(kind[1], kind[2] + 1)
+            if isinstance(kind[3], tuple) or kind[3] in self.unit.structs:
+                return [self.fresh(kind[3]) for _ in numbers]
+            return [self.fresh(kind[3])] * len(numbers)
         if kind in self.unit.structs:
             return {name: self.fresh(of) for name, of, _ in self.unit.structs[kind]}
         if kind in self.unit.enums:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from standard_text import anonymous
 
@@ -28,13 +28,13 @@ class StError(Exception):
     """Text that is not Structured Text of the subset, or that means nothing."""
 
 
-@dataclass(frozen=True)
-class Token:
-    """A word, a number, a text or a mark."""
+class Token(NamedTuple):
+    """A word, a number, a text or a mark. `word` is that of a name or a mark in upper case."""
 
     kind: str
     text: str
     line: int
+    word: str = ""
 
 
 @dataclass
@@ -67,10 +67,13 @@ def tokens(text: str) -> list[Token]:
         match = TOKEN.match(text, at)
         if match is None:
             raise StError(f"line {line}: {text[at : at + 30]!r}")
-        if match.lastgroup != "space":
-            assert match.lastgroup
-            tokens.append(Token(match.lastgroup, match.group(), line))
-        line += match.group().count("\n")
+        kind, token = match.lastgroup, match[0]
+        assert kind
+        if kind in ("name", "mark"):
+            tokens.append(Token(kind, token, line, token.upper()))
+        elif kind != "space":
+            tokens.append(Token(kind, token, line))
+        line += token.count("\n")
         at = match.end()
     return [*tokens, Token("end", "", line)]
 
@@ -89,19 +92,19 @@ class Parser:
     @property
     def word(self) -> str:
         """The word that is next, in upper case."""
-        return self.token.text.upper() if self.token.kind in ("name", "mark") else ""
+        return self.found[self.at].word
 
     def take(self, *wanted: str) -> Token:
         """The next token, which must be one of some words or marks, or of some kind."""
-        token = self.token
-        if wanted and self.word not in wanted and token.kind not in wanted:
+        token = self.found[self.at]
+        if wanted and token.word not in wanted and token.kind not in wanted:
             raise StError(f"line {token.line}: {token.text!r} instead of {' or '.join(wanted)}")
         self.at += 1
         return token
 
     def taken(self, *wanted: str) -> bool:
         """Whether the next token is one of some words or marks; if so it is passed over."""
-        if self.word in wanted:
+        if self.found[self.at].word in wanted:
             self.at += 1
             return True
         return False

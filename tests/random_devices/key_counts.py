@@ -133,11 +133,25 @@ def counts_of(seed: int, count: int = BATCH) -> KeyCounts:
     return result
 
 
+def rich_seeds(counts: dict[int, KeyCounts]) -> list[int]:
+    """Seeds whose devices have together each key and each word without a reason that the devices of all seeds have."""
+    had: dict[int, set[Key | str]] = {}
+    for seed, own in counts.items():
+        had[seed] = {key for key in own.keys if not reason(key)} | {*own.forms} & {*_words()}
+    missing, seeds = set[Key | str]().union(*had.values()), list[int]()
+    while missing:
+        rarest = min(missing, key=lambda word: (sum(word in words for words in had.values()), str(word)))
+        seeds.append(max((seed for seed in had if rarest in had[seed]), key=lambda seed: len(had[seed] & missing)))
+        missing -= had[seeds[-1]]
+    return seeds
+
+
 def statistics(count: int, seed: int, processes: int) -> str:
     """What so many devices have, as a text."""
     total = KeyCounts()
+    seeds = range(seed, seed + -(-count // BATCH))
     with ProcessPoolExecutor(processes) as pool:
-        batches = range(seed, seed + -(-count // BATCH))
-        for own in pool.map(counts_of, batches, repeat(BATCH)):
-            total.add(own)
-    return total.report()
+        counts = dict(zip(seeds, pool.map(counts_of, seeds, repeat(BATCH)), strict=True))
+    for batch in counts.values():
+        total.add(batch)
+    return f"{total.report()}\nseeds that have all of it together: {rich_seeds(counts)}"

@@ -24,8 +24,10 @@ CHEAP = 8 if IS_WHOLE else 1
 """Judges that are asked about each device, or about one of so few, cost less than the others."""
 MOST = 2000
 """Devices that are drawn until each key of the language is in enough of them."""
-RICH = (43, 49, 36, 1, 28, 4, 18, 27, 0, 2)
-"""Seeds whose devices have all keys together. Where what is drawn has changed, the others follow after them."""
+RICH = (0, 6, 12, 13, 16, 17, 27, 39, 53, 61)
+"""Seeds whose devices have all keys together, as `fuzz.py --statistics 2000` finds them. Where what is drawn has
+changed, the others follow after them, which takes minutes.
+"""
 LEAST = 1
 """Devices without findings that have a key."""
 
@@ -48,7 +50,7 @@ def judges_of(text: str) -> tuple[Judge, ...]:
     return tuple(judge for judge in judges if judge.every <= CHEAP)
 
 
-@pytest.mark.proof(36)
+@pytest.mark.proof(24)
 @pytest.mark.parametrize("case", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
 def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
     text = case.read_text(encoding="utf-8")
@@ -121,7 +123,7 @@ def test_every_key_of_the_language_is_in_random_devices_or_has_a_reason_why_not(
     others = [number for number in range(MOST // BATCH) if number not in RICH]
     for batches, number in enumerate([*RICH, *others], 1):
         total.add(counts_of(number))
-        if batches >= 10 and not total.seldom(LEAST) and not total.absent_forms(total.clean // 10):
+        if batches >= len(RICH) and not total.seldom(LEAST) and not total.absent_forms(total.clean // 10):
             break
     assert total.seldom(LEAST) == {}
     assert total.absent_forms(total.clean // 10) == []

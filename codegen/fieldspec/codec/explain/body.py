@@ -208,7 +208,7 @@ class Body:
         """How many elements of a list of a record with fields after a list there are."""
         inner = self.record.inner_lists
         assert inner is not None
-        number = next(number for number, own in enumerate(inner.lists) if own.name == field.name)
+        number = next(number for number, inner_list in enumerate(inner.lists) if inner_list.name == field.name)
         extent = self.extents[number]
         return (
             len(extent.elements)
@@ -345,7 +345,7 @@ class Body:
         """The value of a field that measures a list of a record with fields after a list."""
         measure = field.field.measures
         assert measure is not None
-        number = next(number for number, own in enumerate(inner.lists) if own.name == other.name)
+        number = next(number for number, inner_list in enumerate(inner.lists) if inner_list.name == other.name)
         if number < len(self.extents):
             items = self._items(other)
             expected = measure.number(items, other.size)

@@ -26,7 +26,7 @@ def needed_bits(word: Flags, enums: Mapping[str, Enum]) -> tuple[NeededBit, ...]
     """The fields of bits that have to be given whenever a word is put together from its bits."""
     reasons = ((bit, bit.reason_to_give(enums.get(bit.enum))) for bit in word.bits)
     return tuple(
-        NeededBit(bit, reason, tuple(own for own in word.bits if own.mask & bit.mask and not own.reserved))
+        NeededBit(bit, reason, tuple(member for member in word.bits if member.mask & bit.mask and not member.reserved))
         for bit, reason in reasons
         if reason
     )

@@ -98,7 +98,7 @@ def _without(layout: DeviceLayout, absent: Absences) -> DeviceLayout:
         tables={name: table for name, table in device.tables.items() if name not in absent.tables},
         parameters=parameters,
         conversions={name: own for name, own in device.conversions.items() if name not in absent.conversions},
-        examples={name: own for name, own in device.examples.items() if own.message not in absent.messages},
+        examples={name: example for name, example in device.examples.items() if example.message not in absent.messages},
     )
     return replace(
         layout,

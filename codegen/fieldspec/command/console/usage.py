@@ -41,7 +41,7 @@ def unknown(kind: str, name: str, known: Iterable[str], limit: int = 20) -> Usag
 def not_at(kind: str, number: int, known: Iterable[tuple[int, str]]) -> UsageError:
     """The error for an address or a number that nothing has, with the nearest ones that something has."""
     nearest = sorted(dict(sorted(known)).items(), key=lambda pair: (abs(pair[0] - number), pair[0]))[:_NEAREST]
-    names = ", ".join(f"{name} at 0x{own:04X}" for own, name in sorted(nearest))
+    names = ", ".join(f"{name} at 0x{address:04X}" for address, name in sorted(nearest))
     return UsageError(f"there is no {kind} at 0x{number:04X} ({number}); the nearest are {names}")
 
 

@@ -238,10 +238,10 @@ def ways_on(client: Client, arguments: argparse.Namespace) -> Iterator[str]:
     """The other settings that a device can have which does not answer, and the commands that try them."""
     layout, link = client.layout, client.frames.link
     free = argparse.Namespace(**{**vars(arguments), "link": None, "baud": None, "data_bits": None, "parity": None})
-    other_links = [own for own in settings(layout, free) if own.link.name != link.name]
+    other_links = [setting for setting in settings(layout, free) if setting.link.name != link.name]
     serial = link.link.serial if has_line_settings(arguments.port) else None
     text = []
-    names = list(dict.fromkeys(own.link.name for own in other_links))
+    names = list(dict.fromkeys(setting.link.name for setting in other_links))
     if names:
         text.append(f"link {_either(names)}")
     if serial is not None:

@@ -151,9 +151,13 @@ def footnotes(layout: DeviceLayout, explanation: Explanation, all_errata: bool) 
     of_fields = {number for row in rows for number in row.errata}
     if not of_fields and not explanation.errata:
         return
-    touching = [own for own in layout.device.errata if own.id in of_fields or own.id in explanation.errata]
+    touching = [
+        erratum for erratum in layout.device.errata if erratum.id in of_fields or erratum.id in explanation.errata
+    ]
     link = layout.device.links[explanation.link]
-    printed_ids = {own.id for own in touching if own.id in of_fields and concerns_link(layout.device, own, link)}
+    printed_ids = {
+        erratum.id for erratum in touching if erratum.id in of_fields and concerns_link(layout.device, erratum, link)
+    }
     if not all_errata and len(printed_ids) < len(touching):
         count = len(touching) - len(printed_ids)
         yield f"{count} more errata about this message or other links; print them with --errata"

@@ -76,7 +76,7 @@ def build(arguments: argparse.Namespace, memory: BuildMemory | None = None) -> i
         request = BuildRequest(outputs, versions, bool(requested_outputs), project)
         chosen = {name for device in devices for name in request.outputs_of(device)}
         request = replace(request, outputs=tuple(name for name in request.outputs if name in chosen))
-        among = {own: data for own, data in files.items() if own.partition("/")[0] in {*devices, PROTOCOLS}}
+        among = {name: data for name, data in files.items() if name.partition("/")[0] in {*devices, PROTOCOLS}}
         codes.append(_build_into(Path(folder), request, (path, among), arguments, outputs, memory))
     return max(codes)
 

@@ -164,7 +164,7 @@ def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[
     enum = device.enums.get(field.value.enum) if field is not None and field.value is not None else None
     if enum is None:
         text = f"{message.name} has no field `{abort.reason}` with an enum"
-        candidates = [own.name for own in message.request.fields if own.value is not None and own.value.enum]
+        candidates = [field.name for field in message.request.fields if field.value is not None and field.value.enum]
         yield _finding(first, text, near(abort.reason, candidates))
     else:
         for name in (abort.counter, abort.size):

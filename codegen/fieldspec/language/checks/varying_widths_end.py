@@ -40,7 +40,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
     sizes = RecordSizes(device)
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
-    counting = [own for name, own in device.records.items() if sizes.tells_size(name) and name not in refusing]
+    counting = [record for name, record in device.records.items() if sizes.tells_size(name) and name not in refusing]
     parts = {id(field) for record in counting for field in record.fields}
     for fact, value in values(device):
         if not value.width:
