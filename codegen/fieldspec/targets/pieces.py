@@ -108,7 +108,7 @@ def piece(
 def content_piece(kind: str, data: object, words: tuple[Hashable, ...], make: Callable[[], Result]) -> Result:
     """The result of `make`, which depends only on plain data and words: a piece by the content of the data.
 
-    Data that contains anything but numbers, texts, bytes, lists and dictionaries of these is no key.
+    Only numbers, texts, bytes, and lists and dictionaries of these are cached.
     """
     if not _at_hand:
         return make()
