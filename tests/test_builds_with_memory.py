@@ -19,7 +19,7 @@ from spec_edits import Files, edited
 SPECS = Path(__file__).resolve().parent / "specs"
 DEVICES = ("widget", "gizmo", "wattmeter", "protocols")
 """Several files with a protocol and versions; anchors; versions in files of their own."""
-OUTPUTS = "c,python,docs"
+OUTPUTS = "c,python,js,wireshark,docs"
 EDITS = 4
 
 

@@ -7,6 +7,7 @@ asked for, which depend on other facts too.
 
 from __future__ import annotations
 
+import marshal
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from typing import Protocol, TypeVar, cast
@@ -17,6 +18,9 @@ from fieldspec.language.model.value import Value
 Result = TypeVar("Result")
 RequestedNames = tuple[dict[Hashable, str], dict[Hashable, str]]
 """The names that a piece asked for: those that were given before, and those that were given to it first."""
+
+_CONTENT = 2
+"""The version of the serialization of data that is equal for equal data."""
 
 MOST = 100_000
 """The most pieces that are remembered; the oldest ones go first."""
@@ -99,3 +103,17 @@ def piece(
     The result must not be changed.
     """
     return _at_hand[0].taken(kind, facts, words, names, make) if _at_hand else make()
+
+
+def content_piece(kind: str, data: object, words: tuple[Hashable, ...], make: Callable[[], Result]) -> Result:
+    """The result of `make`, which depends only on plain data and words: a piece by the content of the data.
+
+    Only numbers, texts, bytes, and lists and dictionaries of these are cached.
+    """
+    if not _at_hand:
+        return make()
+    try:
+        content = marshal.dumps(data, _CONTENT)  # type: ignore[arg-type]
+    except ValueError:
+        return make()
+    return _at_hand[0].taken(kind, (), (content, *words), None, make)

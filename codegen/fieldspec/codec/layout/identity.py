@@ -24,6 +24,7 @@ from fieldspec.language.model.address_space import WHOLE, WORD
 from fieldspec.language.model.attributes import descendants
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.link import Serial
 from fieldspec.language.model.record import STEP_FIELDS, Field, RegisterAccess, Segments
 from fieldspec.language.model.texts import Limit
@@ -320,24 +321,35 @@ def _conversions(device: Device) -> Iterator[Words]:
 
 def _words(device: Device) -> Iterator[Words]:
     for enum in _by_name(device.enums):
-        members = [
-            (member.value, member.name, *sorted(member.aliases)) for member in enum.members if not member.unavailable
-        ]
-        yield "enum", enum.name, enum.open, sorted(members)
+        yield from _WORDS.get_or_compute(enum, _enum_words)
     for flags in _by_name(device.flags):
-        bits = [
-            (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.edge)
-            + ((bit.signed, str(shortest(bit.scale)), str(shortest(bit.offset)), bit.unit) if bit.is_number else ())
-            + ((ranges,) if (ranges := bounding(bit.ranges, bit.low, bit.high)) is not None else ())
-            + (("default", bit.default) if bit.default is not None else ())
-            + (("pieces", *bit.pieces) if bit.pieces else ())
-            for bit in sorted(flags.bits, key=attrgetter("first", "name"))
-            if not bit.reserved
-        ]
-        states = sorted((state.name, flags.masked(state)) for state in flags.states)
-        yield "flags", flags.name, flags.type.name, bits, states
-        if bounding(flags.ranges, flags.type.low, flags.type.high) is not None:
-            yield "range", flags.ranges
+        yield from _WORDS.get_or_compute(flags, _flags_words)
+
+
+_WORDS: ByIdentity[Any, tuple[Words, ...]] = ByIdentity(limit=10_000)
+"""The words of enums and flags, which versions share, and mostly the next build too."""
+
+
+def _enum_words(enum: Enum) -> tuple[Words, ...]:
+    members = [
+        (member.value, member.name, *sorted(member.aliases)) for member in enum.members if not member.unavailable
+    ]
+    return (("enum", enum.name, enum.open, sorted(members)),)
+
+
+def _flags_words(flags: Flags) -> tuple[Words, ...]:
+    bits = [
+        (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.edge)
+        + ((bit.signed, str(shortest(bit.scale)), str(shortest(bit.offset)), bit.unit) if bit.is_number else ())
+        + ((ranges,) if (ranges := bounding(bit.ranges, bit.low, bit.high)) is not None else ())
+        + (("default", bit.default) if bit.default is not None else ())
+        + (("pieces", *bit.pieces) if bit.pieces else ())
+        for bit in sorted(flags.bits, key=attrgetter("first", "name"))
+        if not bit.reserved
+    ]
+    states = sorted((state.name, flags.masked(state)) for state in flags.states)
+    is_bounded = bounding(flags.ranges, flags.type.low, flags.type.high) is not None
+    return ("flags", flags.name, flags.type.name, bits, states), *([("range", flags.ranges)] if is_bounded else [])
 
 
 _ASKED = ("trigger", "atomic", "applies_to", "messages", "supplements")

@@ -14,12 +14,15 @@ its scale and its unit.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
-from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.value import Value
 
 _CODE = "bit_numbers_apply"
 _KEYS = ("signed", "scale", "offset", "unit")
@@ -27,21 +30,8 @@ _LEVEL_KEYS = ("zero", "one", "active")
 
 
 def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
-    for word in device.flags.values():
-        for bit in word.bits:
-            yield from _of_number(word, bit)
-            yield from _of_range(bit)
-            for key in _LEVEL_KEYS:
-                if bit.width > 1 and key in bit.place:
-                    text = f"{bit.name} has {bit.width} bits, to which `{key}` does not apply"
-                    yield finding(_CODE, bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
-    for fact, value in values(device):
-        bounded = device.flags[value.flags].bounded if value.flags in device.flags else ()
-        if bounded and value.sentinels:
-            text = f"{fact.name} has special values, which the range of {bounded[0].name} does not except"
-            related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
-            help = "remove one of them, or use a word of bits without a range"
-            yield finding(_CODE, fact.place, "sentinels", text, help, related_label)
+    yield from of_words(device, _of_word)
+    yield from of_values(device, partial(_of_sentinels, device))
     for link in device.links.values():
         for part in (*link.request, *link.response):
             bounded = device.flags[part.value.flags].bounded if part.value and part.value.flags in device.flags else ()
@@ -49,6 +39,25 @@ def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
                 text = f"{part.name} is a part of a frame, to which the range of {bounded[0].name} does not apply"
                 related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
                 yield finding(_CODE, part.place, "flags", text, "use a word of bits without a range", related_label)
+
+
+def _of_sentinels(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    bounded = device.flags[value.flags].bounded if value.flags in device.flags else ()
+    if bounded and value.sentinels:
+        text = f"{fact.name} has special values, which the range of {bounded[0].name} does not except"
+        related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
+        help = "remove one of them, or use a word of bits without a range"
+        yield finding(_CODE, fact.place, "sentinels", text, help, related_label)
+
+
+def _of_word(word: Flags) -> Iterator[Diagnostic]:
+    for bit in word.bits:
+        yield from _of_number(word, bit)
+        yield from _of_range(bit)
+        for key in _LEVEL_KEYS:
+            if bit.width > 1 and key in bit.place:
+                text = f"{bit.name} has {bit.width} bits, to which `{key}` does not apply"
+                yield finding(_CODE, bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
 
 
 def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:

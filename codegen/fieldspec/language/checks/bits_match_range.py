@@ -14,9 +14,10 @@ is in the list.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import partial
 
-from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
@@ -28,13 +29,15 @@ _WIDEST = 64
 
 
 def bits_match_range(device: Device) -> Iterator[Diagnostic]:
-    for word in device.flags.values():
-        yield from _compare_range(device, word, word, word.ranges)
-    for fact, value in values(device):
-        used = device.flags.get(value.flags)
-        if used is not None:
-            wrong = list(_compare_range(device, fact, used, value.ranges))
-            yield from wrong or _compare_words(fact, value, used)
+    yield from of_words(device, lambda word: _compare_range(device, word, word, word.ranges))
+    yield from of_values(device, partial(_of_value, device))
+
+
+def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    used = device.flags.get(value.flags)
+    if used is not None:
+        wrong = list(_compare_range(device, fact, used, value.ranges))
+        yield from wrong or _compare_words(fact, value, used)
 
 
 def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:

@@ -12,28 +12,32 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.settled import of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.enums import Bit
+from fieldspec.language.model.enums import Bit, Flags
 
 
 def bits_unique(device: Device) -> Iterator[Diagnostic]:
-    for word in device.flags.values():
-        owners: dict[int, list[Bit]] = {}
-        for bit in word.bits:
-            same_bit_owners = [other for number in bit.places for other in owners.get(number, [])]
-            clash = next((other for other in same_bit_owners if not _apart(bit, other)), None)
-            if clash is not None:
-                yield finding(
-                    "bits_unique",
-                    bit.place,
-                    _key(bit),
-                    f"{bit.name} uses {_claim(bit)} of {word.name}, which {clash.name} also uses",
-                    "correct one of the numbers, or add `when` to both entries",
-                    label(clash.place, _key(clash), f"{clash.name} has {_claim(clash)}"),
-                )
-            for number in bit.places:
-                owners.setdefault(number, []).append(bit)
+    return of_words(device, _of_word)
+
+
+def _of_word(word: Flags) -> Iterator[Diagnostic]:
+    owners: dict[int, list[Bit]] = {}
+    for bit in word.bits:
+        same_bit_owners = [other for number in bit.places for other in owners.get(number, [])]
+        clash = next((other for other in same_bit_owners if not _apart(bit, other)), None)
+        if clash is not None:
+            yield finding(
+                "bits_unique",
+                bit.place,
+                _key(bit),
+                f"{bit.name} uses {_claim(bit)} of {word.name}, which {clash.name} also uses",
+                "correct one of the numbers, or add `when` to both entries",
+                label(clash.place, _key(clash), f"{clash.name} has {_claim(clash)}"),
+            )
+        for number in bit.places:
+            owners.setdefault(number, []).append(bit)
 
 
 def _apart(bit: Bit, other: Bit) -> bool:

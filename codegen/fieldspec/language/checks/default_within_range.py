@@ -13,14 +13,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import partial
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import default_key, finding, label, range_key
 from fieldspec.language.checks.numbers import Legal
+from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_real
+from fieldspec.language.model.enums import Flags
+from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
 _CODE = "default_within_range"
@@ -29,29 +32,34 @@ _DECIMAL = re.compile(r"-?\d+\.\d+")
 
 def default_within_range(device: Device) -> Iterator[Diagnostic]:
     legal = Legal(device)
-    for fact, value in values(device):
-        if value.default is None:
-            continue
-        key = default_key(fact.place)
-        wrong = _wrong_form(device, value, value.default)
-        if wrong:
-            text, help = wrong
-            yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
-            continue
-        reason = (
-            _outside(value, value.default) if isinstance(value.default, str) else legal.objection(value, value.default)
-        )
-        if reason:
-            text = f"the default of {fact.name} is {value.default}, which {reason}"
-            help = "correct one of them, or list the value under `sentinels`"
-            labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
-            yield finding(_CODE, fact.place, key, text, help, *labels)
-    for bit in (bit for word in device.flags.values() for bit in word.bits):
+    yield from of_values(device, partial(_of_value, device, legal))
+    yield from of_words(device, partial(_of_word, legal))
+
+
+def _of_word(legal: Legal, word: Flags) -> Iterator[Diagnostic]:
+    for bit in word.bits:
         reason = "" if bit.default is None else legal.objection(bit.as_value, bit.default)
         if reason:
             text = f"the default of {bit.name} is {bit.default}, which {reason}"
             labels = (label(bit.place, range_key(bit.place), "the range"),) if bit.ranges else ()
             yield finding(_CODE, bit.place, default_key(bit.place), text, "correct one of them", *labels)
+
+
+def _of_value(device: Device, legal: Legal, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    if value.default is None:
+        return
+    key = default_key(fact.place)
+    wrong = _wrong_form(device, value, value.default)
+    if wrong:
+        text, help = wrong
+        yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
+        return
+    reason = _outside(value, value.default) if isinstance(value.default, str) else legal.objection(value, value.default)
+    if reason:
+        text = f"the default of {fact.name} is {value.default}, which {reason}"
+        help = "correct one of them, or list the value under `sentinels`"
+        labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
+        yield finding(_CODE, fact.place, key, text, help, *labels)
 
 
 def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:

@@ -11,35 +11,42 @@ range.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
-from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import enumeration, finding, label, plural, range_key
+from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_exact
-from fieldspec.language.model.enums import Member
+from fieldspec.language.model.enums import Flags, Member
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
 
 def enum_within_range(device: Device) -> Iterator[Diagnostic]:
-    for fact, value in values(device):
-        enum = device.enums.get(value.enum)
-        if enum is not None and is_exact(value.encoding):
-            excluded = [member for member in enum.members if _excluded(value, member)]
+    yield from of_values(device, partial(_of_value, device))
+    yield from of_words(device, partial(_of_word, device))
+
+
+def _of_word(device: Device, flags: Flags) -> Iterator[Diagnostic]:
+    for bit in flags.bits:
+        enum = device.enums.get(bit.enum)
+        members = enum.members if enum is not None else ()
+        if wide := [member for member in members if not 0 <= member.value < 1 << min(bit.width, 64)]:
+            yield _finding(bit, "enum", f"{bit.name}, of {plural(bit.width, 'bit')},", wide)
+        elif bit.ranges is not None:
+            excluded = [member for member in members if not member.unavailable and member.value not in bit.ranges]
             if excluded:
-                key = "type" if value.ranges is None else range_key(fact.place)
-                yield _finding(fact, key, fact.name, excluded)
-    for flags in device.flags.values():
-        for bit in flags.bits:
-            enum = device.enums.get(bit.enum)
-            members = enum.members if enum is not None else ()
-            if wide := [member for member in members if not 0 <= member.value < 1 << min(bit.width, 64)]:
-                yield _finding(bit, "enum", f"{bit.name}, of {plural(bit.width, 'bit')},", wide)
-            elif bit.ranges is not None:
-                excluded = [member for member in members if not member.unavailable and member.value not in bit.ranges]
-                if excluded:
-                    yield _finding(bit, range_key(bit.place), bit.name, excluded)
+                yield _finding(bit, range_key(bit.place), bit.name, excluded)
+
+
+def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    enum = device.enums.get(value.enum)
+    if enum is not None and is_exact(value.encoding):
+        excluded = [member for member in enum.members if _excluded(value, member)]
+        if excluded:
+            key = "type" if value.ranges is None else range_key(fact.place)
+            yield _finding(fact, key, fact.name, excluded)
 
 
 def _excluded(value: Value, member: Member) -> bool:

@@ -15,10 +15,11 @@ Fix: Remove the key, or correct the type.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, plural, range_key
+from fieldspec.language.checks.settled import of_values
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.checksums import checksum_named
@@ -66,39 +67,42 @@ def _unfit(encoding: Encoding) -> tuple[tuple[str, ...], str]:
 
 
 def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
-    for fact, value in values(device):
-        unfit_keys, help = _unfit(value.encoding)
-        bit_keys = _OF_BITS if value.type.name == BIT else ()
-        for key in dict.fromkeys((*unfit_keys, *bit_keys)):
-            if _has(value, key) and not (key == "byte_order" and value.has_order):
-                text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
-                yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, help)
-        if is_count(value.encoding):
-            yield from _of_names(fact, value)
-        if is_truth(value.encoding) and value.enum:
-            yield from _of_truths(device.enums.get(value.enum), fact, value)
-        if value.type.is_number and not value.digits and "length" in fact.place and "codec" not in fact.place:
-            text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
-            yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
-        if value.is_as_sent and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
-            manner = "as characters, the most significant digit first," if value.has_characters else "by a codec"
-            text = f"{fact.name} is sent {manner} and has no byte order"
-            yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
-        elif value.type.is_number and value.size == 1 and "byte_order" in fact.place and value.type.name != BIT:
-            text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"
-            yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or correct the type")
-        for key in ("word_order", "write_word_order"):
-            if value.type.is_number and _has(value, key) and not value.has_words:
-                text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
-                yield finding("keys_fit_type", fact.place, key, text, "remove it, or correct the type")
-        if is_count(value.encoding) and value.absent_nan:
-            text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f16, f32 or f64"
-            yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
-        spread = next((sentinel for sentinel in value.sentinels if sentinel.last is not None), None)
-        if spread is not None and not is_count(value.encoding):
-            text = f"{fact.name} is {value.type.name}, but {spread.name} has a `range`, which only whole numbers have"
-            yield finding("keys_fit_type", fact.place, "sentinels", text, "state each number under `value`")
+    yield from of_values(device, partial(_of_value, device))
     yield from _ordered_checksums(device)
+
+
+def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    unfit_keys, help = _unfit(value.encoding)
+    bit_keys = _OF_BITS if value.type.name == BIT else ()
+    for key in dict.fromkeys((*unfit_keys, *bit_keys)):
+        if _has(value, key) and not (key == "byte_order" and value.has_order):
+            text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
+            yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, help)
+    if is_count(value.encoding):
+        yield from _of_names(fact, value)
+    if is_truth(value.encoding) and value.enum:
+        yield from _of_truths(device.enums.get(value.enum), fact, value)
+    if value.type.is_number and not value.digits and "length" in fact.place and "codec" not in fact.place:
+        text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
+        yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
+    if value.is_as_sent and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
+        manner = "as characters, the most significant digit first," if value.has_characters else "by a codec"
+        text = f"{fact.name} is sent {manner} and has no byte order"
+        yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
+    elif value.type.is_number and value.size == 1 and "byte_order" in fact.place and value.type.name != BIT:
+        text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"
+        yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or correct the type")
+    for key in ("word_order", "write_word_order"):
+        if value.type.is_number and _has(value, key) and not value.has_words:
+            text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
+            yield finding("keys_fit_type", fact.place, key, text, "remove it, or correct the type")
+    if is_count(value.encoding) and value.absent_nan:
+        text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f16, f32 or f64"
+        yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
+    spread = next((sentinel for sentinel in value.sentinels if sentinel.last is not None), None)
+    if spread is not None and not is_count(value.encoding):
+        text = f"{fact.name} is {value.type.name}, but {spread.name} has a `range`, which only whole numbers have"
+        yield finding("keys_fit_type", fact.place, "sentinels", text, "state each number under `value`")
 
 
 def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:

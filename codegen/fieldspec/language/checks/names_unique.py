@@ -100,7 +100,7 @@ def _apart(space_name: str, names: Iterable[_Named]) -> Iterator[Diagnostic]:
                 break
 
 
-@lru_cache(maxsize=10_000)
+@lru_cache(maxsize=50_000)
 def _cases(name: str) -> frozenset[str]:
     """What becomes of a name in targets; those that do not tell upper from lower case get it in lower case."""
     words = Name.of(name)

@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from math import copysign
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, outside, range_key
+from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_count, digits_text
@@ -35,6 +35,7 @@ from fieldspec.language.model.encoding import (
     significant_bits,
     whole_number,
 )
+from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.primitives import Primitive
@@ -45,29 +46,35 @@ _HELP = "correct the type or the bound"
 
 
 def range_within_type(device: Device) -> Iterator[Diagnostic]:
-    for fact, value in values(device):
-        encoding = value.encoding
-        match encoding:
-            case Whole() | Digits() | Truth():
-                yield from _of_value(fact, value)
-            case Real():
-                yield from _of_float(fact, value, encoding.precision)
-            case Text() | Octets():
-                pass
-            case _:
-                assert_never(encoding)
-    for flags in device.flags.values():
-        if outside(flags.ranges, flags.type.low, flags.type.high):
-            text = f"{flags.name} cannot be {_ranges_text(flags.ranges)} as {_type_range(flags.type)}"
-            yield finding("range_within_type", flags.place, "range", text, _HELP)
-        for bit in flags.bits:
-            if outside(bit.ranges, bit.low, bit.high):
-                bits = f"{bit.width} bits{' with a sign' * bit.signed}, which have the range {bit.low}..{bit.high}"
-                text = f"{bit.name} cannot be {_ranges_text(bit.ranges)} as {bits}"
-                help = "correct the range, or the number of bits"
-                yield finding("range_within_type", bit.place, range_key(bit.place), text, help)
+    yield from of_values(device, _of_encoding)
+    yield from of_words(device, _of_word)
     for link in device.links.values():
         yield from _of_unit_addresses(link)
+
+
+def _of_word(flags: Flags) -> Iterator[Diagnostic]:
+    if outside(flags.ranges, flags.type.low, flags.type.high):
+        text = f"{flags.name} cannot be {_ranges_text(flags.ranges)} as {_type_range(flags.type)}"
+        yield finding("range_within_type", flags.place, "range", text, _HELP)
+    for bit in flags.bits:
+        if outside(bit.ranges, bit.low, bit.high):
+            bits = f"{bit.width} bits{' with a sign' * bit.signed}, which have the range {bit.low}..{bit.high}"
+            text = f"{bit.name} cannot be {_ranges_text(bit.ranges)} as {bits}"
+            help = "correct the range, or the number of bits"
+            yield finding("range_within_type", bit.place, range_key(bit.place), text, help)
+
+
+def _of_encoding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    encoding = value.encoding
+    match encoding:
+        case Whole() | Digits() | Truth():
+            yield from _of_value(fact, value)
+        case Real():
+            yield from _of_float(fact, value, encoding.precision)
+        case Text() | Octets():
+            pass
+        case _:
+            assert_never(encoding)
 
 
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:

@@ -142,13 +142,14 @@ def _added(device: Device) -> set[str]:
 def _wrong(device: Device, subject: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
     manual = device.manual
     count = manual.lines or manual.pages
-    text = f"the source of {subject} is {citation.text()}; "
     if not manual.mark and not manual.url:
         return
     if citation.mark != manual.mark:
         unit = manual.unit or "sections alone"
         form = f"a section and a {unit[:-1]}, as in `8.2 {manual.mark}17`" if manual.mark else "a section, as in `8.2`"
-        yield finding("sources_present", place, "source", f"{text}the manual has {unit}", f"write {form}")
+        text = f"the source of {subject} is {citation.text()}; the manual has {unit}"
+        yield finding("sources_present", place, "source", text, f"write {form}")
     elif any(not 1 <= first <= last <= count for first, last in citation.lines):
-        text += f"the manual's text has the lines 1 to {count}" if manual.lines else f"the manual has {count} pages"
+        extent = f"the manual's text has the lines 1 to {count}" if manual.lines else f"the manual has {count} pages"
+        text = f"the source of {subject} is {citation.text()}; {extent}"
         yield finding("sources_present", place, "source", text, f"correct the {manual.unit}")

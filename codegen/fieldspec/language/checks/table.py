@@ -10,6 +10,7 @@ from importlib import import_module
 
 from fieldspec.language.checks.allowances_used import allowances_used
 from fieldspec.language.checks.finding import Allowance, Check, Coverage, allowances
+from fieldspec.language.checks.settled import settle
 from fieldspec.language.diagnostics import Diagnostic, in_order
 from fieldspec.language.model.device import Device
 
@@ -158,6 +159,8 @@ def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     used: set[Allowance] = set()
     names = [name for name in (*_BY_NAME, *INSTALLED) if name not in without]
     findings = [finding for name in names for finding in _unallowed(device, name, by_check.get(name, []), used)]
+    if not without:
+        settle(device)
     checks = {**_BY_NAME, **INSTALLED}
     unused = () if "allowances_used" in without else allowances_used(all_allowances, used, checks)
     return in_order([*findings, *unused])

@@ -14,8 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.facts import values
 from fieldspec.language.checks.finding import finding, plural
+from fieldspec.language.checks.settled import of_values
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_text
@@ -29,14 +29,17 @@ _KEYS = ("encoding", "padding", "align", "terminator")
 
 
 def texts_fit(device: Device) -> Iterator[Diagnostic]:
-    for fact, value in values(device):
-        keys = [key for key in _KEYS if key in fact.place and not (key == "padding" and value.digits)]
-        if not is_text(value.encoding):
-            for key in keys:
-                text = f"{fact.name} is {value.type.name}, and `{key}` is that of a text"
-                yield finding(_CODE, fact.place, key, text, "remove it, or use the type `text`")
-        elif value.text_form is not None:
-            yield from _of_form(fact, value, next(iter(keys), "byte_order"))
+    yield from of_values(device, _of_value)
+
+
+def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+    keys = [key for key in _KEYS if key in fact.place and not (key == "padding" and value.digits)]
+    if not is_text(value.encoding):
+        for key in keys:
+            text = f"{fact.name} is {value.type.name}, and `{key}` is that of a text"
+            yield finding(_CODE, fact.place, key, text, "remove it, or use the type `text`")
+    elif value.text_form is not None:
+        yield from _of_form(fact, value, next(iter(keys), "byte_order"))
 
 
 def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:

@@ -195,6 +195,8 @@ class Bit(Fact):
     @property
     def places(self) -> tuple[int, ...]:
         """The bits of the word that the bits of the number are, the least significant first."""
+        if not self.pieces:
+            return tuple(range(self.first, self.last + 1))
         return tuple(run.first + bit for run in self.runs for bit in range(run.width))
 
     @property
@@ -214,12 +216,12 @@ class Bit(Fact):
     @property
     def width(self) -> int:
         """The number of bits."""
-        return sum(run.width for run in self.runs)
+        return sum(run.width for run in self.runs) if self.pieces else self.last - self.first + 1
 
     @property
     def mask(self) -> int:
         """The word in which all bits of the field, and only these, are 1."""
-        return sum(run.most << run.first for run in self.runs)
+        return sum(run.most << run.first for run in self.runs) if self.pieces else (1 << self.width) - 1 << self.first
 
 
 def _unsigned(low: int, high: int, turn: int) -> list[tuple[int, int]]:

@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.targets.pieces import content_piece
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -51,9 +52,14 @@ def lines(data: Mapping[str, Data], depth: int, indent: int = 0) -> str:
         if depth > 1 and isinstance(value, Mapping) and value:
             text = lines(value, depth - 1, indent + 1)
         elif depth > 1 and isinstance(value, list) and value:
-            inner = "".join(f"{margin} {literal(item)},\n" for item in value)
+            inner = "".join(f"{margin} {_item(item)},\n" for item in value)
             text = f"[\n{inner}{margin}]"
         else:
-            text = literal(value)
+            text = _item(value)
         rows.append(f"{margin}{_key(key)}: {text},\n")
     return f"{{\n{''.join(rows)}{' ' * indent}}}"
+
+
+def _item(data: Data) -> str:
+    """The literal of what has a line of its own, which versions and saves share."""
+    return content_piece("literal of JavaScript", data, (), lambda: literal(data))

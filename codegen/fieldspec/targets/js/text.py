@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.language.model.enums import Bit
+from fieldspec.targets.pieces import piece
 
 WIDTH = 110
 
@@ -39,7 +40,11 @@ def comment(paragraphs: Iterable[str], indent: int = 0) -> list[str]:
 
     Characters that are invisible, or that change the direction of a line, are written as escapes.
     """
-    texts = [paragraph for paragraph in paragraphs if paragraph.strip()]
+    texts = tuple(paragraph for paragraph in paragraphs if paragraph.strip())
+    return [*piece("comment of JavaScript", (), (texts, indent), lambda: _comment(texts, indent))]
+
+
+def _comment(texts: Sequence[str], indent: int) -> list[str]:
     lines: list[str] = []
     for number, text in enumerate(texts):
         if number:

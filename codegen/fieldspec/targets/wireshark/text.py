@@ -6,9 +6,13 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
+from fieldspec.targets.pieces import content_piece
+
 Data: TypeAlias = "bool | int | str | bytes | Sequence[Data] | Mapping[str, Data] | Mapping[int, Data] | None"
 
 WIDTH = 118
+_SECTION = 4
+"""The indentation of the entries of a section."""
 _KEYWORDS = frozenset(
     """
     and break do else elseif end false for function goto if in local nil not or repeat return then true until while
@@ -43,8 +47,15 @@ def table(value: Data, indent: int = 0) -> str:
     if flat is not None:
         return flat
     inner_indent = " " * (indent + 2)
-    lines = [f"{inner_indent}{key}{table(inner, indent + 2)}," for key, inner in _entries(value)]
+    lines = [f"{inner_indent}{key}{_item(inner, indent + 2)}," for key, inner in _entries(value)]
     return "\n".join(["{", *lines, f"{' ' * indent}}}"]) if lines else "{}"
+
+
+def _item(value: Data, indent: int) -> str:
+    """An entry of a table. Those of sections, such as a record or an enum, are what versions and saves share."""
+    if indent != _SECTION:
+        return table(value, indent)
+    return content_piece("table of Lua", value, (), lambda: table(value, indent))
 
 
 def _is_composed(value: Data) -> bool:

@@ -1,0 +1,67 @@
+"""Checks of single values and words: what they find in one depends on nothing that is settled."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from fieldspec.command.pipeline import load
+from fieldspec.foundation.caches import ByIdentity
+from fieldspec.language.checks import settled, table
+from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.fact import Fact
+from test_cases import FOLDERS, name
+
+CHECKS = [
+    own
+    for own, _ in table.CHECKS
+    if {"of_values", "of_words"} & vars(import_module(f"fieldspec.language.checks.{own}")).keys()
+]
+CASES = [folder for folder in FOLDERS if folder.parent.name in CHECKS]
+
+
+def devices(folder: Path) -> list[Device]:
+    project = load({f"gadget/{path.name}": path.read_bytes() for path in sorted(folder.glob("*.yaml"))})
+    return [spec.at(version)[0] for spec in project.devices.values() for version in spec.versions()]
+
+
+def findings(device: Device, facts: Iterable[tuple[Fact, tuple[object, ...]]]) -> list[Diagnostic]:
+    """The findings of the checks where some facts are settled."""
+    settled._OPEN = ByIdentity(limit=1)
+    settled._SETTLED = ByIdentity()
+    for fact, relatives in facts:
+        settled._SETTLED[fact] = relatives
+    return [finding for own in CHECKS for finding in table.run_named(device, own)]
+
+
+@pytest.mark.parametrize("folder", CASES, ids=name)
+def test_findings_in_a_fact_are_the_same_where_all_others_are_settled(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for attribute in ("_OPEN", "_SETTLED"):
+        monkeypatch.setattr(settled, attribute, getattr(settled, attribute))
+    for device in devices(folder):
+        expected = findings(device, ())
+        everything = settled._OpenFacts(device)
+        facts = [*everything.words, *((fact, relatives) for fact, _, relatives in everything.values)]
+        elsewhere = findings(device, facts)
+        single = [
+            finding
+            for fact, _ in facts
+            for finding in findings(device, [pair for pair in facts if pair[0] is not fact])
+            if finding not in elsewhere
+        ]
+        assert set(map(repr, [*elsewhere, *single])) == set(map(repr, expected))
+
+
+def test_a_fact_with_a_finding_is_judged_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(settled, "_SETTLED", ByIdentity())
+    folder = next(folder for folder in CASES if folder.name.startswith("failing"))
+    for device in devices(folder):
+        first = table.run(device)
+        settled._OPEN = ByIdentity(limit=1)
+        assert table.run(device) == first
