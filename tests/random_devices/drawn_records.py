@@ -28,6 +28,9 @@ def _differing_record(draft: Draft) -> Spec:
             if draft.chance(30):
                 fields = _choice_between(draft, fields)
                 continue
+            if draft.chance(30):
+                fields = [*fields, packed_list(draft, {"count": draft.number(1, 9)}), *_behind(draft)]
+                continue
             inner = draft.differing and draft.chance(25)
             repeated = _differing(draft, "0..2") if inner else _repeated(draft, fields, low_limits=True)
             measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
@@ -227,8 +230,27 @@ def _repeated(draft: Draft, fields: list[Spec], low_limits: bool = False) -> Spe
     nested = [record for record in draft.records if not record.apart]
     if nested and draft.chance(25):
         return draft.fact(record=draft.pick(nested).name, repeat=_limits(draft))
+    limits = {"repeat": f"0..{draft.number(1, 6)}" if low_limits else _limits(draft)}
+    if draft.chance(25):
+        return packed_list(draft, limits, least=8)
     keys = {k: v for k, v in value(draft, "field").items() if k not in ("const", "default", "unit_default")}
-    return draft.fact(**keys, repeat=f"0..{draft.number(1, 6)}" if low_limits else _limits(draft))
+    return draft.fact(**keys, **limits)
+
+
+def packed_list(draft: Draft, limits: Spec, least: int = 1) -> Spec:
+    """A list of numbers of at least so many bits that follow each other without filling bytes."""
+    size = draft.pick([own for own in (8, 16, 24, 32) if own > least])
+    bits = draft.number(least, size - 1)
+    letter = draft.pick("ui")
+    low, high = (0, (1 << bits) - 1) if letter == "u" else (-(1 << bits - 1), (1 << bits - 1) - 1)
+    keys: Spec = {"type": f"{letter}{size}", "packed_bits": bits, **limits}
+    if draft.chance(50):
+        keys["byte_order"] = draft.pick(("big", "little"))
+    if draft.chance(30):
+        keys["range"] = f"{draft.number(low, high)}..{high}"
+    if draft.chance(20):
+        keys |= {"scale": draft.pick((0.1, 0.5, 2)), "unit": "V"}
+    return draft.fact(**keys)
 
 
 def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -242,7 +264,8 @@ def _measure(draft: Draft, field: Spec) -> Spec:
     """What a field contains that counts another one, now and then with a constant number in addition."""
     least = int(str(field.get("repeat", 0)).partition("..")[0])
     plus = draft.pick((-1, 1, 2, 5) if least else (1, 2, 5)) if draft.chance(25) else 0
-    what = "items" if field.get("record") in draft.differing else draft.pick(("items", "bytes"))
+    is_apart = field.get("record") in draft.differing or "packed_bits" in field
+    what = "items" if is_apart else draft.pick(("items", "bytes"))
     return {what: field["name"], **({"plus": plus} if plus else {})}
 
 
@@ -254,6 +277,8 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
             return [*fields, repeated, *_behind(draft)]
         measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
         fields = [*_inserted(draft, fields, measure), repeated]
+        if draft.chance(15):
+            fields.append(packed_list(draft, {"count": draft.number(1, 9)}))
         if draft.chance(20):
             fields.append(draft.fact(type="u16", measures=_measure(draft, repeated)))
     return [*fields, *(fixed_field(draft)[0] for _ in range(draft.number(0, 2)))]
