@@ -687,7 +687,7 @@ function decidedBytes({ at, length, little, sizes }, bytes) {
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
-const sentBytes = ({ element, packing }, size) => packing ? Math.ceil(size / element * packing.bits / 8) : size;
+const sentListBytes = ({ element, packing }, size) => packing ? Math.ceil(size / element * packing.bits / 8) : size;
 
 const packedPlace = ({ bits }, index) => [Math.floor(index * bits / 8), Math.ceil((index + 1) * bits / 8)];
 
@@ -735,7 +735,7 @@ function elementIn(parts, bytes) {
     const size = sizeIn(list, fields);
     if (size === undefined) return { fault: numberFault(parts, extents, list) };
     const elements = list.decision ? [size] : [];
-    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentBytes(list, size), elements };
+    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -788,12 +788,12 @@ function extentsIn({ fixed, lists }, data) {
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
-      : { size: counted === null ? left : sentBytes(list, counted), elements: list.decision ? [counted] : [] };
+      : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
     if (list.packing) {
       extent.numbers = numbersIn(list, extent.size);
-      const taken = sentBytes(list, extent.numbers * list.element);
+      const taken = sentListBytes(list, extent.numbers * list.element);
       if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
       if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
     }
