@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
+from random_devices.draft import BOUNDS, Draft, EnumDraft, RecordDraft, Spec
 from random_devices.drawn_values import size_of, value, varying_text, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
     """Records that nest in one another; some consist of whole registers, for tables."""
     fixed = [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
-    return [*fixed, *(_differing_record(draft) for _ in range(draft.number(0, 3) if draft.chance(40) else 0))]
+    return [*fixed, *(_differing_record(draft) for _ in range(draft.number(0, 3) if draft.chance(50) else 0))]
 
 
 def _differing_record(draft: Draft) -> Spec:
@@ -22,11 +22,11 @@ def _differing_record(draft: Draft) -> Spec:
             fields = [*_inserted(draft, fields, _count_of(draft, text)), text, *_behind(draft)]
     else:
         for _ in range(draft.number(1, 2)):
+            if _closed_enums(draft) and draft.chance(50):
+                fields = _choice_between(draft, fields)
+                continue
             if draft.differing and draft.chance(30):
                 fields = [*fields, _differing(draft), *_behind(draft)]
-                continue
-            if draft.chance(30):
-                fields = _choice_between(draft, fields)
                 continue
             if draft.chance(30):
                 fields = [*fields, packed_list(draft, {"count": draft.number(1, 9)}), *_behind(draft)]
@@ -299,9 +299,14 @@ def _inserted(draft: Draft, fields: list[Spec], field: Spec) -> list[Spec]:
     return [*fields[:at], field, *fields[at:]]
 
 
+def _closed_enums(draft: Draft) -> list[EnumDraft]:
+    """The enums that may decide the type of a field."""
+    return [e for e in draft.enums if len(e.members) > 1 and all(0 <= n <= 0xFFFF for n in e.members.values())]
+
+
 def _deciding(draft: Draft) -> tuple[Spec, Spec] | None:
     """A field with an enum, and one whose type it decides; None where no enum can."""
-    closed = [e for e in draft.enums if len(e.members) > 1 and all(0 <= n <= 0xFFFF for n in e.members.values())]
+    closed = _closed_enums(draft)
     if not closed:
         return None
     enum = draft.pick(closed)
