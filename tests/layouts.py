@@ -7,6 +7,7 @@ from pathlib import Path
 
 from fieldspec.codec.layout.characters import character_refusals
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.codec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import read
@@ -38,8 +39,9 @@ def all_layouts() -> list[DeviceLayout]:
 
 
 def has_digits(layout: DeviceLayout) -> bool:
-    """Whether numbers of a device are sent as digits, which several outputs leave out."""
-    return bool(character_refusals(layout, ""))
+    """Whether numbers of a device are sent as digits or packed into bits, which several outputs leave out."""
+    packed = ("packed_bits" in refusal.fact.place for refusal in inner_list_refusals(layout, ""))
+    return bool(character_refusals(layout, "")) or any(packed)
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

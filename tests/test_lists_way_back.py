@@ -26,6 +26,7 @@ WITHOUT = (
         "pressure",
         "scanner",
         "sealer",
+        "seismograph",
         "sequencer",
         "sorter",
     ),

@@ -687,6 +687,43 @@ function decidedBytes({ at, length, little, sizes }, bytes) {
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
+const sentListBytes = ({ element, packing }, size) => packing ? Math.ceil(size / element * packing.bits / 8) : size;
+
+const packedPlace = ({ bits }, index) => [Math.floor(index * bits / 8), Math.ceil((index + 1) * bits / 8)];
+
+const numbersIn = ({ element, most, packing }, size) => Math.min(Math.floor(8 * size / packing.bits), most / element);
+
+function unpackedNumber({ bits, little, signed }, bytes, index, size) {
+  let number = 0;
+  for (let bit = 0; bit < bits; bit++) {
+    const place = index * bits % 8 + bit;
+    const content = bytes[place >> 3] >> (little ? place & 7 : 7 - (place & 7)) & 1;
+    number = little ? number + content * 2 ** bit : number * 2 + content;
+  }
+  if (signed && number >= 2 ** (bits - 1)) number -= 2 ** bits;
+  return Uint8Array.from({ length: size }, (_, at) => number >> 8 * (little ? at : size - 1 - at) & 255);
+}
+
+function unpackedList({ element, packing }, bytes, numbers) {
+  const image = new Uint8Array(numbers * element);
+  for (let index = 0; index < numbers; index++) {
+    const own = bytes.subarray(...packedPlace(packing, index));
+    image.set(unpackedNumber(packing, own, index, element), index * element);
+  }
+  return image;
+}
+
+function packedList({ element, packing: { bits, little } }, image) {
+  const bytes = new Uint8Array(Math.ceil(image.length / element * bits / 8));
+  for (let place = 0; place < image.length / element * bits; place++) {
+    const [index, bit] = [Math.floor(place / bits), place % bits];
+    const own = little ? bit : bits - 1 - bit;
+    const byte = image[index * element + (little ? own >> 3 : element - 1 - (own >> 3))];
+    bytes[place >> 3] |= (byte >> (own & 7) & 1) << (little ? place & 7 : 7 - (place & 7));
+  }
+  return bytes;
+}
+
 function elementIn(parts, bytes) {
   const extents = [];
   const fields = [];
@@ -698,7 +735,7 @@ function elementIn(parts, bytes) {
     const size = sizeIn(list, fields);
     if (size === undefined) return { fault: numberFault(parts, extents, list) };
     const elements = list.decision ? [size] : [];
-    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements };
+    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -751,9 +788,15 @@ function extentsIn({ fixed, lists }, data) {
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
-      : { size: counted ?? left, elements: list.decision ? [counted] : [] };
+      : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+    if (list.packing) {
+      extent.numbers = numbersIn(list, extent.size);
+      const taken = sentListBytes(list, extent.numbers * list.element);
+      if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
+      if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
+    }
     if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
     extents.push(extent);
     before += extent.size;
@@ -763,9 +806,10 @@ function extentsIn({ fixed, lists }, data) {
 
 function placeAround({ lists }, extents, at) {
   let before = 0;
-  for (const [number, { first, room, most, element, parts, decision }] of lists.entries()) {
+  for (const [number, { first, room, most, element, parts, decision, packing }] of lists.entries()) {
     const { size, elements } = extents[number] ?? { size: 0, elements: [] };
     if (at >= room && (number === lists.length - 1 || at < room + most)) {
+      if (packing) return first + before + packedPlace(packing, Math.floor((at - room) / element))[0];
       const index = parts || decision ? Math.floor((at - room) / element) : 0;
       return first + before + at - room - index * element + sumOf(elements.slice(0, index));
     }
@@ -779,14 +823,16 @@ const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
 
 function imageOf({ fixed, lists }, data, extents) {
   const last = extents.at(-1);
-  const { room, element, parts, decision } = lists.at(-1);
-  const image = new Uint8Array(room + (parts || decision ? last.elements.length * element : last.size));
+  const { room, element, parts, decision, packing } = lists.at(-1);
+  const numbers = packing ? last.numbers : last.elements.length;
+  const image = new Uint8Array(room + (parts || decision || packing ? numbers * element : last.size));
   let [before, at] = [0, 0];
   for (const [number, list] of lists.entries()) {
     const { size, elements } = extents[number];
     image.set(data.subarray(at + before, list.first + before), at);
     let from = list.first + before;
-    for (const [index, own] of (elements.length ? elements : [size]).entries()) {
+    if (list.packing) image.set(unpackedList(list, data.subarray(from, from + size), extents[number].numbers), list.room);
+    else for (const [index, own] of (elements.length ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
       from += own;
     }
@@ -821,7 +867,8 @@ function sentOfImage({ fixed, lists }, image, last) {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
     const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
     pieces.push(...image.subarray(at, first));
-    for (let from = room; from < room + size; from += parts ? element : size) {
+    if (list.packing) pieces.push(...packedList(list, image.subarray(room, room + size)));
+    else for (let from = room; from < room + size; from += parts ? element : size) {
       const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;
       pieces.push(...image.subarray(from, from + own));
     }
@@ -1222,8 +1269,9 @@ function numberOfContent({ value, reserved }, content, raw, image) {
   return value.kind === "boolean" && !reserved && (content === 0 || content === 1) ? content === 1 : content;
 }
 
-function loaded(field, raw) {
-  const image = field.span ? widenedBytes(field.span, raw) : raw;
+function loaded(field, raw, index) {
+  const image = field.span ? widenedBytes(field.span, raw)
+    : field.packing ? unpackedNumber(field.packing, raw, index, field.size) : raw;
   const content = image === null ? null : contentOf(field.value, image);
   return { field, raw, image, content, number: numberOfContent(field, content, raw, image) };
 }
@@ -1249,8 +1297,9 @@ function runAround(device, record, parts, data, start, stop, path, rows) {
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
     const field = formOfField(record, record.named.get(name), values);
-    const { size, elements } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
-    const all = field.isList ? new Array(field.count ?? Math.floor(size / field.size)).fill(field.size) : [size];
+    const { size, elements, numbers } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
+    const count = numbers ?? field.count ?? Math.floor(size / field.size);
+    const all = field.isList ? new Array(count).fill(field.size) : [size];
     const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
     values.set(name, field.isList ? contents : contents[0]);
     at += size;
@@ -1267,7 +1316,12 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
     const record = field.record && device.records.get(field.record);
     if (field.parts) return runAround(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     if (record) return run(device, record, data, offset, stop, `${own}.`, rows);
-    const row = { ...loaded(field, data.subarray(offset, stop)), path: own, index, offset, beside };
+    const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
+    const row = { ...loaded(field, data.subarray(first, last), index), path: own, index, offset: first, beside };
+    if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share
+      row.raw = row.raw.subarray(1);
+      row.offset++;
+    }
     rows.push(row);
     beside.set(field.name, row);
     return row.number;
@@ -2328,7 +2382,7 @@ class ExplainedBody {
       const stop = at + size;
       const count = this.itemsOf(field);
       yield this.tracedField(formOfField(this.record, field, this.values), at, elements.length ? elements : new Array(count).fill(field.size));
-      at = elements.length ? stop : at + count * field.size;
+      at = elements.length || field.packing ? stop : at + count * field.size;
       if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
       else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
       at = stop;
@@ -2354,6 +2408,10 @@ class ExplainedBody {
       if (size < this.record.least) return this.missingRow(fields, at);
       return this.wrongRow(fields[0], at, reason, `${by} decides that ${name} has more bytes than there are`);
     }
+    if (list.packing && this.fault.reason === "wrong_length") {
+      const text = `${name} has more bytes than its numbers of ${list.packing.bits} bits`;
+      return this.wrongRow(fields[0], at, this.fault.reason, text);
+    }
     if (list.parts) {
       const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
       return this.wrongRow(fields[0], at, this.fault.reason, text);
@@ -2364,7 +2422,8 @@ class ExplainedBody {
 
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
-    const { size, elements } = this.extents[number];
+    const { size, elements, numbers } = this.extents[number];
+    if (numbers !== undefined) return numbers;
     return elements.length || this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
   }
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
+from random_devices.draft import BOUNDS, Draft, EnumDraft, RecordDraft, Spec
 from random_devices.drawn_values import size_of, value, varying_text, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
     """Records that nest in one another; some consist of whole registers, for tables."""
     fixed = [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
-    return [*fixed, *(_differing_record(draft) for _ in range(draft.number(0, 3) if draft.chance(40) else 0))]
+    return [*fixed, *(_differing_record(draft) for _ in range(draft.number(0, 3) if draft.chance(50) else 0))]
 
 
 def _differing_record(draft: Draft) -> Spec:
@@ -22,11 +22,14 @@ def _differing_record(draft: Draft) -> Spec:
             fields = [*_inserted(draft, fields, _count_of(draft, text)), text, *_behind(draft)]
     else:
         for _ in range(draft.number(1, 2)):
+            if _closed_enums(draft) and draft.chance(50):
+                fields = _choice_between(draft, fields)
+                continue
             if draft.differing and draft.chance(30):
                 fields = [*fields, _differing(draft), *_behind(draft)]
                 continue
             if draft.chance(30):
-                fields = _choice_between(draft, fields)
+                fields = [*fields, packed_list(draft, {"count": draft.number(1, 9)}), *_behind(draft)]
                 continue
             inner = draft.differing and draft.chance(25)
             repeated = _differing(draft, "0..2") if inner else _repeated(draft, fields, low_limits=True)
@@ -227,8 +230,27 @@ def _repeated(draft: Draft, fields: list[Spec], low_limits: bool = False) -> Spe
     nested = [record for record in draft.records if not record.apart]
     if nested and draft.chance(25):
         return draft.fact(record=draft.pick(nested).name, repeat=_limits(draft))
+    limits = {"repeat": f"0..{draft.number(1, 6)}" if low_limits else _limits(draft)}
+    if draft.chance(25):
+        return packed_list(draft, limits, least=8)
     keys = {k: v for k, v in value(draft, "field").items() if k not in ("const", "default", "unit_default")}
-    return draft.fact(**keys, repeat=f"0..{draft.number(1, 6)}" if low_limits else _limits(draft))
+    return draft.fact(**keys, **limits)
+
+
+def packed_list(draft: Draft, limits: Spec, least: int = 1) -> Spec:
+    """A list of numbers of at least so many bits that follow each other without filling bytes."""
+    size = draft.pick([own for own in (8, 16, 24, 32) if own > least])
+    bits = draft.number(least, size - 1)
+    letter = draft.pick("ui")
+    low, high = (0, (1 << bits) - 1) if letter == "u" else (-(1 << bits - 1), (1 << bits - 1) - 1)
+    keys: Spec = {"type": f"{letter}{size}", "packed_bits": bits, **limits}
+    if draft.chance(50):
+        keys["byte_order"] = draft.pick(("big", "little"))
+    if draft.chance(30):
+        keys["range"] = f"{draft.number(low, high)}..{high}"
+    if draft.chance(20):
+        keys |= {"scale": draft.pick((0.1, 0.5, 2)), "unit": "V"}
+    return draft.fact(**keys)
 
 
 def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -242,7 +264,8 @@ def _measure(draft: Draft, field: Spec) -> Spec:
     """What a field contains that counts another one, now and then with a constant number in addition."""
     least = int(str(field.get("repeat", 0)).partition("..")[0])
     plus = draft.pick((-1, 1, 2, 5) if least else (1, 2, 5)) if draft.chance(25) else 0
-    what = "items" if field.get("record") in draft.differing else draft.pick(("items", "bytes"))
+    is_apart = field.get("record") in draft.differing or "packed_bits" in field
+    what = "items" if is_apart else draft.pick(("items", "bytes"))
     return {what: field["name"], **({"plus": plus} if plus else {})}
 
 
@@ -254,6 +277,8 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
             return [*fields, repeated, *_behind(draft)]
         measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
         fields = [*_inserted(draft, fields, measure), repeated]
+        if draft.chance(15):
+            fields.append(packed_list(draft, {"count": draft.number(1, 9)}))
         if draft.chance(20):
             fields.append(draft.fact(type="u16", measures=_measure(draft, repeated)))
     return [*fields, *(fixed_field(draft)[0] for _ in range(draft.number(0, 2)))]
@@ -274,9 +299,14 @@ def _inserted(draft: Draft, fields: list[Spec], field: Spec) -> list[Spec]:
     return [*fields[:at], field, *fields[at:]]
 
 
+def _closed_enums(draft: Draft) -> list[EnumDraft]:
+    """The enums that may decide the type of a field."""
+    return [e for e in draft.enums if len(e.members) > 1 and all(0 <= n <= 0xFFFF for n in e.members.values())]
+
+
 def _deciding(draft: Draft) -> tuple[Spec, Spec] | None:
     """A field with an enum, and one whose type it decides; None where no enum can."""
-    closed = [e for e in draft.enums if len(e.members) > 1 and all(0 <= n <= 0xFFFF for n in e.members.values())]
+    closed = _closed_enums(draft)
     if not closed:
         return None
     enum = draft.pick(closed)

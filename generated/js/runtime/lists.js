@@ -19,6 +19,49 @@ function decidedBytes({ at, length, little, sizes }, bytes) {
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
+/** The bytes that are sent for `size` bytes of the image of a list, of elements that do not differ in size. */
+const sentListBytes = ({ element, packing }, size) => packing ? Math.ceil(size / element * packing.bits / 8) : size;
+
+/** The first byte with bits of a packed number, and the one after the last. */
+export const packedPlace = ({ bits }, index) => [Math.floor(index * bits / 8), Math.ceil((index + 1) * bits / 8)];
+
+/** How many numbers some bytes of a packed list have room for, at most all that it may have. */
+const numbersIn = ({ element, most, packing }, size) => Math.min(Math.floor(8 * size / packing.bits), most / element);
+
+/** The image of a packed number, from the bytes with bits of it. */
+export function unpackedNumber({ bits, little, signed }, bytes, index, size) {
+  let number = 0;
+  for (let bit = 0; bit < bits; bit++) {
+    const place = index * bits % 8 + bit;
+    const content = bytes[place >> 3] >> (little ? place & 7 : 7 - (place & 7)) & 1;
+    number = little ? number + content * 2 ** bit : number * 2 + content;
+  }
+  if (signed && number >= 2 ** (bits - 1)) number -= 2 ** bits;
+  return Uint8Array.from({ length: size }, (_, at) => number >> 8 * (little ? at : size - 1 - at) & 255);
+}
+
+/** The image of the numbers of a packed list. */
+function unpackedList({ element, packing }, bytes, numbers) {
+  const image = new Uint8Array(numbers * element);
+  for (let index = 0; index < numbers; index++) {
+    const own = bytes.subarray(...packedPlace(packing, index));
+    image.set(unpackedNumber(packing, own, index, element), index * element);
+  }
+  return image;
+}
+
+/** What is sent of the image of a packed list. */
+function packedList({ element, packing: { bits, little } }, image) {
+  const bytes = new Uint8Array(Math.ceil(image.length / element * bits / 8));
+  for (let place = 0; place < image.length / element * bits; place++) {
+    const [index, bit] = [Math.floor(place / bits), place % bits];
+    const own = little ? bit : bits - 1 - bit;
+    const byte = image[index * element + (little ? own >> 3 : element - 1 - (own >> 3))];
+    bytes[place >> 3] |= (byte >> (own & 7) & 1) << (little ? place & 7 : 7 - (place & 7));
+  }
+  return bytes;
+}
+
 /** The bytes of an element that some bytes begin with, maybe more than there are, or why they are not known. */
 function elementIn(parts, bytes) {
   const extents = [];
@@ -31,7 +74,7 @@ function elementIn(parts, bytes) {
     const size = sizeIn(list, fields);
     if (size === undefined) return { fault: numberFault(parts, extents, list) };
     const elements = list.decision ? [size] : [];
-    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size, elements };
+    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -80,7 +123,7 @@ function elementsIn(list, data, size, start) {
  * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
  * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
  * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
- * `decision` that of the only element.
+ * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];
@@ -96,9 +139,15 @@ export function extentsIn({ fixed, lists }, data) {
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
-      : { size: counted ?? left, elements: list.decision ? [counted] : [] };
+      : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+    if (list.packing) {
+      extent.numbers = numbersIn(list, extent.size);
+      const taken = sentListBytes(list, extent.numbers * list.element);
+      if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
+      if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
+    }
     if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
     extents.push(extent);
     before += extent.size;
@@ -109,9 +158,10 @@ export function extentsIn({ fixed, lists }, data) {
 /** The byte in data, whose lists have some extents, for a byte of their image. */
 export function placeAround({ lists }, extents, at) {
   let before = 0;
-  for (const [number, { first, room, most, element, parts, decision }] of lists.entries()) {
+  for (const [number, { first, room, most, element, parts, decision, packing }] of lists.entries()) {
     const { size, elements } = extents[number] ?? { size: 0, elements: [] };
     if (at >= room && (number === lists.length - 1 || at < room + most)) {
+      if (packing) return first + before + packedPlace(packing, Math.floor((at - room) / element))[0];
       const index = parts || decision ? Math.floor((at - room) / element) : 0;
       return first + before + at - room - index * element + sumOf(elements.slice(0, index));
     }
@@ -126,14 +176,16 @@ const sumOf = (numbers) => numbers.reduce((sum, number) => sum + number, 0);
 /** The image of data whose lists have some extents. */
 function imageOf({ fixed, lists }, data, extents) {
   const last = extents.at(-1);
-  const { room, element, parts, decision } = lists.at(-1);
-  const image = new Uint8Array(room + (parts || decision ? last.elements.length * element : last.size));
+  const { room, element, parts, decision, packing } = lists.at(-1);
+  const numbers = packing ? last.numbers : last.elements.length;
+  const image = new Uint8Array(room + (parts || decision || packing ? numbers * element : last.size));
   let [before, at] = [0, 0];
   for (const [number, list] of lists.entries()) {
     const { size, elements } = extents[number];
     image.set(data.subarray(at + before, list.first + before), at);
     let from = list.first + before;
-    for (const [index, own] of (elements.length ? elements : [size]).entries()) {
+    if (list.packing) image.set(unpackedList(list, data.subarray(from, from + size), extents[number].numbers), list.room);
+    else for (const [index, own] of (elements.length ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
       from += own;
     }
@@ -170,7 +222,8 @@ export function sentOfImage({ fixed, lists }, image, last) {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
     const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
     pieces.push(...image.subarray(at, first));
-    for (let from = room; from < room + size; from += parts ? element : size) {
+    if (list.packing) pieces.push(...packedList(list, image.subarray(room, room + size)));
+    else for (let from = room; from < room + size; from += parts ? element : size) {
       const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;
       pieces.push(...image.subarray(from, from + own));
     }

@@ -32,6 +32,43 @@ class Decision:
         return self.sizes[number]
 
 
+class Packing:
+    """Numbers of `bits` bits that follow each other, from the highest or in the order `little` from the lowest bit on;
+    in the image each has `size` bytes.
+    """
+
+    __slots__ = ("bits", "order", "signed", "size")
+
+    def __init__(self, bits: int, size: int, order: Literal["big", "little"], *, signed: bool = False) -> None:
+        self.bits, self.size, self.signed = bits, size, signed
+        self.order: Literal["big", "little"] = order
+
+    def sent_size(self, numbers: int) -> int:
+        """The bytes of some numbers."""
+        return (numbers * self.bits + 7) // 8
+
+    def unpacked(self, data: bytes, numbers: int) -> bytes:
+        """The image of some numbers."""
+        packed, half = int.from_bytes(data, self.order), 1 << self.bits - 1
+        image = []
+        for index in range(numbers):
+            low = index * self.bits if self.order == "little" else 8 * len(data) - (index + 1) * self.bits
+            number = packed >> low & 2 * half - 1
+            number -= 2 * half if self.signed and number >= half else 0
+            image.append(number.to_bytes(self.size, self.order, signed=number < 0))
+        return b"".join(image)
+
+    def packed(self, image: bytes) -> bytes:
+        """The bytes that are sent for an image, which ends with zeros up to a whole byte."""
+        numbers, packed = len(image) // self.size, 0
+        size = self.sent_size(numbers)
+        for index in range(numbers):
+            number = int.from_bytes(image[index * self.size : (index + 1) * self.size], self.order)
+            low = index * self.bits if self.order == "little" else 8 * size - (index + 1) * self.bits
+            packed |= (number & (1 << self.bits) - 1) << low
+        return packed.to_bytes(size, self.order)
+
+
 class InnerList:
     """A list after `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
 
@@ -39,7 +76,7 @@ class InnerList:
     at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.
     `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide. `parts` tell
     the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
-    bytes in the image.
+    bytes in the image. With a `packing`, numbers are sent in fewer bits.
     """
 
     __slots__ = (
@@ -49,6 +86,7 @@ class InnerList:
         "length",
         "letters",
         "order",
+        "packing",
         "parts",
         "plus",
         "room",
@@ -67,12 +105,13 @@ class InnerList:
         count: tuple[int, int, Literal["big", "little"], int, int] = (0, 0, "big", 1, 0),
         parts: Parts | None = None,
         decision: Decision | None = None,
+        packing: Packing | None = None,
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
         self.at, self.length, _, self.unit, self.plus = count
         self.order: Literal["big", "little"] = count[2]
-        self.parts, self.decision = parts, decision
+        self.parts, self.decision, self.packing = parts, decision, packing
 
     @property
     def number_at(self) -> int:
@@ -92,6 +131,14 @@ class InnerList:
             limits = f"{self.sizes[0]} to {self.sizes[-1]} bytes in steps of {self.size}"
             raise CodecError("wrong_measure", f"a list has {size} bytes, not {limits}", at)
         return size
+
+    def sent_size(self, size: int) -> int:
+        """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
+        return size if self.packing is None else self.packing.sent_size(size // self.size)
+
+    def numbers_in(self, packing: Packing, size: int) -> int:
+        """How many numbers fit into `size` bytes, at most the greatest number of the list."""
+        return min(8 * size // packing.bits, self.sizes[-1] // self.size)
 
     def elements(self, parts: Parts, data: bytes, size: int | None, start: int) -> list[int]:
         """The bytes of each element: of the elements within `size` bytes of the image, or of all to the end of the
@@ -116,6 +163,8 @@ class InnerList:
 
     def sent(self, image: bytes) -> bytes:
         """The sent bytes of a list whose bytes in the image are these."""
+        if self.packing is not None:
+            return self.packing.packed(image)
         if self.parts is None:
             return image
         elements = [image[at : at + self.size] for at in range(0, len(image), self.size)]
@@ -141,7 +190,9 @@ class Parts:
             fields += data[len(fields) + before : start]
             at = inner.number_at + sum([taken for first, taken in extents if first <= inner.number_at])
             size = inner.checked_size(fields, at) if inner.decision is None else inner.decision.size(fields, at)
-            taken = size if inner.parts is None else sum(inner.elements(inner.parts, data[start:], size, start))
+            taken = inner.sent_size(size)
+            if inner.parts is not None:
+                taken = sum(inner.elements(inner.parts, data[start:], size, start))
             extents.append((inner.first, taken))
             before += taken
         return self.fixed + before
@@ -190,15 +241,18 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 sizes = inner.elements(inner.parts, data[at : at + left], size, at)
                 numbers.append(len(sizes))
             else:
-                size = self._checked(inner, left, at) if size is None else size
-                if size > left:
+                sent = self._checked(inner, left, at) if size is None else inner.sent_size(size)
+                if sent > left:
                     raise self._incomplete(len(data))
-                sizes = [size]
-                numbers.append(1 if inner.decision is not None else size // inner.size)
+                sizes = [sent]
+                packing = inner.packing
+                items = sent // inner.size if packing is None else inner.numbers_in(packing, sent)
+                numbers.append(1 if inner.decision is not None else items)
             extents.append(sizes)
             for own in sizes:
                 piece = data[inner.first + before : inner.first + before + own]
                 is_filled = inner.parts is not None or inner.decision is not None
+                piece = inner.packing.unpacked(piece, numbers[-1]) if inner.packing is not None else piece
                 lists += piece.ljust(inner.size, b"\0") if is_filled else piece
                 before += own
         image = fields + data[len(fields) + before :] + lists
@@ -224,7 +278,12 @@ class InnerLists(dict[tuple[int, ...], Struct]):
 
     def _checked(self, inner: InnerList, size: int, at: int) -> int:
         """The bytes of the list whose size the data decide, refused if the number is not possible."""
-        least, most = inner.sizes[0], inner.sizes[-1]
+        least, most = inner.sent_size(inner.sizes[0]), inner.sent_size(inner.sizes[-1])
+        if inner.packing is not None and size >= least:
+            taken = inner.packing.sent_size(inner.numbers_in(inner.packing, size))
+            if taken < size:
+                raise CodecError("wrong_length", f"a list of {self.name} has bits after its numbers", at + taken)
+            return size
         if size < least:
             raise CodecError("incomplete", f"{self.name} ends in a list of {size} bytes, at least {least}", at + size)
         if size > most:
@@ -243,6 +302,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         before = 0
         for inner, sizes in zip(self.lists, [*extents, *[[]] * (len(self.lists) - len(extents))], strict=True):
             if at >= inner.room and (inner is self.lists[-1] or at < inner.room + inner.sizes[-1]):
+                if inner.packing is not None:
+                    return inner.first + before + (at - inner.room) // inner.size * inner.packing.bits // 8
                 index, rest = divmod(at - inner.room, inner.size) if inner.parts is not None else (0, at - inner.room)
                 return inner.first + before + sum(sizes[:index]) + rest
             if at < inner.first:

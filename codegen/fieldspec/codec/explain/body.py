@@ -163,7 +163,7 @@ class Body:
             form = self.record.decided_by(self.values).named(field.name)
             assert form is not None
             yield self._field(form, offset, sizes)
-            offset += sum(sizes)
+            offset += sum(sizes) if field.packing is None else extent.size
             if field.field.repeat is not None and count < field.field.repeat.low:
                 yield self._missing((field,), offset, stop)
             elif offset < stop:
@@ -182,6 +182,9 @@ class Body:
             return self._wrong(fields[0], offset, "unknown_value", text)
         if inner.decision is not None and self.fault.reason == "wrong_length":
             text = f"{inner.name} has {self.fault.at - (offset - self.start)} bytes, and more follow"
+            return self._wrong(fields[0], offset, "wrong_length", text)
+        if inner.packing is not None and self.fault.reason == "wrong_length":
+            text = f"{inner.name} has more bytes than its numbers of {inner.packing.number.bits} bits"
             return self._wrong(fields[0], offset, "wrong_length", text)
         if inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
@@ -210,6 +213,8 @@ class Body:
         assert inner is not None
         number = next(number for number, inner_list in enumerate(inner.lists) if inner_list.name == field.name)
         extent = self.extents[number]
+        if inner.lists[number].packing is not None:
+            return extent.numbers
         return (
             len(extent.elements)
             if extent.elements or inner.lists[number].parts is not None

@@ -105,8 +105,8 @@ def frame_extents(
 
 def _extent(frame: FrameLayout, record: RecordLayout) -> FrameExtent:
     framing_size = len(frame.start) + frame.header_size + frame.trailer_size + len(frame.end)
-    if record.size is not None:
-        return FrameExtent(FIXED, framing_size + record.size)
+    if record.least == record.most:
+        return FrameExtent(FIXED, framing_size + record.least)
     count, other_bytes = record.count_of_text or (None, 0)
     if count is not None and record.has_place(count):
         return _by_count(frame, count, framing_size + other_bytes, 1)

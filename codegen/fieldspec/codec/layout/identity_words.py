@@ -55,6 +55,7 @@ def _value_words(value: Value) -> Words:
         *((value.digits, value.places) if value.digits else ()),
         *((value.codec, codecs.number_codec(value.codec).version) if value.codec else ()),
         *(("blanks",) if value.has_blanks else ()),
+        *(("packed", value.packed_bits) if value.packed_bits else ()),
         *(("low first",) if value.is_low_first else ()),
         *((value.text_form,) if value.text_form is not None else ()),
         *(("turned",) if value.text_form is not None and value.text_form.is_turned else ()),

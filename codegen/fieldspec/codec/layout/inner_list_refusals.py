@@ -7,6 +7,8 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 
+_KEYS = ("packed_bits", "repeat", "record")
+
 
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
     """A refusal of each list with fields after it; `reader` is what does not read it."""
@@ -24,7 +26,7 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
             Diagnostic(
                 "plc_lists_last" if for_controllers else "output_lists_last",
                 f"{field.name} {problem}, and {reader} reads only lists that come last, of elements of one size",
-                field.place["repeat" if field.repeat is not None else "record" if field.record else "choice"],
+                field.place[next((key for key in _KEYS if key in field.place), "choice")],
                 help=LEAVE_OUT,
             ),
         )
@@ -36,6 +38,8 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
     """Why such outputs do not read a field; empty where they do."""
     if not field.varies:
         return ""
+    if field.value is not None and field.value.packed_bits:
+        return f"has numbers of {field.value.packed_bits} bits"
     if field is not body.sent_fields[-1]:
         return f"has {'several types and ' * bool(field.forms)}fields after it"
     if field.forms:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from fieldspec.codec.layout.packing import Packing, packing_data
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class InnerList:
     image and has `count_size` bytes in the order `count_order`; its number, less `plus`, counts units of `unit` bytes.
     `count` is empty where the number is always the same, and where the data end with the list and the fields
     after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
-    where all have the same size.
+    where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image.
     """
 
     name: str
@@ -62,6 +63,7 @@ class InnerList:
     plus: int = 0
     parts: InnerLists | None = None
     decision: Decision | None = None
+    packing: Packing | None = None
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
@@ -77,13 +79,21 @@ class InnerList:
         """The bytes in the image of a list that does not end with the data, None for a wrong count."""
         return self.size_of(self.count_in(image)) if self.count else self.most
 
+    def sent_size(self, size: int) -> int:
+        """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
+        return size if self.packing is None else self.packing.sent_size(size // self.element)
+
 
 @dataclass(frozen=True, slots=True)
 class ListExtent:
-    """The bytes of a list in some data, and of each of its elements; `elements` is empty where all have the same."""
+    """The bytes of a list in some data, and of each of its elements; `elements` is empty where all have the same.
+
+    `numbers` is how many numbers are packed into the bytes.
+    """
 
     size: int
     elements: tuple[int, ...] = ()
+    numbers: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,9 +146,13 @@ class InnerLists:
                 return self._wrong_number(inner, extents)
         if inner.parts is not None:
             return _elements(inner, inner.parts, data, size, start)
+        if inner.packing is not None and size is None:
+            return _packed_numbers(inner, inner.packing, len(data), start)
+        size = size if size is None else inner.sent_size(size)
         if size is not None and size > len(data):
             return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
-        return ListExtent(len(data) if size is None else size)
+        numbers = 0 if inner.packing is None else inner.packing.numbers_in(size or 0, inner.most // inner.element)
+        return ListExtent(len(data) if size is None else size, numbers=numbers)
 
     def _decided(
         self, inner: InnerList, decision: Decision, image: bytes, left: int, extents: list[ListExtent]
@@ -166,7 +180,7 @@ class InnerLists:
             size = inner.size_in(fields) if inner.decision is None else inner.decision.size_in(fields)
             if size is None:
                 return self._wrong_number(inner, extents)
-            extent = ListExtent(size, (size,) if inner.decision is not None else ())
+            extent = ListExtent(inner.sent_size(size), (size,) if inner.decision is not None else ())
             if inner.parts is not None:
                 elements = _elements(inner, inner.parts, data[start:], size, start)
                 if isinstance(elements, ListFault):
@@ -195,6 +209,8 @@ class InnerLists:
                     pieces.append(piece[offset : offset + size].ljust(inner.element, b"\0"))
                     offset += size
                 piece = b"".join(pieces)
+            if inner.packing is not None:
+                piece = inner.packing.unpacked(piece, extent.numbers)
             lists += piece if inner is self.last else piece.ljust(inner.most, b"\0")
             before += extent.size
         stop = None if len(extents) == len(self.lists) else self.lists[len(extents)].first + before
@@ -215,6 +231,8 @@ class InnerLists:
             piece = piece[: inner.size_in(image)]
         if inner.decision is not None:
             return piece[: inner.decision.size_in(image)]
+        if inner.packing is not None:
+            return inner.packing.packed(piece)
         if inner.parts is None:
             return piece
         elements = [piece[offset : offset + inner.element] for offset in range(0, len(piece), inner.element)]
@@ -240,6 +258,8 @@ class InnerLists:
 
 
 def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
+    if inner.packing is not None:
+        return inner.packing.place(offset // inner.element)[0]
     if inner.parts is None and inner.decision is None:
         return offset
     index, rest = divmod(offset, inner.element)
@@ -265,6 +285,16 @@ def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None
     return ListExtent(offset, tuple(sizes))
 
 
+def _packed_numbers(inner: InnerList, packing: Packing, size: int, start: int) -> ListExtent | ListFault:
+    """The extent of packed numbers to which all of `size` bytes belong."""
+    numbers = packing.numbers_in(size, inner.most // inner.element)
+    sent_size = packing.sent_size(numbers)
+    if numbers * inner.element < inner.least:
+        return ListFault("incomplete", start + size)
+    fault = ListFault("wrong_length", start + sent_size)
+    return fault if sent_size < size else ListExtent(size, numbers=numbers)
+
+
 def inner_lists_data(inner: InnerLists) -> dict[str, Any]:
     """The lists as programs in JavaScript have them."""
     return {"fixed": inner.fixed, "lists": [_inner_list_row(row) for row in inner.lists]}
@@ -278,7 +308,9 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     is_little = {"little": True} if row.count_order == "little" else {}
     parts = {"parts": inner_lists_data(row.parts)} if row.parts is not None else {}
     decision = {"decision": _decision_row(row.decision)} if row.decision is not None else {}
-    return {**names, "first": row.first, "room": row.room, **bounds, **count, **plus, **is_little, **parts, **decision}
+    packing = {"packing": packing_data(row.packing)} if row.packing is not None else {}
+    places = {"first": row.first, "room": row.room}
+    return {**names, **places, **bounds, **count, **plus, **is_little, **parts, **decision, **packing}
 
 
 def _decision_row(row: Decision) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from itertools import takewhile
 
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
+from fieldspec.codec.layout.packing import Packing, packing_of
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation import classes
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
@@ -84,7 +85,20 @@ class FieldLayout:
         """Whether its bytes differ from data to data."""
         size = self.record.size if self.record is not None else self.size
         is_decided = bool(self.forms) or (self.value is not None and self.value.width > 0)
-        return self.count is None or size is None or is_decided
+        return self.count is None or size is None or is_decided or self.packing is not None
+
+    @property
+    def packing(self) -> Packing | None:
+        """How its numbers are packed, None where each has whole bytes."""
+        return packing_of(self.value, self.order)
+
+    @property
+    def sent_bounds(self) -> tuple[int, int]:
+        """The least and the most bytes that are sent for it."""
+        low, high = self.bounds
+        if self.packing is not None:
+            return self.packing.sent_size(low), self.packing.sent_size(high)
+        return low * self.least_size, high * self.size
 
     @property
     def splits_record(self) -> bool:
@@ -208,8 +222,9 @@ class RecordLayout:
 
     @property
     def has_single_list(self) -> bool:
-        """Whether the number of elements of its only list decides its size."""
-        return not self.has_differing and sum(field.count is None for field in self.fields) == 1
+        """Whether the number of elements of its only list, each of whole bytes, decides its size."""
+        lists = [field for field in self.fields if field.count is None]
+        return not self.has_differing and len(lists) == 1 and not any(field.packing for field in self.fields)
 
     def room_of(self, field: FieldLayout) -> InnerList | None:
         """The room of a list that another list follows in an image, None for other fields."""
@@ -274,7 +289,7 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
         is_text = field.value is not None and field.value.width > 0
         element = 1 if is_text else field.size
         low, high = (0, field.size) if is_text else field.bounds
-        inner = InnerList(field.name, first, room, element, low * element, high * element)
+        inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
         if is_element or field is not last:
             find_count = text_count if is_text else list_count
             if (count := find_count(record.record, field.field)) is not None:

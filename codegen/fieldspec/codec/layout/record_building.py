@@ -28,7 +28,11 @@ def _varies(field: Field, records: Mapping[str, RecordLayout]) -> bool:
     """Whether the bytes of a field, or of its content, differ from data to data."""
     if field.record and records[field.record].size is None:
         return True
-    return field.repeat is not None or field.choice is not None
+    return field.repeat is not None or field.choice is not None or _is_packed(field)
+
+
+def _is_packed(field: Field) -> bool:
+    return field.value is not None and field.value.packed_bits > 0
 
 
 def _case_layouts(record: Record, choice: Choice, orders: Orders, enums: Mapping[str, Enum]) -> tuple[CaseLayout, ...]:
@@ -88,7 +92,8 @@ def _fixed(
     fields: list[FieldLayout] = []
     differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if _varies(field, records)]
-    is_inner = any(field is not record.fields[-1] or field.choice is not None for field in lists) or bool(differing)
+    is_inner = any(field is not record.fields[-1] or field.choice or _is_packed(field) for field in lists)
+    is_inner |= bool(differing)
     remaining_fields = [field for field in record.fields if field not in lists]
     for field in (*remaining_fields, *lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
@@ -109,8 +114,8 @@ def _fixed(
     if not lists:
         return RecordLayout(record, record.name, tuple(fields), fixed, fixed, fixed)
     varying = [field for field in fields if field.field in lists]
-    minimum = fixed + sum(field.bounds[0] * field.least_size for field in varying)
-    maximum = fixed + sum(field.bounds[1] * field.size for field in varying)
+    minimum = fixed + sum(field.sent_bounds[0] for field in varying)
+    maximum = fixed + sum(field.sent_bounds[1] for field in varying)
     layout = RecordLayout(record, record.name, tuple(fields), None, minimum, maximum)
     return replace(layout, inner_lists=inner_lists_of(layout)) if is_inner else layout
 

@@ -14,6 +14,7 @@ from fieldspec.codec.program.operations import (
     Each,
     Inner,
     Load,
+    LoadPacked,
     LoadVarying,
     Program,
     Remark,
@@ -91,7 +92,7 @@ def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, 
     values: dict[str, Raw] = {}
     for operation in program:
         match operation:
-            case Load() | LoadVarying():
+            case Load() | LoadPacked() | LoadVarying():
                 row = rows_beside[operation.variable.name] = _loaded(operation, place, rows_beside)
                 rows.append(row)
                 values[operation.variable.name] = row.number
@@ -129,6 +130,7 @@ def _run_around(
         assert isinstance(operation, Each)
         extent = by_name.get(operation.name, ListExtent(operation.size * (operation.count or 0)))
         count = extent.size // operation.size if operation.count is None else operation.count
+        count = count if operation.packing is None else extent.numbers
         sizes = extent.elements or ([operation.size] * count if operation.is_list else [extent.size])
         contents = run_each(operation, replace(place, start=start), sizes, rows, rows_beside)
         values[operation.name] = contents if operation.is_list else contents[0]
@@ -148,22 +150,31 @@ def run_each(
 ) -> list[Raw]:
     """The contents of the elements of a field, which follow each other and have some sizes. Adds rows as `run` does."""
     contents: list[Raw] = []
-    start = place.start
+    start, packing = place.start, operation.packing
     for index, size in enumerate(sizes):
         suffix = f"[{index}]" if operation.is_list else ""
-        element = Place(place.data, start, start + size, place.path, suffix, index)
+        first, stop = start, start + size
+        if packing is not None:
+            first, stop = (place.start + offset for offset in packing.place(index))
+        element = Place(place.data, first, stop, place.path, suffix, index)
         contents.append(run(operation.element, element, rows, rows_beside)[operation.name])
         start += size
     return contents
 
 
-def _loaded(operation: Load | LoadVarying, place: Place, rows_beside: dict[str, Row]) -> Row:
+def _loaded(operation: Load | LoadPacked | LoadVarying, place: Place, rows_beside: dict[str, Row]) -> Row:
     variable = operation.variable
     image: bytes | None
     match operation:
         case Load():
             raw = image = place.data[place.start : place.start + len(operation.places)]
             in_order: bytes | None = bytes(raw[byte] for byte in operation.places)
+        case LoadPacked():
+            raw = place.data[place.start : place.stop]
+            number, size = operation.packing.number_in(raw, place.index), operation.packing.size
+            image = in_order = number.to_bytes(size, "big", signed=number < 0)
+            shared = operation.packing.shared_bytes(place.index)  # of the row of the number before it
+            raw, place = raw[shared:], replace(place, start=place.start + shared)
         case LoadVarying():
             raw = place.data[place.start : place.stop]
             image = in_order = widened(variable.value, raw)

@@ -9,6 +9,7 @@ from fieldspec.codec.program.operations import (
     Each,
     Inner,
     Load,
+    LoadPacked,
     LoadVarying,
     Operation,
     Places,
@@ -62,7 +63,7 @@ def field_program(device: Device, record: RecordLayout, field: FieldLayout) -> E
 
 def _each(device: Device, record: RecordLayout, field: FieldLayout) -> Each:
     element = _element(device, record, field)
-    return Each(field.name, field.offset, field.size, field.count, field.is_list, element)
+    return Each(field.name, field.offset, field.size, field.count, field.is_list, element, field.packing)
 
 
 def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Program:
@@ -74,6 +75,8 @@ def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Progra
     # What varies in width moves what is after it.
     exponent = field.value.scale_by if not record.spans and record.named(field.value.scale_by) is not None else ""
     variable = Variable(field.name, field, field.value, field.field.reserved, exponent)
+    if field.packing is not None:
+        return _judged(device, variable, LoadPacked(variable, field.packing))
     varies = bool(field.value.width)
     return _judged(device, variable, LoadVarying(variable) if varies else _load(variable, field.order, field.swapped))
 

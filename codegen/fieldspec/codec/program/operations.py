@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 from fieldspec.codec.layout.accepted import Condition
 from fieldspec.codec.layout.inner_lists import InnerLists
+from fieldspec.codec.layout.packing import Packing
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.value import Value
@@ -38,6 +39,14 @@ class Load:
 
     variable: Variable
     places: Places
+
+
+@dataclass(frozen=True, slots=True)
+class LoadPacked:
+    """The content of a variable that is an element of a packed list, from the bytes with bits of it."""
+
+    variable: Variable
+    packing: Packing
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +83,7 @@ class Inner:
 class Each:
     """The elements of a field of a record: one, or if it `is_list`, a counted number or all that fit.
 
-    `size` is the size of each element in bytes.
+    `size` is the size of each element in bytes, which packed numbers have in programs alone.
     """
 
     name: str
@@ -83,6 +92,7 @@ class Each:
     count: int | None
     is_list: bool
     element: Program
+    packing: Packing | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +104,7 @@ class Decided:
     forms: Mapping[int, Each]
 
 
-Operation = Load | LoadVarying | Require | Remark | Inner | Each | Decided
+Operation = Load | LoadPacked | LoadVarying | Require | Remark | Inner | Each | Decided
 """The operations of programs."""
 
 Program = tuple[Operation, ...]

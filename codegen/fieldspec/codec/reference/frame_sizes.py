@@ -54,14 +54,14 @@ class FrameSize:
 def frame_size(shape: FrameLayout, record: RecordLayout) -> FrameSize | None:
     """The size of frames with some data; None where they go on as long as bytes come."""
     framing_size = len(shape.start) + shape.header_size + shape.trailer_size + len(shape.end)
-    if record.size is not None:
-        return FrameSize(framing_size + record.size)
+    if record.least == record.most:
+        return FrameSize(framing_size + record.least)
     if record.spans:
         return _size_of_text(shape, record, framing_size)
     tail = record.fields[-1]
     lists = [field for field in record.fields if field.count is None]
     counts = [field for field in _measuring(record, tail) if record.has_place(field)]
-    if lists != [tail] or tail.cases or record.has_differing or not counts:
+    if lists != [tail] or tail.cases or not record.has_single_list or not counts:
         return None
     count = min(counts, key=lambda field: field.size)
     measure = count.field.measures

@@ -27,7 +27,7 @@ def is_sequence(record: RecordLayout) -> bool:
     """Whether a struct can read a record: all fields have fixed sizes, and no end depends only on the data."""
     measured = {other.field.measures.field for other in record.fields if other.field.measures is not None}
     has_ends = all(not field.varies or field.name in measured for field in record.sent_fields[:-1])
-    return has_ends and not record.has_differing
+    return has_ends and not record.has_differing and not any(field.packing for field in record.fields)
 
 
 def _struct(record: RecordLayout) -> construct.Struct:

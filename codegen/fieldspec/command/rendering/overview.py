@@ -96,7 +96,8 @@ def _type(field: FieldLayout, name: str) -> str:
     times = f" x {repeat.text() if repeat else field.count}" if field.is_list else ""
     value = field.value
     digits = f" as {digits_text(value)}" if value is not None and value.digits else ""
-    return (name or field.primitive.name) + digits + times
+    packed = f" {value.packed_text}" if value is not None and value.packed_bits else ""
+    return (name or field.primitive.name) + digits + packed + times
 
 
 def _value(value: Value | None) -> tuple[str, ...]:

@@ -63,6 +63,8 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
             problem = (
                 f"elements of {repeated_name} differ in size"
                 if record.has_differing
+                else f"{repeated_name} has packed numbers"
+                if any(own.packing for own in record.inner_lists.lists)
                 else f"fields follow {repeated_name}, which repeats"
             )
             raise UsageError(f"{record.name} has no layout: {problem}")

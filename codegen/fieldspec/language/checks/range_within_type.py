@@ -90,7 +90,7 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
 
 def _sentinel_help(value: Value, bits: int) -> str:
     """The help for a sentinel that is stated by its bits, which a signed type has for a negative number."""
-    encoding = value.encoding
+    encoding = value.packed_number or value.encoding
     if not isinstance(encoding, Whole) or not encoding.sign.is_signed or bits >> encoding.bits - 1 != 1:
         return _HELP
     number = whole_number(encoding, bits)
@@ -163,6 +163,8 @@ def _type_range(primitive: Primitive) -> str:
 
 
 def _range_of(value: Value) -> str:
+    if value.packed_bits:
+        return f"{value.packed_bits} bits, which have the range {value.low}..{value.high}"
     if not value.digits:
         return _type_range(value.type)
     verb = "has" if digit_count(value) == 1 else "have"

@@ -45,10 +45,11 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             is_element = bool(field.record) and sizes.element(field) is None
             if is_element:
                 yield from _differing(sizes, device.records.get(field.record), layer, field)
+            is_packed = field.value is not None and field.value.packed_bits > 0
             differs = is_element or field.choice is not None
             if field is not layer.fields[-1] and (differs or field.repeat is not None):
                 yield from _followed(sizes, layer, field, id(layer) in bodies)
-            elif not is_element:
+            elif not is_element and not is_packed:
                 continue
             yield from _at_the_end(layer, field, bodies.get(id(layer)), layer.name in refusing)
 
@@ -101,7 +102,9 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
 def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Iterator[Diagnostic]:
     """The finding of a list with fields after it, or of a record that differs in size, where a last list may be."""
     last = layer.fields[-1]
-    problem = f"{last.name} comes after {field.name}" if last is not field else f"{field.name} differs in size"
+    is_packed = field.value is not None and field.value.packed_bits > 0
+    problem = f"{field.name} {'has packed numbers' if is_packed else 'differs in size'}"
+    problem = f"{last.name} comes after {field.name}" if last is not field else problem
     if message is not None and (message.accesses is not None or message.access_steps):
         text = f"{message.name} reads or writes registers, and {problem}"
         yield finding(_CODE, field.place, "name", text, "list the repeated field last, or remove `accesses`")

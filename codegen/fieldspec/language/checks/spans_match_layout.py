@@ -60,9 +60,10 @@ def _spans(field: Field, offset: int, sizes: RecordSizes, unit: int) -> list[_Sp
     if bounds is None or offset % unit:
         return []
     ends: set[int] = set()
-    for element in sizes.elements(field) or (1,):
+    elements = sizes.elements(field)
+    for element in elements or (1,):
         low, high = bounds
-        if field.repeat is not None:
+        if field.repeat is not None and elements:
             low, high = field.repeat.low * element, field.repeat.high * element
         elif field.choice is not None:
             low = high = element

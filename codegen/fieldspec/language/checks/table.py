@@ -82,6 +82,7 @@ _NAMES = (
     "numbers_regular",
     "offsets_match_layout",
     "orders_agree",
+    "packed_lists_complete",
     "parameter_bytes_complete",
     "parameter_messages_complete",
     "parameter_numbers_ascending",

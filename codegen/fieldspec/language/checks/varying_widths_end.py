@@ -113,8 +113,10 @@ def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[
     for field in body.fields:
         other = body.named(field.measures.field) if field.measures is not None else None
         differs = bool(field.record) and not sizes.is_fixed(field)
-        if differs or field.repeat is not None or field.choice is not None:
+        is_packed = field.value is not None and field.value.packed_bits > 0
+        if differs or is_packed or field.repeat is not None or field.choice is not None:
             key, objection = ("choice", "several types") if field.choice is not None else ("record", "no fixed size")
+            key, objection = ("packed_bits", "packed numbers") if is_packed else (key, objection)
             key, objection = ("repeat", "a list of free length") if field.repeat is not None else (key, objection)
             text = f"{field.name} has {objection}, and {varying[0].name} varies in width"
             yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")

@@ -25,7 +25,7 @@ class RecordSizes:
             for name in ready:
                 record = waiting.pop(name)
                 self._bounds[name] = self.bounds(record)
-                if any(f.repeat is not None or f.choice is not None or f.record in self._open for f in record.fields):
+                if any(not self.is_fixed(field) or field.record in self._open for field in record.fields):
                     self._open.add(name)
             if not ready:
                 break
@@ -42,7 +42,7 @@ class RecordSizes:
         if field.choice is not None:
             return tuple(sorted({case.value.size for case in field.choice.cases}))
         if field.value is not None:
-            return () if field.value.width else (field.value.size,)
+            return () if field.value.width or field.value.packed_bits else (field.value.size,)
         bounds = self._bounds.get(field.record)
         return (bounds[0],) if bounds is not None and bounds[0] == bounds[1] and field.record not in self._open else ()
 
@@ -50,6 +50,9 @@ class RecordSizes:
         """The least and the most bytes of a field, None where nothing decides them."""
         if field.value is not None and field.value.width:
             return field.value.least_width, field.value.width
+        if field.value is not None and field.value.packed_bits:
+            low, high = (field.repeat.low, field.repeat.high) if field.repeat is not None else (field.count or 1,) * 2
+            return (low * field.value.packed_bits + 7) // 8, (high * field.value.packed_bits + 7) // 8
         sizes = self.elements(field)
         bounds = (sizes[0], sizes[-1]) if sizes else self._bounds.get(field.record)
         if bounds is None:
@@ -91,7 +94,9 @@ class RecordSizes:
             if self.is_fixed(field):
                 continue
             has_end = field.repeat is None or list_count(record, field) is not None
-            has_end &= self.element(field) is not None or self.tells_size(field.record) or field.choice is not None
+            is_packed = field.value is not None and field.value.packed_bits > 0
+            is_decided = is_packed or field.choice is not None
+            has_end &= self.element(field) is not None or self.tells_size(field.record) or is_decided
             if not (text_count(record, field) is not None and not field.is_list if has_texts else has_end):
                 return field
         return None

@@ -7,7 +7,7 @@ from decimal import Context, Decimal
 from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.digits import NO_CHARACTERS, digit_bounds
-from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole, sign_of
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
@@ -129,7 +129,8 @@ class Value:
     zeros. `width` is the most bytes of a value that varies in width, else
     it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
     `has_blanks` says that decimal digits have blanks in place of leading zeros, and a sign below zero only.
-    `write_word_order` is empty where a write has the words in the order of a read.
+    `write_word_order` is empty where a write has the words in the order of a read. A number of a packed
+    list has `packed_bits` on the wire, fewer than its type; it is 0 for all others.
     """
 
     type: Primitive
@@ -157,6 +158,7 @@ class Value:
     has_blanks: bool = False
     codec: str = ""
     write_word_order: str = ""
+    packed_bits: int = 0
 
     @property
     def encoding(self) -> Encoding:
@@ -186,13 +188,27 @@ class Value:
         return self.type.size if self.digits else size
 
     @property
+    def packed_number(self) -> Whole | None:
+        """The number in the bits of an element of a packed list; None for other values."""
+        return Whole(self.packed_bits, sign_of(self.type.encoding)) if self.packed_bits else None
+
+    @property
+    def packed_text(self) -> str:
+        """`packed into 12 bits`; empty where it has whole bytes."""
+        return f"packed into {self.packed_bits} bit{'s' * (self.packed_bits > 1)}" if self.packed_bits else ""
+
+    @property
     def low(self) -> int:
         """The least raw value that the wire can carry."""
+        if self.packed_number is not None:
+            return self.packed_number.bounds[0]
         return max(self.type.low, digit_bounds(self)[0]) if self.digits else self.type.low
 
     @property
     def high(self) -> int:
         """The greatest raw value that the wire can carry."""
+        if self.packed_number is not None:
+            return self.packed_number.bounds[1]
         return min(self.type.high, digit_bounds(self)[1]) if self.digits else self.type.high
 
     @property
@@ -204,12 +220,13 @@ class Value:
     def writable_ranges(self) -> Ranges | None:
         """The counts that may be written in addition to sentinels; None where only the type bounds them."""
         ranges = self.ranges if self.write_ranges is None else self.write_ranges
-        return Ranges(((self.low, self.high),)) if ranges is None and self.digits else ranges
+        return Ranges(((self.low, self.high),)) if ranges is None and (self.digits or self.packed_bits) else ranges
 
     @property
     def has_words(self) -> bool:
         """Whether it consists of several words of 16 bits, whose order matters."""
-        return self.type.is_number and self.size > 2 and self.size % 2 == 0 and not self.is_as_sent
+        is_number = self.type.is_number and not self.is_as_sent and not self.packed_bits
+        return is_number and self.size > 2 and self.size % 2 == 0
 
     def write_swapped(self, swapped: bool) -> bool:
         """Whether the words of a write are swapped, by whether the words of a read are."""
@@ -231,7 +248,7 @@ class Value:
         """Whether the order of its bytes matters."""
         if self.text_form is not None and (self.text_form.encoding == UTF_16 or self.text_form.is_turned):
             return True
-        return self.type.size > 1 and not self.is_as_sent
+        return (self.type.size > 1 or self.packed_bits > 0) and not self.is_as_sent
 
     @property
     def has_characters(self) -> bool:

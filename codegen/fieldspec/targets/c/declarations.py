@@ -194,6 +194,8 @@ def describe_value(value: Value | None) -> str:
     facts = []
     if value.digits:
         facts.append(f"Sent as {digits_text(value)}.")
+    if value.packed_bits:
+        facts.append(f"{value.packed_text.capitalize()}.")
     if value.scaled or value.unit:
         scale = value.scale_text or str(value.scale)
         offset = f", plus {value.offset}" if value.offset else ""

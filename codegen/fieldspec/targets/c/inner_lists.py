@@ -87,7 +87,7 @@ def _table(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 
 
 def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> str:
-    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL, NULL}`: see the struct."""
+    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL, NULL, 0u, false, false}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     count = (inner.count_at, inner.count_size if inner.count else 0, inner.unit)
     is_little = "true" if inner.count_order == "little" else "false"
@@ -98,7 +98,11 @@ def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> s
     if inner.decision is not None:
         decide = naming.function("record", record.name, f"{inner.name}_decided_size")
     places = ", ".join(f"{number}u" for number in (*numbers, *count))
-    return f"{{{places}, {inner.plus}L, {is_little}, {measure}, {decide}}}"
+    packing = "0u, false, false"
+    if inner.packing is not None:
+        is_low_first, is_signed = inner.packing.order == "little", inner.packing.number.sign.is_signed
+        packing = f"{inner.packing.number.bits}u, {str(is_low_first).lower()}, {str(is_signed).lower()}"
+    return f"{{{places}, {inner.plus}L, {is_little}, {measure}, {decide}, {packing}}}"
 
 
 def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:

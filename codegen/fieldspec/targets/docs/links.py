@@ -262,8 +262,8 @@ def separator(record: RecordLayout) -> Iterator[tuple[str, tuple[Line, ...]]]:
 
 
 def differs_in_size(field: FieldLayout) -> bool:
-    """Whether the elements of a list are records that differ in size."""
-    return field.record is not None and field.record.size is None
+    """Whether the elements of a list are records that differ in size, or numbers that share bytes."""
+    return field.packing is not None or (field.record is not None and field.record.size is None)
 
 
 def _bytes_of(record: RecordLayout) -> str:
@@ -299,8 +299,8 @@ def elements_text(field: FieldLayout, letter: str) -> str:
 
 def length_text(framing_size: int, record: RecordLayout) -> str:
     """`8 bytes`, or `5 + 2n bytes, n = 1 to 3`: the length of a frame with a record in its body."""
-    if record.size is not None:
-        return many(framing_size + record.size, "byte")
+    if record.least == record.most:
+        return many(framing_size + record.least, "byte")
     if record.chosen:
         upper_end = f" to {framing_size + record.most}" if record.most is not None else " or more"
         return f"{framing_size + record.least}{upper_end} bytes"

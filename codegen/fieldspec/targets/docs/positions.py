@@ -63,7 +63,10 @@ def _starts_around(record: RecordLayout, inner: InnerLists) -> list[Position]:
             starts.append(position)
             continue
         starts.append(position.shifted(own.first - own.room))
-        if own.parts is not None or own.decision is not None:
+        if own.packing is not None and own.least == own.most:
+            position = position.shifted(own.sent_size(own.most))
+            continue
+        if own.parts is not None or own.decision is not None or own.packing is not None:
             position = position.stepped(1, f"bytes of {field.name}")
             continue
         number = f"number of {field.name}"

@@ -299,8 +299,8 @@ def _record(context: Context, record_layout: RecordLayout) -> Section:
 
 
 def _size(record_layout: RecordLayout) -> str:
-    if record_layout.size is not None:
-        return f"{record_layout.size} bytes"
+    if record_layout.least == record_layout.most:
+        return f"{record_layout.least} bytes"
     return f"{record_layout.least} to {record_layout.most} bytes"
 
 
@@ -309,5 +309,6 @@ def _record_row(context: Context, field: FieldLayout, start: Position, marks: In
     path = f"{field.name}[k]" if field.is_list else field.name
     place = (element_position(field, start, "k") if field.is_list else start).text(1)
     size = str(field.size) if field.least_size == field.size else f"{field.least_size} to {field.size}"
+    size = size if field.packing is None else f"{field.packing.number.bits} / 8"
     cells = field_cells(context, field, path, elements, marks)
     return TableRow((cell(code(place)), cell(size), *cells), field.field.place.path)

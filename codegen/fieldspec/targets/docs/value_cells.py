@@ -64,6 +64,8 @@ def type_lines(value: Value) -> list[Line]:
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.digits:
         lines.append((text_piece(f"sent as {digits_text(value)}"),))
+    if value.packed_bits:
+        lines.append((text_piece(value.packed_text),))
     if value.text_form is not None:
         lines.append((text_piece(text_form_title(value)),))
     if value.characters is not None:

@@ -6,6 +6,7 @@ from fieldspec.codec.explain.parameters import index_field
 from fieldspec.codec.explain.row import errata_of_message
 from fieldspec.codec.layout.inner_lists import inner_lists_data
 from fieldspec.codec.layout.message import MessageLayout
+from fieldspec.codec.layout.packing import packing_data
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import span_data
 from fieldspec.codec.program.lowering import field_program
@@ -69,6 +70,7 @@ def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str
                 "valueOrder": [field.order, field.swapped] if _is_read_again(field) else None,
                 "record": field.record.name if field.record is not None else "",
                 "parts": _parts(field),
+                "packing": packing_data(field.packing) if field.packing is not None else None,
                 "cases": field.splits_record,
                 "by": field.selector.name if field.selector is not None else "",
                 "forms": _forms(device, record, field) if field.forms else None,

@@ -53,6 +53,10 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
         if field.selector is not None:
             sizes.append(_decided_size(record, field, field.selector))
             continue
+        if field.packing is not None:
+            bits = field.packing.number.bits
+            sizes.append(f"Math.ceil({items} * {bits} / 8)" if repeat is not None else str(field.sent_bounds[0]))
+            continue
         if field.record is None or field.record.size is not None:
             sizes.append(lengths[-1])
             continue

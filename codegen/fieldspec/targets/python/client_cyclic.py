@@ -80,9 +80,8 @@ def initial_bytes(device: Device, record: RecordLayout) -> bytes:
     nothing says what to send in place of a 0 that is another quantity or is not permitted.
     """
     if record.inner_lists is not None:
-        raise NoTask(
-            f"{record.inner_lists.lists[0].name} is a list with fields after it, or of elements that differ in size"
-        )
+        name = record.inner_lists.lists[0].name
+        raise NoTask(f"{name} is a list with fields after it, of elements that differ in size, or of packed numbers")
     data = bytearray(record.size or 0)
     for field in record.fields:
         value = field.value

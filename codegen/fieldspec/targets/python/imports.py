@@ -68,7 +68,7 @@ _SHARED = {
     "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
     "_frames": "ExceptionResponse Frames Request RequestOf Response",
-    "_inner_lists": "Decision InnerList InnerLists Parts",
+    "_inner_lists": "Decision InnerList InnerLists Packing Parts",
     "_mark_framer": "MarkFramer",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
+from fieldspec.codec.layout.packing import Packing
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import filled, literal
 
@@ -25,8 +26,15 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     count = f", ({inner.count_at}, {inner.count_size}, {order}, {inner.unit}, {inner.plus})" if inner.count else ""
     parts = f", parts={_parts(inner.parts)}" if inner.parts is not None else ""
     decision = f", decision={_decision(inner.decision)}" if inner.decision is not None else ""
+    packing = f", packing={_packing(inner.packing)}" if inner.packing is not None else ""
     places = f"{inner.first}, {inner.room}"
-    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{count}{parts}{decision})"
+    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{count}{parts}{decision}{packing})"
+
+
+def _packing(packing: Packing) -> str:
+    """`_Packing(12, 2, "big")`: how the numbers of a list follow each other in bits."""
+    signed = ", signed=True" if packing.number.sign.is_signed else ""
+    return f"_Packing({packing.number.bits}, {packing.size}, {literal(packing.order)}{signed})"
 
 
 def _decision(decision: Decision) -> str:

@@ -111,8 +111,8 @@ class Slots:
 
     @property
     def in_room(self) -> bool:
-        """Whether it is a list of free length, or a record that differs in size."""
-        return self.repeated or (self.field.varies and self.field.value is None)
+        """Whether it is a list of free length or of packed numbers, or a record that differs in size."""
+        return self.repeated or (self.field.varies and (self.field.value is None or self.field.packing is not None))
 
     @property
     def constant(self) -> int | None:

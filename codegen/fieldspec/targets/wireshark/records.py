@@ -219,7 +219,8 @@ def _step(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
         return {}
     inner = record.inner_lists
     if inner is not None:
-        single = inner.last if len(inner.lists) == 1 and inner.last.parts is None else None
+        is_single = len(inner.lists) == 1 and inner.last.parts is None and inner.last.packing is None
+        single = inner.last if is_single else None
         return {"step": {"fixed": inner.fixed, "unit": single.element}} if single is not None else {}
     tail = record.fields[-1]
     if tail.count is not None or tail.size < 2 or _extent(record) is not None:
@@ -238,7 +239,7 @@ def _varying_extent(record: RecordLayout) -> Data:
             ((field, own) for field, own in measuring_fields if own is not None and own.field == inner.name),
             (None, None),
         )
-        if further or inner.parts is not None or measures is None:
+        if further or inner.parts is not None or inner.packing is not None or measures is None:
             return None
         unit = measures.unit(inner.element)
         fixed_size = record.inner_lists.fixed - measures.plus * unit

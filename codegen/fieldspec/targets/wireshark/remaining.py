@@ -114,7 +114,7 @@ def _separate_fields(record: RecordLayout, names: Collection[str]) -> Iterator[s
 
 def _is_varying_list(record: RecordLayout, field: FieldLayout) -> bool:
     """Whether a field is a list, and its place or that of the field after it differs from frame to frame."""
-    return field.count is None and record.inner_lists is not None
+    return (field.count is None or field.packing is not None) and record.inner_lists is not None
 
 
 def _absent(absent: Absences) -> Iterator[tuple[str, str, tuple[Cause, ...]]]:

@@ -149,7 +149,8 @@ class BodyReader:
             sizes[row] = len(images[-1])
             for own, extent in zip(ending, list_extents, strict=False):
                 is_single = own.parts is not None or own.decision is not None
-                rooms[own.name][row] = len(extent.elements) if is_single else extent.size // own.element
+                items = extent.size // own.element if own.packing is None else extent.numbers
+                rooms[own.name][row] = len(extent.elements) if is_single else items
             if fault is None:
                 continue
             own = inner.lists[len(list_extents)]
@@ -159,7 +160,7 @@ class BodyReader:
                 inner.place_in_data(list_extents, own.count_at),
             ):
                 rooms[own.name][row] = MISCOUNT
-            elif own.parts is not None or own.decision is not None:
+            elif own.parts is not None or own.decision is not None or own.packing is not None:
                 verdicts[own.name][row] = VERDICT_NUMBERS[fault.reason]
         return *_joined(images), sizes, Rooms(rooms, verdicts)
 

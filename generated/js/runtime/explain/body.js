@@ -92,7 +92,7 @@ export class ExplainedBody {
       const stop = at + size;
       const count = this.itemsOf(field);
       yield this.tracedField(formOfField(this.record, field, this.values), at, elements.length ? elements : new Array(count).fill(field.size));
-      at = elements.length ? stop : at + count * field.size;
+      at = elements.length || field.packing ? stop : at + count * field.size;
       if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
       else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
       at = stop;
@@ -119,6 +119,10 @@ export class ExplainedBody {
       if (size < this.record.least) return this.missingRow(fields, at);
       return this.wrongRow(fields[0], at, reason, `${by} decides that ${name} has more bytes than there are`);
     }
+    if (list.packing && this.fault.reason === "wrong_length") {
+      const text = `${name} has more bytes than its numbers of ${list.packing.bits} bits`;
+      return this.wrongRow(fields[0], at, this.fault.reason, text);
+    }
     if (list.parts) {
       const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
       return this.wrongRow(fields[0], at, this.fault.reason, text);
@@ -130,7 +134,8 @@ export class ExplainedBody {
   /** How many elements of a list of a record with fields after a list there are. */
   itemsOf(field) {
     const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
-    const { size, elements } = this.extents[number];
+    const { size, elements, numbers } = this.extents[number];
+    if (numbers !== undefined) return numbers;
     return elements.length || this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
   }
 

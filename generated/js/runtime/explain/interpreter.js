@@ -1,7 +1,7 @@
 import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
 import { decodedText } from "../encodings.js";
 import { digitsNumber } from "../digit_texts.js";
-import { extentsIn } from "../lists.js";
+import { extentsIn, packedPlace, unpackedNumber } from "../lists.js";
 import { formOfField } from "./device.js";
 import { widenedBytes } from "../widths.js";
 
@@ -79,9 +79,13 @@ function numberOfContent({ value, reserved }, content, raw, image) {
   return value.kind === "boolean" && !reserved && (content === 0 || content === 1) ? content === 1 : content;
 }
 
-/** What all bytes of a field, or of another `value`, gave; of one that varies in width, the `image` has all its bytes. */
-export function loaded(field, raw) {
-  const image = field.span ? widenedBytes(field.span, raw) : raw;
+/**
+ * What all bytes of a field, or of another `value`, gave; of one that varies in width, or is number `index` of a packed
+ * list, the `image` has all its bytes.
+ */
+export function loaded(field, raw, index) {
+  const image = field.span ? widenedBytes(field.span, raw)
+    : field.packing ? unpackedNumber(field.packing, raw, index, field.size) : raw;
   const content = image === null ? null : contentOf(field.value, image);
   return { field, raw, image, content, number: numberOfContent(field, content, raw, image) };
 }
@@ -109,8 +113,9 @@ function runAround(device, record, parts, data, start, stop, path, rows) {
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
     const field = formOfField(record, record.named.get(name), values);
-    const { size, elements } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
-    const all = field.isList ? new Array(field.count ?? Math.floor(size / field.size)).fill(field.size) : [size];
+    const { size, elements, numbers } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
+    const count = numbers ?? field.count ?? Math.floor(size / field.size);
+    const all = field.isList ? new Array(count).fill(field.size) : [size];
     const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
     values.set(name, field.isList ? contents : contents[0]);
     at += size;
@@ -131,7 +136,12 @@ export function runEach(device, field, data, start, sizes, path, rows, beside) {
     const record = field.record && device.records.get(field.record);
     if (field.parts) return runAround(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     if (record) return run(device, record, data, offset, stop, `${own}.`, rows);
-    const row = { ...loaded(field, data.subarray(offset, stop)), path: own, index, offset, beside };
+    const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
+    const row = { ...loaded(field, data.subarray(first, last), index), path: own, index, offset: first, beside };
+    if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share
+      row.raw = row.raw.subarray(1);
+      row.offset++;
+    }
     rows.push(row);
     beside.set(field.name, row);
     return row.number;

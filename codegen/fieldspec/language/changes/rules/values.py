@@ -67,12 +67,14 @@ def _of(value: Value | None) -> str:
     size = "" if value.type.size and not digits else f" of {value.size} bytes"
     size = f" of at most {value.width} bytes" if value.width else size
     form = f" in {text_form_title(value)}" if value.text_form is not None else ""
-    return f"{value.type.name}{digits}{places}{size}{form}{blanks}"
+    packed = f" in {value.packed_bits} bits" if value.packed_bits else ""
+    return f"{value.type.name}{digits}{places}{size}{form}{blanks}{packed}"
 
 
-def _encoding(value: Value) -> tuple[Primitive, str, str, int, bool, TextForm | None, int]:
+def _encoding(value: Value) -> tuple[Primitive, str, str, int, bool, TextForm | None, int, int]:
     """The type in which the bytes of a value are read."""
-    return value.type, value.digits, value.codec, value.places, value.has_blanks, value.text_form, value.width
+    form = value.has_blanks, value.text_form, value.width, value.packed_bits
+    return value.type, value.digits, value.codec, value.places, *form
 
 
 def _content(field: Field, record: str) -> tuple[str, str]:

@@ -18,7 +18,7 @@ from fieldspec.language.reading.building.remote_requests import with_remote_requ
 from fieldspec.language.reading.building.separators import with_separators
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
 
-_OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "reserved"}
+_OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "packed_bits", "reserved"}
 """The keys that only a field with a value of its own has."""
 
 

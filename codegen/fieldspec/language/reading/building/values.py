@@ -92,6 +92,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         else None,
         width=size if varies else 0,
         codec=codec,
+        packed_bits=entry.integer("packed_bits") or 0,
         has_blanks=digits == "decimal" and entry.text("padding") == "space" and not varies,
     )
 

@@ -14,7 +14,8 @@ typedef size_t (*device_decided_size)(const uint8_t *in);
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
  * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
  * `count_size` of 0 is that of a list that always has `most` bytes. The data decide the size of the last one.
- * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element.
+ * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element. Numbers
+ * of `bits` bits are packed, from the highest bit or where they are `low_first` from the lowest; it is 0 for whole bytes.
  */
 typedef struct device_inner_list {
     size_t first;
@@ -29,6 +30,9 @@ typedef struct device_inner_list {
     bool is_little;
     device_element_size element_size;
     device_decided_size decided_size;
+    size_t bits;
+    bool is_low_first;
+    bool is_signed;
 } device_inner_list;
 
 /** The bytes of a list, as its count in an image says; SIZE_MAX for a count that cannot be right. */
@@ -55,6 +59,49 @@ static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t si
     size_t at;
     for (at = 0; at < size; at++) {
         to[at] = from[at];
+    }
+}
+
+/** The bytes that are sent for `size` bytes of the image of a list, of elements that do not differ in size. */
+static inline size_t device_list_bytes(const device_inner_list *list, size_t size)
+{
+    return list->bits == 0u ? size : (size / list->element * list->bits + 7u) / 8u;
+}
+
+/** Writes the image of packed numbers that has `size` bytes. */
+static inline void device_unpack_list(const device_inner_list *list, const uint8_t *in, size_t size, uint8_t *image)
+{
+    size_t index, bit, place = 0;
+    for (index = 0; index < size; index += list->element) {
+        uint32_t number = 0u;
+        for (bit = 0; bit < list->bits; bit++, place++) {
+            size_t own = list->is_low_first ? bit : list->bits - 1u - bit;
+            size_t shift = list->is_low_first ? place % 8u : 7u - place % 8u;
+            number |= (uint32_t)((in[place / 8u] >> shift) & 1) << own;
+        }
+        if (list->is_signed && (number >> (list->bits - 1u)) != 0u) {
+            number |= UINT32_MAX << list->bits;
+        }
+        for (bit = 0; bit < list->element; bit++) {
+            image[index + (list->is_low_first ? bit : list->element - 1u - bit)] = (uint8_t)(number >> 8u * bit);
+        }
+    }
+}
+
+/** Writes what is sent of the image of packed numbers, which has `size` bytes. */
+static inline void device_pack_list(const device_inner_list *list, const uint8_t *image, size_t size, uint8_t *out)
+{
+    size_t index, bit, place = 0;
+    for (index = 0; index < device_list_bytes(list, size); index++) {
+        out[index] = 0u;
+    }
+    for (index = 0; index < size; index += list->element) {
+        for (bit = 0; bit < list->bits; bit++, place++) {
+            size_t own = list->is_low_first ? bit : list->bits - 1u - bit;
+            size_t from = index + (list->is_low_first ? own / 8u : list->element - 1u - own / 8u);
+            size_t shift = list->is_low_first ? place % 8u : 7u - place % 8u;
+            out[place / 8u] = (uint8_t)(out[place / 8u] | ((image[from] >> own % 8u) & 1) << shift);
+        }
     }
 }
 
@@ -115,6 +162,8 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
             if (status != DEVICE_OK) {
                 return status == DEVICE_ERR_INCOMPLETE ? left + 1u : status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
             }
+        } else {
+            taken = device_list_bytes(list, size);
         }
         from += taken;
         if (from > left) {
@@ -159,6 +208,19 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
             if (status != DEVICE_OK) {
                 return status;
             }
+        } else if (list->bits != 0u) {
+            size_t numbers = 8u * left / list->bits;
+            if (size == SIZE_MAX) {
+                size = numbers * list->element < list->most ? numbers * list->element : list->most;
+                if (size < list->least || device_list_bytes(list, size) < left) {
+                    return size < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_ERR_WRONG_LENGTH;
+                }
+            }
+            taken = device_list_bytes(list, size);
+            if (taken > left) {
+                return DEVICE_ERR_INCOMPLETE;
+            }
+            device_unpack_list(list, in + from, size, image + list->room);
         } else {
             if (size != SIZE_MAX && size > left) {
                 return DEVICE_ERR_INCOMPLETE;
@@ -187,6 +249,12 @@ static inline size_t device_place_list(const device_inner_list *list, const uint
     size_t from, to = 0;
     if (list->decided_size != NULL) {
         size = list->decided_size(fields);
+    }
+    if (list->bits != 0u) {
+        if (out != NULL) {
+            device_pack_list(list, image, size, out);
+        }
+        return device_list_bytes(list, size);
     }
     if (list->element_size == NULL) {
         if (out != NULL) {
