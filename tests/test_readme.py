@@ -39,10 +39,8 @@ def test_the_python_code_runs(code: str) -> None:
 
 @pytest.mark.parametrize("code", blocks("c", PROGRAM))
 def test_the_c_code_compiles_and_writes_the_frame_of_the_manual(code: str, tmp_path: Path) -> None:
-    main = "#include <stdio.h>\nint main(void) { uint8_t f[64]; size_t at, n = move(f, sizeof f);"
-    main += ' for (at = 0; at < n; at++) printf("%02X ", f[at]); return 0; }\n'
     source, program = tmp_path / "readme.c", tmp_path / "readme"
-    source.write_text(code + main, encoding="utf-8")
+    source.write_text(code, encoding="utf-8")
     flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-I", str(ROOT / "generated" / "c")]
     subprocess.run([require_tool("gcc"), *flags, "-o", str(program), str(source)], check=True)
     result = subprocess.run([str(program)], capture_output=True, text=True, check=True)

@@ -3192,7 +3192,7 @@ function namedReading(device, own, link, direction, error, messages) {
     return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
   }
   const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
-  const kind = error ? "refusal" : isAnswer || direction === "request" ? direction : "frame";
+  const kind = error ? "exception response" : isAnswer || direction === "request" ? direction : "frame";
   const joint = isAnswer ? "to" : "of";
   if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
   return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
@@ -3270,6 +3270,7 @@ const CANDUMP = new RegExp(
   + "(?:#(?:(?<remote>R)(?<dlc>[0-8])?|(?<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\\s+[RT])?"
   + "|\\s+\\[(?<count>[0-8])\\](?:(?<words>\\s+remote request)|(?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8})))\\s*$",
 );
+const MISTYPED = /^(?:[0-9][OoIl]|[OoIl][0-9])$/;
 const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
 
 class Unreadable extends Error {
@@ -3424,6 +3425,7 @@ function frameBehind(text, links) {
     const before = BEFORE.exec(rest);
     const word = /^\S+/.exec(rest);
     if (before) rest = rest.slice(before[0].length);
+    else if (word && MISTYPED.test(word[0])) throw new Unreadable(`\`${word[0]}\` is not a byte in hexadecimal digits`);
     else if (word && !isHexWord(word[0])) rest = rest.slice(word[0].length);
     else return { frame: bytesOfText(rest.trimEnd().replace(BEHIND, "")), remarks: [] };
   }
@@ -4064,7 +4066,7 @@ class FrameTable {
     const { device } = this.lab;
     const link = device.links.get(explanation.link);
     const message = device.messages.get(explanation.message);
-    const kind = explanation.error ? "refusal" : link.directionNames[explanation.direction];
+    const kind = explanation.error ? "exception response" : link.directionNames[explanation.direction];
     const name = explanation.message || "unknown";
     const text = message?.title || message?.label;
     return [
@@ -4321,7 +4323,7 @@ class LogList {
     const number = element("span", { className: "quiet", textContent: entry.line });
     if (!entry.frame) return [number, element("span", { className: "wrong absent", textContent: `no frame: ${entry.fault}` })];
     const [link, direction, message, error] = entry.reading;
-    const name = error ? "refusal" : this.lab.device.links.get(link).directionNames[direction];
+    const name = error ? "exception response" : this.lab.device.links.get(link).directionNames[direction];
     const digits = hexOf(entry.frame.subarray(0, SHOWN_BYTES), " ") + (entry.frame.length > SHOWN_BYTES ? " …" : "");
     return [
       number,

@@ -169,11 +169,12 @@
 
   // What scrolls can be reached by the keyboard.
   function reach(block) {
-    const caption = block.querySelector("caption");
-    caption.id = caption.id || `caption-${serial += 1}`;
+    const name = block.querySelector("caption, svg");
+    if (!name) { return; }
+    name.id = name.id || `name-${serial += 1}`;
     block.tabIndex = 0;
     block.setAttribute("role", "group");
-    block.setAttribute("aria-labelledby", caption.id);
+    block.setAttribute("aria-labelledby", name.id);
   }
 
   // ---- what is folded ----

@@ -71,6 +71,7 @@ def test_nothing_is_wider_than_a_phone(browser: webdriver.Chrome, path: str) -> 
     try:
         browser.get((GENERATED / path).as_uri())
         assert browser.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
+        assert browser.get_log("browser") == []
     finally:
         browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 

@@ -137,6 +137,8 @@ _CANDUMP = (
     r"(?:#(?:(?P<remote>R)(?P<dlc>[0-8])?|(?P<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\s+[RT])?"
     r"|\s+\[(?P<count>[0-8])\](?:(?P<words>\s+remote request)|(?P<bytes>(?:\s+[0-9A-Fa-f]{2}){0,8})))\s*$"
 )
+_MISTYPED = r"[0-9][OoIl]|[OoIl][0-9]"
+"""A byte with a letter that looks like a digit."""
 _BEHIND = rf"\s(?:{_ENCLOSED}|\|.{{0,80}}\|)$"
 
 
@@ -242,6 +244,8 @@ def _frame(text: str, links: Collection[Link]) -> tuple[bytes, tuple[str, ...]]:
         word = re.match(r"\S+", text)
         if before is not None:
             text = text[before.end() :]
+        elif word is not None and re.fullmatch(_MISTYPED, word[0]):
+            raise Unreadable(f"`{word[0]}` is not a byte in hexadecimal digits")
         elif word is not None and not is_hex_word(word[0]):
             text = text[word.end() :]
         else:

@@ -334,7 +334,7 @@ def _readings_text(
         return (
             f"{messages[0]} {name}{place}" if len(messages) == 1 else f"one of {len(messages)} {name}{place} ({names})"
         )
-    kind = "refusal" if error else direction
+    kind = "exception response" if error else direction
     joint = "of" if kind != "response" else "to"
     if kind == "response" and all(not layout.messages[message].message.is_requested for message in messages):
         kind, joint = "frame", "of"  # it answers nothing

@@ -134,10 +134,11 @@ def sign(arguments: argparse.Namespace, spec: DeviceSpec, layouts: Iterable[Devi
         _must_be_sound(folder, spec.id, text)
         specs.bring_schema(folder)
         replace(path, text.encode("utf-8"))
-    count = sum(len(state.digests) for state in signed.values())
-    print_line(
-        f"{specs.relative_path(path)}: {len(signed)} sections with {count} facts, by {arguments.by.strip()} on {day}"
+    facts = sum(len(state.digests) for state in signed.values())
+    counts = " with ".join(
+        f"{count} {noun}{'s'[count == 1 :]}" for count, noun in ((len(signed), "section"), (facts, "fact"))
     )
+    print_line(f"{specs.relative_path(path)}: {counts}, by {arguments.by.strip()} on {day}")
     return 0
 
 

@@ -22,7 +22,9 @@ def unknown(kind: str, name: str, known: Iterable[str], limit: int = 20) -> Usag
     import difflib
 
     names = sorted(set(known), key=_in_order)
-    matches = [] if name.isdecimal() else difflib.get_close_matches(name, names, 1, 0.6)
+    parts = {name.casefold(), *re.split(r"[/\\@]", name)}
+    exact = [known_name for known_name in names if known_name.casefold() in parts]
+    matches = exact or ([] if name.isdecimal() else difflib.get_close_matches(name, names, 1, 0.6))
     longer = sorted((known_name for known_name in names if name and name in known_name.split("_")), key=len)[:_NEAREST]
     if matches and not longer:
         hint = f"did you mean {matches[0]}?"

@@ -127,7 +127,7 @@ def find_device(layout: DeviceLayout, arguments: argparse.Namespace) -> int:
     rest = [(setting, other_units) for setting in tried if (other_units := units(setting.link, arguments, usual)[1:])]
     count = sum(len(numbers) for _, numbers in (*first, *rest))
     seconds = count * (arguments.timeout or _TIMEOUT)
-    print_note(f"{layout.device.id}: {count} attempts, at most {seconds:.0f} s; each only reads")
+    print_note(f"{layout.device.id}: {count} attempts, about {seconds:.0f} s without an answer; each only reads")
     answering_units: list[AnsweringUnit] = []
     reads: dict[str, tuple[Access, Item]] = {}
     try:

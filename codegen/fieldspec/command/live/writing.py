@@ -68,7 +68,7 @@ def assignments(layout: DeviceLayout, access: Access, texts: Sequence[str]) -> l
     A quantity between two counts is rounded as in the generated code, with a remark.
     """
     if not texts:
-        raise UsageError("name what to write, as in target_position=10.5mm")
+        raise UsageError(f"name what to write, as in NAME=10.5mm; `fieldspec show {layout.device.id}` lists the names")
     chosen = []
     for text in texts:
         name, mark, value = text.partition("=")

@@ -28,7 +28,11 @@ _JUDGED = ("meaning", "check", "manual")
 def title(layout: DeviceLayout, explanation: Explanation, sure: bool) -> str:
     """`write_register request, rtu, Gadget 2.0: Write one register`; without the message where that is not `sure`."""
     device = layout.device
-    kind = "refusal" if explanation.error else device.links[explanation.link].direction_name(explanation.direction)
+    kind = (
+        "exception response"
+        if explanation.error
+        else device.links[explanation.link].direction_name(explanation.direction)
+    )
     name = f"{explanation.message or 'unknown'} {kind}" if sure else kind
     text = f"{name}, {explanation.link}, {device.name} {device.version}"
     message = layout.messages.get(explanation.message)
@@ -160,7 +164,8 @@ def footnotes(layout: DeviceLayout, explanation: Explanation, all_errata: bool) 
     }
     if not all_errata and len(printed_ids) < len(touching):
         count = len(touching) - len(printed_ids)
-        yield f"{count} more errata about this message or other links; print them with --errata"
+        errata = "erratum" if count == 1 else "errata"
+        yield f"{count} more {errata} about this message or other links; print them with --errata"
     for erratum in touching:
         if all_errata or erratum.id in printed_ids:
             pairs = erratum.printed.items()

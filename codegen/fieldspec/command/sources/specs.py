@@ -101,7 +101,7 @@ def picked(spec: DeviceSpec, version: str) -> str:
         return known[-1]
     for part in version.split(JOINT):
         if part not in spec.lines.place and version not in known:
-            raise unknown(f"version of {spec.id}", part, spec.lines.place)
+            raise unknown(f"version of {spec.id}", part, spec.lines.place or known)
     return version
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.audit_inputs import audit_files
-from fieldspec.command.console.streams import print_document, print_line
+from fieldspec.command.console.streams import print_document, print_line, print_note
 from fieldspec.command.console.terminal import print_blocks, print_findings
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import list_files
@@ -263,6 +263,9 @@ def _print_table(report: Report, arguments: argparse.Namespace) -> None:
     if arguments.format == "text":
         if arguments.out:
             raise UsageError("--out needs a format for the table; give --format csv, xlsx or json")
+        if not table.rows:
+            print_note(f"the table {table.name} has no rows")
+            return
         print_blocks(table_blocks(table))
         return
     data = {"csv": as_csv, "xlsx": as_xlsx, "json": as_json}[arguments.format](table)

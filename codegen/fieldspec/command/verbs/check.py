@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from fieldspec.command.console.terminal import print_findings
+from fieldspec.command.console.usage import UsageError
 from fieldspec.command.sources import spec_files, specs
 from fieldspec.command.sources.project_choices import project_choices
 from fieldspec.language.diagnostics import Diagnostic, has_errors
@@ -20,6 +21,10 @@ def run(arguments: argparse.Namespace) -> int:
     from fieldspec.command.packages.plugin_loading import load_checks
 
     load_checks()
+    for name in arguments.devices:
+        device, version = spec_files.split(name)
+        if version:
+            raise UsageError(f"check judges all versions of a device; write {device}, without @{version}")
     project = specs.project(arguments.specs, frozenset(arguments.devices))
     findings = [*_of_project_file(arguments.specs, project), *pipeline.checked(project)]
     checked = ", ".join(sorted(project.devices)) or "nothing"

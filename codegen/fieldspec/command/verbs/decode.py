@@ -10,7 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.explain.explanation import Explanation
-from fieldspec.codec.explain.log import LogLine, Unreadable, log_line
+from fieldspec.codec.explain.log import LogLine, Unreadable, is_hex_word, log_line
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.repeated_parts import repeated_parts
@@ -109,7 +109,14 @@ def run(arguments: argparse.Namespace) -> int:
     for option in ("out", "port", "units", "part_frames"):
         if getattr(arguments, option) is not None:
             raise UsageError(f"--{option.replace('_', '-')} goes with --to, which decodes captures and logs in bulk")
-    layout = layout_cache.requested_layout(arguments)
+    try:
+        layout = layout_cache.requested_layout(arguments)
+    except UsageError as error:
+        if is_hex_word(arguments.device) and any(map(str.isspace, arguments.device)):
+            raise UsageError(
+                f"name the device before the frame: fieldspec decode DEVICE '{arguments.device}'"
+            ) from error
+        raise
     if not layout.links:
         raise UsageError(f"{arguments.device} has no link, so there are no frames to decode")
     options = frame_options(layout, arguments)
@@ -157,7 +164,10 @@ def _frame(layout: DeviceLayout, text: str, device: str) -> LogLine:
         line = log_line(text, [link.link for link in layout.links.values()])
     except Unreadable as error:
         hint = "; write its bytes in hexadecimal, such as 01 03 10 00"
-        hint = _path_hint(text, device) if device and os.path.exists(text) else hint
+        if device and os.path.exists(text):
+            hint = _path_hint(text, device)
+        elif os.path.splitext(text)[1] and " " not in text:
+            hint = f"; if it is a path, there is no file {text}"
         raise UsageError(f"this is not a frame: {error}{hint}") from None
     if line is None or not line.frame:
         raise UsageError("this is not a frame: it has no bytes")

@@ -128,7 +128,11 @@ def _way(layout: DeviceLayout, arguments: argparse.Namespace) -> tuple[_Way, lis
         arguments.message = pairs.pop(0)
     options = frame_options(layout, arguments)
     if not options.message:
-        raise UsageError(f"name the message; {layout.device.id} has {_names_text(layout.messages)}")
+        from fieldspec.command.live.connection import has_registers
+
+        names = _names_text(layout.messages)
+        by_name = f"; a register is written by its name: {_WRITE} NAME=VALUE" if has_registers(layout) else ""
+        raise UsageError(f"name the message; {layout.device.id} has {names}{by_name}")
     usual = layout.device.default_link
     link, direction = next((place for place in options.places if place[0] == usual), options.places[0])
     return _Way(link, direction if arguments.direction else "request", options.message), pairs
@@ -140,7 +144,7 @@ def _way_text(layout: DeviceLayout, frame_kind: _Way) -> str:
 
 
 def _names_text(names: Collection[str]) -> str:
-    return ", ".join(names) if len(names) <= _MOST else f"{len(names)} of them"
+    return ", ".join(names) if len(names) <= _MOST else f"{len(names)} of them; `fieldspec show` lists them"
 
 
 def _nested(pairs: list[str]) -> dict[str, object]:

@@ -76,6 +76,9 @@ def _version(arguments: argparse.Namespace) -> tuple[Path, Path, str]:
         raise UsageError("name the version; use: fieldspec new version DEVICE VERSION --based-on VERSION")
     spec, newest = specs.spec_at(arguments.specs, arguments.name)
     base = arguments.based_on or newest
+    if not spec.lines.place:
+        first = "versions: [{line: firmware, builds: true, members: [{id: '1.0', source: 1 L1}]}]"
+        raise UsageError(f"{arguments.name} declares no version yet; declare the first in its device.yaml: {first}")
     if base not in spec.lines.place:
         raise unknown(f"version of {arguments.name}", base, spec.lines.place)
     if arguments.version in spec.lines.place:
@@ -184,12 +187,18 @@ def _bring_protocols(folder: Path, name: str) -> None:
         print_line(specs.relative_path(folder / path))
 
 
+_FORMS = {
+    "device_id": "use lower-case words joined by single hyphens or underscores",
+    "version": "use letters and digits, joined by single dots, hyphens or underscores, such as 2.1",
+}
+
+
 def _fits(text: str, form: str, subject: str) -> None:
     part = schema()["$defs"][form]
     if fault := file_name_fault(text):
         raise UsageError(f"{text} is not a valid name of {subject}: it {fault}; choose another one")
     if not re.fullmatch(part["pattern"], text) or len(text) > part["maxLength"]:
-        raise UsageError(f"{text} is not a valid name of {subject}: {part['description']}")
+        raise UsageError(f"{text} is not a valid name of {subject}: {_FORMS[form]}")
 
 
 def _fill_skeleton(skeleton: str, **words: str) -> str:

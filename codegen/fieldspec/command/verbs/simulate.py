@@ -135,6 +135,8 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         return
     for port in ports:
         name, mark, place = port.partition("=")
+        if port.partition(":")[0] in layout.links:
+            raise UsageError(f"--port {port} has no place; write --port {port.partition(':')[0]}=pty")
         if not mark or "://" in name:
             name, place = layout.device.default_link, port
         if name not in layout.links:
@@ -209,6 +211,9 @@ def _faults(arguments: argparse.Namespace) -> Iterator[Fault]:
             if not isinstance(data, dict):
                 raise FaultError("a fault is a JSON object")
             yield fault_of(data)
+        except json.JSONDecodeError:
+            example = f'{{"fault": "{next(iter(KINDS))}", "probability": 0.01}}'
+            raise UsageError(f"{arguments.faults}:{number}: this line is not JSON; write it as {example}") from None
         except ValueError as error:
             raise UsageError(f"{arguments.faults}:{number}: {error}") from None
 

@@ -142,7 +142,8 @@ def _span_text(span: Span) -> str:
 def _value_claims(fact: Fact, device: Device) -> Iterator[Claim]:
     """The claims of the numbers of a value that the spec of the device itself states, and of the sign of its type.
 
-    Copied values are stated at the original, and values that are `inferred` or from a standard are not printed.
+    Copied values are stated at the original, and values that are `inferred` or from a standard are not printed. Neither
+    are values that the file of a version changes, with its reason.
     """
     if (isinstance(fact, Field) and fact.signal) or (isinstance(fact, Register) and fact.copy_of):
         return
@@ -151,6 +152,8 @@ def _value_claims(fact: Fact, device: Device) -> Iterator[Claim]:
     for key in (*VALUES, SIGN):
         own = key in fact.place and key not in fact.inferred and key not in fact.standard
         if not own or not f"{dirname(fact.place[key].file.path)}/".startswith(f"{home}/"):
+            continue
+        if dirname(fact.place[key].file.path) == f"{home}/versions" and fact.place[key].file != fact.place["name"].file:
             continue
         text, span = _span_text(fact.place[key]), fact.place[key]
         restated_sources = (source for claim in fact.restated if key in claim.values for source in claim.sources)

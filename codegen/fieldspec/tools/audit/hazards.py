@@ -316,7 +316,7 @@ def access(subject: Subject) -> Section:
             figures.append(
                 Figure(f"{'hazard' if len(of_kind) == 1 else 'hazards'}: {kind.title.lower()}", len(of_kind))
             )
-            tables.append(_table(kind, of_kind))
+        tables.append(_table(kind, of_kind))
     return Section("access", "Access hazards", tuple(paragraphs), tuple(figures), tuple(tables))
 
 

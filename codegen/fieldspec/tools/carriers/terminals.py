@@ -110,7 +110,9 @@ class SerialPort:
             if isinstance(error, ValueError) and "://" in url:
                 forms = "/dev/ttyUSB0, COM3, socket://HOST:PORT, tcp://HOST:PORT, can://socketcan/can0"
                 raise CarrierError(f"{url} is not a port; write one of the forms {forms}") from None
-            raise CarrierError(f"cannot open {url}: {os.strerror(number) if number else error}") from None
+            is_file = os.path.isfile(url)
+            reason = "it is a file, not a port" if is_file else os.strerror(number) if number else error
+            raise CarrierError(f"cannot open {url}: {reason}") from None
 
     def read(self, seconds: float) -> bytes:
         """The bytes that come within some seconds. Raises CarrierError at the end."""

@@ -25,7 +25,7 @@ from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
 
 _NEAR = 100
 _FAR = 1000
-_MOST_EXAMPLES = 5
+_MOST_EXAMPLES = 3
 _FEWEST = 3
 """The rows that show a difference of two columns of addresses, which is more than that of counting from 1."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
@@ -114,7 +115,15 @@ class RegisterAccess:
         return [(block.space, occupant) for block in planned for occupant in block.occupants]
 
     def reason_unread(self, name: str) -> str:
-        """Why a decimal number is not a name, where manuals print numbers that are addresses of other registers."""
+        """Why an element is beyond its table, or a decimal number is not a name.
+
+        Manuals print numbers that are addresses of other registers.
+        """
+        element = re.match(r"(\w+)\[(\d{1,9})\]", name)
+        table = self.layout.tables.get(element[1]) if element else None
+        if element and table is not None and int(element[2]) not in table.table.indexes:
+            numbers = table.table.indexes
+            return f"there is no {element[0]}; {element[1]} has the elements {numbers[0]} to {numbers[-1]}"
         space = self._space_of_doubt(name)
         if space is None:
             return ""

@@ -36,6 +36,8 @@ const CANDUMP = new RegExp(
   + "(?:#(?:(?<remote>R)(?<dlc>[0-8])?|(?<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\\s+[RT])?"
   + "|\\s+\\[(?<count>[0-8])\\](?:(?<words>\\s+remote request)|(?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8})))\\s*$",
 );
+// A byte with a letter that looks like a digit.
+const MISTYPED = /^(?:[0-9][OoIl]|[OoIl][0-9])$/;
 const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
 
 /** A text that is not bytes. The message says why; `isEmpty` if there is nothing in it that may be bytes. */
@@ -214,6 +216,7 @@ function frameBehind(text, links) {
     const before = BEFORE.exec(rest);
     const word = /^\S+/.exec(rest);
     if (before) rest = rest.slice(before[0].length);
+    else if (word && MISTYPED.test(word[0])) throw new Unreadable(`\`${word[0]}\` is not a byte in hexadecimal digits`);
     else if (word && !isHexWord(word[0])) rest = rest.slice(word[0].length);
     else return { frame: bytesOfText(rest.trimEnd().replace(BEHIND, "")), remarks: [] };
   }

@@ -327,7 +327,7 @@ function namedReading(device, own, link, direction, error, messages) {
   }
   // What the device sends of its own accord answers nothing.
   const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
-  const kind = error ? "refusal" : isAnswer || direction === "request" ? direction : "frame";
+  const kind = error ? "exception response" : isAnswer || direction === "request" ? direction : "frame";
   const joint = isAnswer ? "to" : "of";
   if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
   return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;

@@ -110,7 +110,7 @@ class LogList {
     const number = element("span", { className: "quiet", textContent: entry.line });
     if (!entry.frame) return [number, element("span", { className: "wrong absent", textContent: `no frame: ${entry.fault}` })];
     const [link, direction, message, error] = entry.reading;
-    const name = error ? "refusal" : this.lab.device.links.get(link).directionNames[direction];
+    const name = error ? "exception response" : this.lab.device.links.get(link).directionNames[direction];
     const digits = hexOf(entry.frame.subarray(0, SHOWN_BYTES), " ") + (entry.frame.length > SHOWN_BYTES ? " …" : "");
     return [
       number,

@@ -69,7 +69,7 @@ class FrameTable {
     const { device } = this.lab;
     const link = device.links.get(explanation.link);
     const message = device.messages.get(explanation.message);
-    const kind = explanation.error ? "refusal" : link.directionNames[explanation.direction];
+    const kind = explanation.error ? "exception response" : link.directionNames[explanation.direction];
     const name = explanation.message || "unknown";
     const text = message?.title || message?.label;
     return [
