@@ -92,6 +92,11 @@ FORMER = {
 }
 """Keys and words of earlier versions of the language, with their names today."""
 
+_BELOW = dict.fromkeys(
+    ("data_words", "decimal", "frame_length", "size", "span", "wire_number", "word_span", "words"), "checked"
+)
+"""Keys that had no mapping around them in earlier versions of the language, with the key of this mapping today."""
+
 _LONGEST = 60
 _MOST_NAMES = 100
 _SEARCHED = 2000
@@ -114,7 +119,9 @@ def quoted(text: str) -> str:
 
 def former(word: str, known: Collection[str]) -> str:
     """The help for a key or a word with a new name; empty for others."""
-    return f"it is called `{name}` now" if (name := FORMER.get(word)) in known else ""
+    if (name := FORMER.get(word)) in known:
+        return f"it is called `{name}` now"
+    return f"state it under `{name}`: `{name}: {{{word}: ...}}`" if (name := _BELOW.get(word)) in known else ""
 
 
 def synonym(word: str, known: Collection[str]) -> str:

@@ -50,7 +50,6 @@ def _field(entry: Entry) -> Field:
     for key in sorted(_OF_VALUES & entry.own.keys()) if name else ():
         help = f"state it at the fields of {name}, or give the field a `type`"
         entry.refuse("type_present", key, f"the field is a record, which has no `{key}`", help)
-    words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None
     if measures:
@@ -60,7 +59,7 @@ def _field(entry: Entry) -> Field:
         measure = Measure(unit, measures.text(unit), measures.integer("plus") or 0)
     return Field(
         **entry.fact(),
-        value=None if name or choice else value(entry, words=words),
+        value=None if name or choice else value(entry),
         record=name,
         choice=_choice(choice, entry) if choice and not name else None,
         signal=entry.text("signal"),
@@ -70,7 +69,7 @@ def _field(entry: Entry) -> Field:
         reserved=entry.flag("reserved"),
         is_implied=not {"separator", "remote"}.isdisjoint(entry.own),
         at=entry.integer("at"),
-        words=words,
+        words=entry.integer("words"),
         span=_span(entry.text("span")),
         word_span=_span(entry.text("word_span")),
         access=entry.text("access"),
