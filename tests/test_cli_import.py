@@ -75,7 +75,8 @@ def test_a_pasted_table_becomes_a_spec_that_passes_with_a_warning(run: CommandLi
         '  - group: listed\n    section: "1"\n    unverified: true\n    gaps:\n'
         "      - {at: 0x2003, reason: The list leaves them out.}\n    rows:\n"
         "      - {at: 0x2000, name: target_position, type: i32, checked: {words: 2}, access: rw, unit: mm, "
-        'range: -100..100, printed_name: "Target position", inferred: {type: The list does not say it.}, source: L4, unverified: true}\n'
+        'range: -100..100, printed_name: "Target position", '
+        "inferred: {type: The list does not say it.}, source: L4, unverified: true}\n"
         '      - {at: 0x2002, name: speed, type: u16, checked: {words: 1}, access: rw, unit: "%", range: 1..100, '
         'printed_name: "Speed (max.)", inferred: {type: The list does not say it.}, source: L5, unverified: true}\n'
         '      - {at: 0x2004, name: register_2004, type: u16, checked: {words: 1}, access: ro, printed_name: "状态", '
