@@ -157,7 +157,7 @@ WORDS = {
     ("flags", "bit_0"): "`least` is the default: words without the key have it.",
 }
 """Keys of which random devices need not have every word."""
-FORMS = {"part.checksum.method: codec": PACKAGES}
+FORMS = {"part.algorithm.method: codec": PACKAGES}
 """Single words that random devices need not have."""
 
 

@@ -85,6 +85,7 @@ SYNONYMS = {
 FORMER = {
     "access_steps": "accesses",
     "check_code_correct": "checksum_correct",
+    "checksum": "algorithm",
     "counts": "measures",
     "encoding": "transmission",
     "error_reply_changed": "exception_response_changed",

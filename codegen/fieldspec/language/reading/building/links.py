@@ -24,14 +24,14 @@ _KEYS = {
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "measures"},
     "body": frozenset[str](),
-    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix", "avoids"}),
+    "checksum": frozenset({"algorithm", "byte_order", "covers", "digits", "prefix", "suffix", "avoids"}),
     "plain": VALUE_KEYS
     - {"characters", "places", "sentinels", "parameter", "default", "unit_default"}
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except the keys of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "measures", "prefix", "suffix", "avoids"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "measures", "prefix", "suffix", "avoids"}
 _SPECIFIC |= {"reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
@@ -42,10 +42,9 @@ _HELP = {
     "prefix": "move it to the part with `role: checksum`",
     "suffix": "move it to the part with `role: checksum`",
     "avoids": "move it to the part with `role: checksum`",
-    "checksum": "move it to the part with `role: checksum`",
     "digits": "remove `digits`, and state them at the fields of messages",
     "flags": "remove `flags`; only a part without a `role` is a word of bits",
-    "algorithm": "name its `algorithm` or state its parameters under `checksum`; other parts have neither",
+    "algorithm": "state its `algorithm`; other parts have none",
     "reserved": "move it to a part without a `role`",
     "same_as": "move it to a part without a `role`; a response always has the unit address of its request",
 }
