@@ -20,7 +20,10 @@ def link(draft: Draft, coded: bool) -> Spec:
     if draft.word_order:
         line["word_order"] = draft.word_order
     if draft.chance(15):
-        line["delimiters"] = {"request": _delimiters(draft), "response": _delimiters(draft)}
+        by_direction = {"request": _delimiters(draft), "response": _delimiters(draft)}
+        for mark in ("start", "end"):
+            if stated := {direction: own[mark] for direction, own in by_direction.items() if mark in own}:
+                line[mark] = stated
     else:
         line |= _delimiters(draft)
     line["request"] = parts(draft, line, coded, {})

@@ -93,10 +93,12 @@ FORMER = {
 }
 """Keys and words of earlier versions of the language, with their names today."""
 
-_BELOW = dict.fromkeys(
-    ("data_words", "decimal", "frame_length", "size", "span", "wire_number", "word_span", "words"), "checked"
-)
-"""Keys that had no mapping around them in earlier versions of the language, with the key of this mapping today."""
+_CHECKED = ("data_words", "decimal", "frame_length", "size", "span", "wire_number", "word_span", "words")
+_MOVED = {
+    **{key: ("checked", f"state it under `checked`: `checked: {{{key}: ...}}`") for key in _CHECKED},
+    "delimiters": ("start", "state `start` and `end`, each for both directions or as `{request: .., response: ..}`"),
+}
+"""Keys whose values are elsewhere today: the key of that place, and the help."""
 
 _LONGEST = 60
 _MOST_NAMES = 100
@@ -122,7 +124,8 @@ def former(word: str, known: Collection[str]) -> str:
     """The help for a key or a word with a new name; empty for others."""
     if (name := FORMER.get(word)) in known:
         return f"it is called `{name}` now"
-    return f"state it under `{name}`: `{name}: {{{word}: ...}}`" if (name := _BELOW.get(word)) in known else ""
+    name, help = _MOVED.get(word, ("", ""))
+    return help if name in known else ""
 
 
 def synonym(word: str, known: Collection[str]) -> str:
