@@ -102,7 +102,7 @@ def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: b
     """The finding of a list with fields after it, or of a record that differs in size, where a last list may be."""
     last = layer.fields[-1]
     problem = f"{last.name} comes after {field.name}" if last is not field else f"{field.name} differs in size"
-    if message is not None and (message.accesses is not None or message.access_steps):
+    if message is not None and message.accesses:
         text = f"{message.name} reads or writes registers, and {problem}"
         yield finding(_CODE, field.place, "name", text, "list the repeated field last, or remove `accesses`")
     if refuses and message is None:

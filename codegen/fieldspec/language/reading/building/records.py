@@ -102,7 +102,7 @@ def _span(text: str) -> tuple[int, int] | None:
 def message(entry: Entry, reused: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
-    (access, access_steps), pieces = _accesses(entry), entry.entry("segments")
+    accesses, pieces = _accesses(entry), entry.entry("segments")
     entry = with_remote_request(entry)
     _refuse_unstated(entry)
     return Message(
@@ -122,11 +122,10 @@ def message(entry: Entry, reused: Reused) -> Message:
         response_words=words.integer("response") if words else None,
         broadcast=entry.maybe("broadcast"),
         handling=entry.handling(),
-        accesses=access,
+        accesses=accesses,
         segments=_segments(pieces) if pieces else None,
         response_code=_response_code(entry),
         is_requested=_is_requested(entry),
-        access_steps=access_steps,
         remote=entry.integer("remote"),
     )
 
@@ -223,13 +222,13 @@ def _segments_abort(entry: Entry) -> SegmentsAbort:
     return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
 
 
-def _accesses(entry: Entry) -> tuple[RegisterAccess | None, tuple[RegisterAccess, ...]]:
+def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
     """The access of a message by which registers are read and written, or the steps of one that does more."""
     accesses = [*entry.entries("accesses")]
     own = accesses[0].own if len(accesses) == 1 else ()
     if "values" in own and {"and_mask", "or_mask"}.isdisjoint(own):
-        return _access(accesses[0]), ()
-    return None, tuple(_step(access) for access in accesses)
+        return (_access(accesses[0]),)
+    return tuple(_step(access) for access in accesses)
 
 
 def _access(entry: Entry) -> RegisterAccess:
