@@ -70,7 +70,7 @@ registers:
     rows:
       - {at: 0x0100, name: level, printed_name: Level, type: u16, range: 0..1000, source: L6}
       - {at: 0x0101, name: mode, printed_name: Mode, type: u16, enum: mode, range: 0..2, source: L7}
-      - {at: 0x0102, name: total, printed_name: Total, type: u32, words: 2, source: L8}
+      - {at: 0x0102, name: total, printed_name: Total, type: u32, checked: {words: 2}, source: L8}
       - {at: 0x0104, name: inputs, printed_name: Inputs, type: u16, flags: inputs, source: L9}
 examples:
   - {id: read-level, link: rtu, direction: request, message: read_registers, source: 2 L15,

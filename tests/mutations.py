@@ -237,7 +237,12 @@ def top(section: str, *keys: str) -> Callable[[Mapping], list[tuple[Way, Mapping
 
 def delimited(tree: Mapping) -> list[tuple[Way, Mapping]]:
     """The links with the same delimiters in both directions."""
-    return [(way, node) for way, node in top("links")(tree) if "delimiters" not in node.values]
+    marks = (Scalar, type(None))
+    return [
+        (way, node)
+        for way, node in top("links")(tree)
+        if all(isinstance(node.values.get(key), marks) for key in ("start", "end"))
+    ]
 
 
 def inner(section: str, step: str, *keys: str) -> Callable[[Mapping], list[tuple[Way, Mapping]]]:

@@ -29,7 +29,7 @@ enums:
 registers:
   - group: motion
     section: "2"
-    defaults: {type: u16, words: 1}
+    defaults: {type: u16, checked: {words: 1}}
     rows:
       - {at: 0x2000, name: state, enum: acme_state, access: ro, source: L2}
       - {at: 0x2001, name: speed, access: rw, range: 1..100, source: L3}

@@ -26,13 +26,14 @@ registers:
   - group: motion
     section: "1"
     rows:
-      - {at: 0x0010, name: speed, type: u16, words: 1, access: rw, unit: "%", range: 1..100, default: 50, source: L1}
-      - {at: 0x0011, name: position, printed_name: POS, label: 位置, type: i32, words: 2, access: ro, scale: 0.01,
-         unit: mm, range: -1000..1000, source: L2}
+      - {at: 0x0010, name: speed, type: u16, checked: {words: 1}, access: rw, unit: "%", range: 1..100,
+         default: 50, source: L1}
+      - {at: 0x0011, name: position, printed_name: POS, label: 位置, type: i32, checked: {words: 2}, access: ro,
+         scale: 0.01, unit: mm, range: -1000..1000, source: L2}
   - group: status
     section: "1"
     rows:
-      - {at: 0x001A, name: state, type: u16, words: 1, access: ro, source: L3}
+      - {at: 0x001A, name: state, type: u16, checked: {words: 1}, access: ro, source: L3}
 tables:
   - {name: points, base: 0x0100, stride: 8, count: 4, record: point, source: 1 L4}
 records:
@@ -144,7 +145,7 @@ def test_numbers_that_differ_are_reported(heads: str, cells: str, what: list[str
 def test_a_constant_is_neither_another_constant_nor_has_it_another_default(
     head: str, cell: str, what: list[str], run: CommandLine
 ) -> None:
-    unlock = "{at: 0x1B, name: unlock, type: u16, words: 1, access: wo, const: 7, source: L1}"
+    unlock = "{at: 0x1B, name: unlock, type: u16, checked: {words: 1}, access: wo, const: 7, source: L1}"
     spec = f"registers:\n  - {{group: keys, section: '1', rows: [{unlock}]}}\n"
     (run.folder / "gadget" / "device.yaml").write_text(DEVICE + spec, "utf-8")
     assert [text for _, text in summary(against(run, f"Address,{head}\n0x1B,{cell}\n"))[1]] == what

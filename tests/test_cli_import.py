@@ -74,11 +74,12 @@ def test_a_pasted_table_becomes_a_spec_that_passes_with_a_warning(run: CommandLi
     assert path.read_text("utf-8").partition("\nregisters:\n")[2] == (
         '  - group: listed\n    section: "1"\n    unverified: true\n    gaps:\n'
         "      - {at: 0x2003, reason: The list leaves them out.}\n    rows:\n"
-        "      - {at: 0x2000, name: target_position, type: i32, words: 2, access: rw, unit: mm, range: -100..100, "
-        'printed_name: "Target position", inferred: {type: The list does not say it.}, source: L4, unverified: true}\n'
-        '      - {at: 0x2002, name: speed, type: u16, words: 1, access: rw, unit: "%", range: 1..100, '
+        "      - {at: 0x2000, name: target_position, type: i32, checked: {words: 2}, access: rw, unit: mm, "
+        'range: -100..100, printed_name: "Target position", '
+        "inferred: {type: The list does not say it.}, source: L4, unverified: true}\n"
+        '      - {at: 0x2002, name: speed, type: u16, checked: {words: 1}, access: rw, unit: "%", range: 1..100, '
         'printed_name: "Speed (max.)", inferred: {type: The list does not say it.}, source: L5, unverified: true}\n'
-        '      - {at: 0x2004, name: register_2004, type: u16, words: 1, access: ro, printed_name: "状态", '
+        '      - {at: 0x2004, name: register_2004, type: u16, checked: {words: 1}, access: ro, printed_name: "状态", '
         "inferred: {type: The list does not say it.}, source: L6, unverified: true}\n"
     )
     ran = run("check")
@@ -120,13 +121,13 @@ def test_the_list_is_the_source_of_every_fact(run: CommandLine) -> None:
 @pytest.mark.parametrize(
     ("heads", "cells", "wanted"),
     [
-        ("Type", "FLOAT", {"type": "f32", "words": 2}),
-        ("Type", "DINT", {"type": "i32", "words": 2}),
-        ("Type,Words", "INT,2", {"type": "i32", "words": 2}),
-        ("Type,Words", "string,8", {"type": "text", "words": 8}),
+        ("Type", "FLOAT", {"type": "f32", "checked": {"words": 2}}),
+        ("Type", "DINT", {"type": "i32", "checked": {"words": 2}}),
+        ("Type,Words", "INT,2", {"type": "i32", "checked": {"words": 2}}),
+        ("Type,Words", "string,8", {"type": "text", "length": 16}),
         ("Type,Words", "UINT16,2", {"type": "u32", "notes": ["The list says UINT16, and 2 words."]}),
         ("Type", "Bitfield", {"type": "u16", "notes": ["Type in the list: Bitfield."]}),
-        ("Words", "3", {"type": "bytes", "words": 3}),
+        ("Words", "3", {"type": "bytes", "length": 6}),
         ("Min,Max", "-5,5", {"type": "i16", "range": "-5..5"}),
         ("Type,Min,Max", "UINT16,-5,5", {"notes": ["Least value in the list: -5.", "Greatest value in the list: 5."]}),
         ("Range", "0.1~5", {"notes": ["Range in the list: 0.1~5."]}),
@@ -316,8 +317,8 @@ registers:
   - group: keys
     section: "1"
     rows:
-      - {at: 0x0010, name: unlock, type: u16, words: 1, access: wo, const: 0xA55A, source: L1}
-      - {at: 0x0011, name: speed, type: u16, words: 1, access: rw, default: 50, source: L2}
+      - {at: 0x0010, name: unlock, type: u16, checked: {words: 1}, access: wo, const: 0xA55A, source: L1}
+      - {at: 0x0011, name: speed, type: u16, checked: {words: 1}, access: rw, default: 50, source: L2}
 """
 
 

@@ -61,7 +61,7 @@ registers:
     section: "3"
     source: L3
     rows:
-      - {at: 0, name: speed, type: u16, words: 1, access: rw, source: L4}
+      - {at: 0, name: speed, type: u16, checked: {words: 1}, access: rw, source: L4}
 """
 EXCHANGES: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, int]]] = {
     "write": ({"address": 5, "values": [7, 8]}, {"address": 5, "word_count": 2}, {"address": 6, "word_count": 1}),

@@ -99,7 +99,7 @@ registers:
     section: "2"
     source: L3
     rows:
-      - {at: 0, name: voltage, type: u16, words: 1, access: ro, source: L4}
+      - {at: 0, name: voltage, type: u16, checked: {words: 1}, access: ro, source: L4}
 """
 TEXT = SPEC.replace("%s", "1" * 64)
 

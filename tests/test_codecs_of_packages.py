@@ -36,7 +36,7 @@ links:
     request: &frame
       - {name: code, role: code, type: u8}
       - {name: body, role: body}
-      - {name: sum, role: checksum, checksum: {method: codec, codec: acme_rolling, width: 16}, byte_order: big}
+      - {name: sum, role: checksum, algorithm: {method: codec, codec: acme_rolling, width: 16}, byte_order: big}
     response: *frame
 messages:
   - name: read_weight
@@ -204,7 +204,7 @@ def test_an_output_leaves_out_the_values_and_the_device_without_its_text(
 
 def test_files_say_what_they_leave_out(replace_codecs: Callable[..., None]) -> None:
     replace_codecs(c="", javascript="")
-    text = SCALE.replace("checksum: {method: codec, codec: acme_rolling, width: 16}", "algorithm: sum16")
+    text = SCALE.replace("algorithm: {method: codec, codec: acme_rolling, width: 16}", "algorithm: sum16")
     versions = [device_layout(device_of(text))]
     header, module = (
         str(OUTPUTS["c"].files(versions)["scale_v1.h"]),

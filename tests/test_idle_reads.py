@@ -24,7 +24,7 @@ def test_every_register_of_an_idle_device_is_decoded(device: str, read: dict[str
     module = module_of(layout)
     constants = {register.name.partition("[")[0]: register for register in module.REGISTERS}
     registers = {register.name: register for register in layout.registers}
-    values = layout.messages[read["message"]].message.accesses.values
+    values = layout.messages[read["message"]].message.single_access.values
     numbers = read["response"]["values"][values]
     words = numbers if isinstance(numbers, list) else [numbers]
     for full_name, wanted in read["registers"].items():

@@ -66,7 +66,7 @@ EXAMPLES = [
     for example in layout.device.examples.values()
     if example.message
     and not has_digits(layout)
-    and not (example.refused or example.exception_response or layout.messages[example.message].message.accesses)
+    and not (example.refused or example.exception_response or layout.messages[example.message].message.single_access)
     and layout.links[example.link].link.transmission == "binary"
     and layout.links[example.link].link.escape is None
 ]

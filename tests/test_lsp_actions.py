@@ -55,7 +55,7 @@ SLIPS = {
     "a sign that begins no text": (ROW.replace("source:", "doc: @home, source:"), "Quote the text"),
     "two rows at an address": (ROW + SECOND.replace("at: 77", "at: 0"), "Correct `at` to 0x0006"),
     "a decimal address of another one": (
-        ROW.replace("at: 0", "at: 0, decimal: 7"),
+        ROW.replace("at: 0", "at: 0, checked: {decimal: 7}"),
         "Correct `decimal` to 0",
     ),
     "a command that is not a trigger": (
@@ -150,7 +150,7 @@ async def test_a_value_that_has_been_changed_is_moved_to_a_version_and_the_other
 ) -> None:
     specs = copied(tmp_path, "wattmeter")
     saved = (specs / METER).read_text("utf-8")
-    row = re.search(r"\{at: [^}\n]*range: (1..1000)", saved)
+    row = re.search(r"\{at: [^\n]*range: (1..1000)", saved)
     assert row is not None
     changed = f"{saved[: row.start(1)]}1..2000{saved[row.end(1) :]}"
     name = re.search(r"name: (\w+)", row[0])

@@ -64,7 +64,9 @@ def test_help_and_wrong_use_list_the_outputs_of_installed_packages(site: Site) -
 
 
 def test_an_output_of_an_installed_package_refuses_what_it_cannot_express(site: Site) -> None:
-    site.write("specs/pump/device.yaml", DEVICE.replace("range: 1..100", "type: u64, words: 4, range: 1..100"))
+    site.write(
+        "specs/pump/device.yaml", DEVICE.replace("range: 1..100", "type: u64, checked: {words: 4}, range: 1..100")
+    )
     refused = site.run("build", "--to", "address_list")
     assert (refused.code, "error[address_list_words]" in refused.out) == (1, True)
     assert not (site.folder / "generated").exists()

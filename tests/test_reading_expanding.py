@@ -14,10 +14,11 @@ from spec_files import DEVICE, codes, gadget, pointed_at, project, unmarked
 BLOCK = """
 registers:
   - group: settings
-    defaults: {type: u32, words: 2}
+    defaults: {type: u32, checked: {words: 2}}
     rows:
-      - {at: 10, decimal: 10, number: 0, name: speed, unit: rpm, scale: 0.1, default: 5, access: rw, doc: How fast.}
-      - {at: 12, name: mode, type: u16, words: 1, access: wo, trigger: true, restart: true, same_as: speed}
+      - {at: 10, checked: {decimal: 10}, number: 0, name: speed, unit: rpm, scale: 0.1, default: 5, access: rw,
+         doc: How fast.}
+      - {at: 12, name: mode, type: u16, checked: {words: 1}, access: wo, trigger: true, restart: true, same_as: speed}
     copies:
       - group: stored
         prefix: stored
@@ -25,7 +26,7 @@ registers:
         access: ro
         trigger: false
         section: "4"
-        rows: [{of: speed, at: 100, decimal: 0x64, words: 2, label: 速, source: L7}]
+        rows: [{of: speed, at: 100, checked: {decimal: 0x64, words: 2}, label: 速, source: L7}]
 """
 
 SIGNALS = """

@@ -8,7 +8,7 @@ from typing import Any
 import random_specs
 from fieldspec.language.reading.building.device import built
 from fieldspec.language.reading.findings import SYNONYMS
-from fieldspec.language.reading.nodes import Mapping, Node, Sequence
+from fieldspec.language.reading.nodes import CHECKED, Mapping, Node, Sequence, with_checked_keys
 from fieldspec.language.reading.project import read
 from fieldspec.language.schema import Schema, resolved, schema
 
@@ -75,7 +75,8 @@ def watched(node: Node, part: Schema, name: str, declared: set[Key], asked: set[
         return Sequence(node.file, node.start, node.end, items)
     if not isinstance(node, Mapping):
         return node
-    known = part.get("properties", {})
+    node, known = with_checked_keys(node), part.get("properties", {})
+    known = {**known, **resolved(known.get(CHECKED, {})).get("properties", {})}
     declared.update((name, key) for key in node.values if key in known)
     values = {
         key: watched(value, known.get(key, {}), f"{name}.{key}", declared, asked) for key, value in node.values.items()

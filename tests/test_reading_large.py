@@ -41,7 +41,7 @@ NONSENSE = {
     "documents": lambda: b"---\n" * LINES,
     "tabs": lambda: b"\ta: b\n" * LINES,
     "rows with a wrong key each": lambda: rows(lambda number: f"type: u16, source: L{number % 900 + 1}, acess: rw"),
-    "rows without a type": lambda: rows(lambda number: "words: 1"),
+    "rows without a type": lambda: rows(lambda number: "access: ro"),
 }
 
 

@@ -223,7 +223,7 @@ registers:
     section: "8.2"
     defaults:
       type: i32
-      words: 2
+      checked: {words: 2}
       access: rw
       scale: 0.01
       unit: mm
@@ -232,7 +232,7 @@ registers:
       sentinels: [{value: -1, name: unused}]
     rows:
       - {at: 1, name: near, source: L5}
-      - {at: 3, name: far, type: u16, words: 1, scale: 1, access: ro, restart: false, source: 9 L6,
+      - {at: 3, name: far, type: u16, checked: {words: 1}, scale: 1, access: ro, restart: false, source: 9 L6,
          inferred: {unit: So it is.}}
 """
 

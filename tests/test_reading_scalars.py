@@ -132,9 +132,9 @@ FINDINGS = {
         "did you mean `alarm`?",
     ),
     "a word of no kind": ("unknown_word", ROW.format("access: «readable»"), "`ro`, `rw`, `wo`"),
-    "a number in quotes": ("wrong_type", ROW.format('words: «"1"»'), "without quotes"),
+    "a number in quotes": ("wrong_type", ROW.format('checked: {words: «"1"»}'), "without quotes"),
     "a list for a text": ("wrong_type", ROW.format("doc: «[a]»"), "own words"),
-    "a mapping for a number": ("wrong_type", ROW.format("words: «{a: 1}»"), "words"),
+    "a mapping for a number": ("wrong_type", ROW.format("checked: {words: «{a: 1}»}"), "words"),
     "a text for a list": ("wrong_type", "registers: «none»\n", "Registers"),
     "nothing for a list": ("wrong_type", "registers: «~»\n", "Registers"),
     "a scalar in a list of mappings": ("wrong_type", "registers: [«a»]\n", "Registers"),
@@ -143,8 +143,8 @@ FINDINGS = {
     "a source in words": ("wrong_form", ROW.format("source: «8.2 line 5»"), "L1622"),
     "a range with a hyphen": ("wrong_form", ROW.format("range: «0-5»"), "low..high"),
     "a range of words": ("wrong_form", ROW.format("range: «any»"), "low..high"),
-    "an address that is too high": ("wrong_value", ROW.replace("at: 1", "at: «0x10000»").format("words: 1"), "address"),
-    "a negative address": ("wrong_value", ROW.replace("at: 1", "at: «-1»").format("words: 1"), "address"),
+    "an address that is too high": ("wrong_value", ROW.replace("at: 1", "at: «0x10000»").format("unit: V"), "address"),
+    "a negative address": ("wrong_value", ROW.replace("at: 1", "at: «-1»").format("unit: V"), "address"),
     "a count of one": ("wrong_value", ROW.format("count: «1»"), "consecutive equal registers"),
     "a list that must not be empty": ("wrong_size", "enums: [{name: a, members: «[]»}]\n", "lowest first"),
     "a key that is missing": (
@@ -172,7 +172,7 @@ def test_a_finding_says_what_would_be_right(code: str, text: str, help: str) -> 
 
 
 def test_a_long_text_is_not_quoted_whole() -> None:
-    (finding,) = project(ROW.format(f"words: {'x' * 100_000}")).findings
+    (finding,) = project(ROW.format(f"checked: {{words: {'x' * 100_000}}}")).findings
     assert len(finding.message) < 200
 
 

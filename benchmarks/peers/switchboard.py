@@ -30,7 +30,7 @@ registers:
     section: "4"
     source: L1
     space: input_registers
-    defaults: {{type: u16, words: 1, access: ro}}
+    defaults: {{type: u16, checked: {{words: 1}}, access: ro}}
     rows:
 {rows}
 enums:

@@ -60,7 +60,7 @@ def test_an_example_that_is_removed_is_not_accounted_for() -> None:
 
 WRONG = [
     ("an address", "at: 0x0102", "at: 0x0103", "address"),
-    ("a size", "type: u32, words: 2", "type: u16", "words"),
+    ("a size", "type: u32, checked: {words: 2}", "type: u16", "words"),
     ("a range", "range: 0..1000", "range: 0..100", "range"),
     ("a printed name", "printed_name: Mode", "printed_name: Made", "name"),
     ("a frame", "01 03 01 00 00 01 85 F6", "01 03 01 00 00 02 C5 F7", "frame"),
@@ -79,7 +79,7 @@ UNPRINTED = [
     ("an end of the range of writing", "range: 0..1000", "range: 0..1000, write_range: 0..999", "`write_range` 999"),
     ("a default", "range: 0..1000", "range: 0..1000, default: 7", "`default` 7"),
     ("a scale", "range: 0..1000", "range: 0..1000, scale: 0.1, unit: mm", "`scale` 0.1"),
-    ("a number of elements", "type: u32, words: 2", "type: u32, words: 2, count: 7", "`count` 7"),
+    ("a number of elements", "type: u32, checked: {words: 2}", "type: u32, checked: {words: 2}, count: 7", "`count` 7"),
     ("a sign", "name: mode, printed_name: Mode, type: u16", "name: mode, printed_name: Mode, type: i16", "`type` i16"),
 ]
 
@@ -126,7 +126,7 @@ def test_an_erratum_of_another_key_does_not_excuse_a_value() -> None:
 
 @pytest.mark.parametrize(("access", "is_accounted"), [("rw", True), ("ro", False)])
 def test_an_access_that_a_pattern_states_in_words_is_that_of_the_fact(access: str, is_accounted: bool) -> None:
-    spec = changed(gauge.DEVICE, "type: u32, words: 2,", "type: u32, words: 2, access: rw,")
+    spec = changed(gauge.DEVICE, "type: u32, checked: {words: 2},", "type: u32, checked: {words: 2}, access: rw,")
     audit = gauge.AUDIT.replace(
         "  patterns:\n",
         f'  patterns:\n    - {{name: total, kind: table_row, lines: "8", each: Total, access: {access}}}\n',
@@ -188,7 +188,7 @@ def test_a_section_that_is_left_out_hides_no_contradiction() -> None:
     manual = gauge.MANUAL.replace("Two years", "0102 H | 3 | Total | spare\nTwo years")
     audit = changed(gauge.AUDIT, 'kind: address, sections: ["1"]', 'kind: address, sections: ["1", "9"]')
     spec = changed(
-        gauge.DEVICE, "words: 2, source: L8}", "words: 2, source: L8, restated: [{source: 9 L19, at: 0x0102}]}"
+        gauge.DEVICE, "words: 2}, source: L8}", "words: 2}, source: L8, restated: [{source: 9 L19, at: 0x0102}]}"
     )
     (messages,) = gauge.finding_texts(gauge.covered(spec, audit, cited=manual))
     assert messages.startswith("manual_accounted: line 19 of the manual, section 9, prints `words` 3")

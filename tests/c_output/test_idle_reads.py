@@ -42,7 +42,7 @@ def checks(layout: DeviceLayout, read: dict[str, Any]) -> list[str]:
         f"CHECK({call}(data, sizeof data, {buffer}&frame) == 0);",
     ]
     message = layout.messages[read["message"]]
-    values = message.response.named(message.message.accesses.values)
+    values = message.response.named(message.message.single_access.values)
     statements.append(f"words = frame.body + {values.offset};")
     registers = {register.name: register for register in layout.registers}
     for full_name, wanted in read["registers"].items():

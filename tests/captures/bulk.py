@@ -78,7 +78,7 @@ def _value(texts: Sequence[str], batch: Batch, row: int) -> Value:
 def expected(explanation: Explanation, layout: DeviceLayout) -> list[tuple[str, int | None, str]]:
     """The path, the raw value and the reason of each value of a frame, as the explainer has them."""
     message = layout.messages.get(explanation.message)
-    access = message.message.accesses if message else None
+    access = message.message.single_access if message else None
     if access is not None and not explanation.error:
         is_echo = access.operation == "write" and explanation.direction == "response"
         rows = () if is_echo else tuple(row for row in explanation.registers if row.raw)

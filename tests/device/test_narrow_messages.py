@@ -47,8 +47,8 @@ registers:
   - group: levels
     source: 2 L1
     rows:
-      - {at: 3, name: level, type: u32, words: 2, access: ro, source: 2 L2}
-      - {at: 5, name: speed, type: f32, words: 2, access: ro, source: 2 L3}
+      - {at: 3, name: level, type: u32, checked: {words: 2}, access: ro, source: 2 L2}
+      - {at: 5, name: speed, type: f32, checked: {words: 2}, access: ro, source: 2 L3}
 behaviour:
   - {name: full, initial: registers/level, value: 305419896, source: 1 L5}
 """

@@ -289,7 +289,7 @@ def _input_fields(record: RecordLayout) -> list[FieldLayout]:
 
 
 def _registers(message: MessageLayout, field: FieldLayout) -> bool:
-    access = message.message.accesses
+    access = message.message.single_access
     return access is not None and field.name == access.values
 
 

@@ -102,7 +102,7 @@ class Client:
         """The message of a request, and all that an answer to it may repeat."""
         sent = self.codec.decode(request, "request")
         assert sent.message is not None
-        access = sent.message.message.accesses
+        access = sent.message.message.single_access
         assert access is not None
         known = {**sent.head, **sent.values}
         if access.operation == "read":
@@ -149,7 +149,7 @@ def test_every_client_of_every_device_is_asked_here() -> None:
 
 def requests(client: Client) -> dict[str, tuple[bool, list[int]]]:
     """What a client can be asked for."""
-    accesses = [message.message.accesses for message in client.link.exchanged.values()]
+    accesses = [message.message.single_access for message in client.link.exchanged.values()]
     counts = [access.count for access in accesses if access is not None and access.operation == "write"]
     return {
         "read": (False, WORDS),
@@ -199,7 +199,7 @@ def test_what_an_answer_repeats_wrongly_is_error_5_and_no_data(client: Client) -
 
 @pytest.mark.parametrize("count", [1, 3])
 def test_an_answer_of_another_number_of_words_is_error_5_and_no_data(client: Client, count: int) -> None:
-    values = client.asked(client.ask(False, WORDS))[0].message.accesses.values
+    values = client.asked(client.ask(False, WORDS))[0].message.single_access.values
     request = bytes(client.of(FRAMES, "frame")[: client.of(FRAMES, "send")])
     client.answer(client.answered(request, **{values: [9] * count}))
     assert client.outcome == (ANSWERED, NUMBER["other"], WORDS)

@@ -70,7 +70,7 @@ def judge(prover: Proof) -> None:
 
 
 NAMED = [f"algorithm: {name}" for name in named()]
-ALL = NAMED + [f"checksum: {checksum}" for checksum in DERIVED]
+ALL = NAMED + [f"algorithm: {parameters}" for parameters in DERIVED]
 
 
 @pytest.mark.parametrize("start", range(0, len(ALL), 20))

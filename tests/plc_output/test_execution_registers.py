@@ -178,7 +178,7 @@ def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Pro
                 assert run(link, message, values) == ("ok", frame), read["address"]
             else:
                 assert run(link, message, frame)[0] == "ok", read["address"]
-        answer = read["response"]["values"][message.message.accesses.values]
+        answer = read["response"]["values"][message.message.single_access.values]
         words = answer if isinstance(answer, list) else [answer]
         is_bits = layout.device.bit_access(message.message) is not None
         most = len(prover.fresh(prover.world.bits if is_bits else prover.world.words))

@@ -117,7 +117,7 @@ class Access(Python):
             return
         classes = [record_class(self.module, self.layout.messages[message.name].request) for message in messages]
         assert type(requests[0]) in classes, f"{register.name} is read by {type(requests[0]).__name__}"
-        access = next(m.accesses for m, cls in zip(messages, classes, strict=True) if cls is type(requests[0]))
+        access = next(m.single_access for m, cls in zip(messages, classes, strict=True) if cls is type(requests[0]))
         assert access is not None
         address = getattr(requests[0], self._attribute(requests[0], access.start))
         assert address == register.address, f"{register.name} is read at {address}"

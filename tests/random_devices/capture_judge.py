@@ -68,7 +68,7 @@ class Captures:
                 is_refused = row["verdict"] not in ("ok", "mismatch", "no_request")
                 assert is_refused, f"{text} is {row['verdict']}, and the reference refuses it: {wanted}"
                 continue
-            access = wanted.message.message.accesses if wanted.message is not None else None
+            access = wanted.message.message.single_access if wanted.message is not None else None
             is_lone = query.path[1] == "response"
             allowed = ("ok", "no_request") if is_lone else ("ok",)
             assert row["verdict"] in allowed, f"{text} is {row['verdict']}, and the reference reads it"

@@ -10,7 +10,7 @@ from random_devices.drawn_values import size_of
 DATA = 8
 """The most bytes of the data of a frame."""
 
-_OF_DATA = {"accesses", "access_steps", "segments", "frame_length", "data_words"}
+_OF_DATA = {"accesses", "segments", "checked"}
 """The keys of messages that need data in their requests."""
 
 

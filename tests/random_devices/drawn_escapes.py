@@ -9,7 +9,7 @@ _FLAGS = ("7E", "02", "C0 FE")
 
 def add_escape(draft: Draft, line: Spec) -> None:
     """Adds an escape to a link, and the delimiters that fit it."""
-    for key in ("delimiters", "start", "end"):
+    for key in ("start", "end"):
         line.pop(key, None)
     method = draft.pick(("slip", "cobs", "double", "xor", "insert", "add"))
     escape: Spec = {"method": method}
@@ -51,7 +51,6 @@ def add_preamble(draft: Draft, line: Spec) -> None:
         return
     openings = [_opening(line, direction) for direction in directions]
     if None in openings:
-        line.pop("delimiters", None)
         line["start"], openings = "AA 55", [0xAA]
     byte = draft.pick(tuple({0xFF, 0xFE, 0x55, 0} - set(openings)))
     least = draft.number(0, 5)
@@ -61,7 +60,9 @@ def add_preamble(draft: Draft, line: Spec) -> None:
 
 def _opening(line: Spec, direction: str) -> int | None:
     """The byte with which the frames of a direction begin, None where they differ."""
-    start, first = line.get("delimiters", {}).get(direction, line).get("start", ""), line[direction][0]
+    start, first = line.get("start", ""), line[direction][0]
+    if isinstance(start, dict):
+        start = start.get(direction, "")
     if start:
         return int(start[:2], 16)
     is_constant = first.get("type") == "u8" and "const" in first and not {"reserved", "digits"} & set(first)

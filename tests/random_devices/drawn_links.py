@@ -20,7 +20,10 @@ def link(draft: Draft, coded: bool) -> Spec:
     if draft.word_order:
         line["word_order"] = draft.word_order
     if draft.chance(15):
-        line["delimiters"] = {"request": _delimiters(draft), "response": _delimiters(draft)}
+        by_direction = {"request": _delimiters(draft), "response": _delimiters(draft)}
+        for mark in ("start", "end"):
+            if stated := {direction: own[mark] for direction, own in by_direction.items() if mark in own}:
+                line[mark] = stated
     else:
         line |= _delimiters(draft)
     line["request"] = parts(draft, line, coded, {})
@@ -172,17 +175,17 @@ def _checksum(draft: Draft) -> Spec:
                 "unit_size": draft.pick((2, 3, 4)),
                 "unit_order": "big" if "reflect_in" in parameters else "little",
             }
-        part["checksum"] = parameters
+        part["algorithm"] = parameters
     elif draft.chance(40):
-        part["checksum"] = _fletcher(draft)
+        part["algorithm"] = _fletcher(draft)
     else:
         method, width = draft.pick(("sum", "xor")), draft.pick((8, 16, 32))
-        part["checksum"] = {"method": method, "width": width}
+        part["algorithm"] = {"method": method, "width": width}
         if draft.chance(50):
-            part["checksum"]["complement"] = draft.pick(("ones", "twos"))
+            part["algorithm"]["complement"] = draft.pick(("ones", "twos"))
         if draft.chance(30):
-            part["checksum"]["unit_size"] = draft.pick((1, 2, 4))
-        _order_units(draft, part["checksum"], 1 if method == "sum" else width // 8)
+            part["algorithm"]["unit_size"] = draft.pick((1, 2, 4))
+        _order_units(draft, part["algorithm"], 1 if method == "sum" else width // 8)
     if draft.digits(15):
         part["digits"] = draft.pick(("upper_hex", "lower_hex", "decimal"))
         return part
@@ -219,11 +222,10 @@ def _order_units(draft: Draft, parameters: Spec, usual: int) -> None:
 
 def _has_order(part: Spec) -> bool:
     """Whether a checksum has several bytes, or combines numbers of several bytes."""
-    if "checksum" in part:
-        stated = part["checksum"]
+    if isinstance(stated := part["algorithm"], dict):
         unit_size = stated.get("unit_size", stated["width"] // 8 if stated.get("method") == "xor" else 1)
         return bool(stated["width"] > 8 or unit_size > 1)
-    width = re.search("[0-9]+", part["algorithm"])
+    width = re.search("[0-9]+", stated)
     return width is not None and int(width[0]) > 8
 
 

@@ -63,12 +63,11 @@ def _record(draft: Draft, words: bool) -> Spec:
         size += add_exponent(draft, record["fields"], "i16" if words else "i8")
     size += 0 if words else draw_separator(draft, record, record["fields"])
     if draft.chance(20):
-        record["size"] = size
+        record["checked"] = {"size": size}
     elif draft.chance(20) and words:
-        record["words"] = size // 2
+        record["checked"] = {"words": size // 2}
     if any(BOUNDS & set(field) for field in record["fields"]):
-        record.pop("size", None)
-        record.pop("words", None)
+        record.pop("checked", None)
     apart = any("write_range" in field for field in record["fields"])
     draft.records.append(RecordDraft(record["name"], size, words, apart))
     return record

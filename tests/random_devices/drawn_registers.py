@@ -84,7 +84,7 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
     gaps = []
     if draft.chance(25):
         group["defaults"] = draft.pick(
-            ({"access": draft.pick(ACCESSES)}, {"words": 1, "atomic": False, "trigger": False})
+            ({"access": draft.pick(ACCESSES)}, {"checked": {"words": 1}, "atomic": False, "trigger": False})
         )
     for _ in range(draft.number(1, 6)):
         if draft.chance(15) and group["rows"]:
@@ -95,7 +95,7 @@ def _group(draft: Draft, free: dict[str, int]) -> Spec:
         at += words
     scaled = [row for row in group["rows"] if may_be_scaled(row)]
     if scaled and draft.chance(40):
-        exponent = {"at": at, **draft.fact(**exponent_keys(draft, "i16")), "words": 1}
+        exponent = {"at": at, **draft.fact(**exponent_keys(draft, "i16")), "checked": {"words": 1}}
         exponent["access"] = draft.pick(("ro", "rw"))
         for row in scaled:
             row["scale_by"] = exponent["name"]
@@ -140,7 +140,9 @@ def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
     keys = value(draft, "register", ODD_INTEGERS if unit_size == 1 and draft.chance(25) else ())
     words = -(-size_of(keys) // unit_size)
     access = draft.pick(ACCESSES)
-    row = {"at": at, **draft.fact(), **keys, "access": access} | ({"words": words} if unit_size == 2 else {})
+    row = {"at": at, **draft.fact(), **keys, "access": access} | (
+        {"checked": {"words": words}} if unit_size == 2 else {}
+    )
     if "write_range" in keys:
         row["access"] = access = "rw"
     if draft.chance(12) and access != "ro":
@@ -149,14 +151,14 @@ def _register(draft: Draft, at: int, unit_size: int = 2) -> tuple[Spec, int]:
         row["atomic"] = True
     if draft.chance(30) and access != "ro" and has_words(keys):
         row["write_word_order"] = _other_order(draft, row)
-    if draft.chance(6) and set(row) <= {"at", "name", "source", "type", "access", "words", "length"}:
+    if draft.chance(6) and set(row) <= {"at", "name", "source", "type", "access", "checked", "length"}:
         row["reserved"] = True
     if draft.chance(4):
         row["restart"] = True
     if draft.chance(4) and access != "wo":
         row["clears_on_read"] = True
     if draft.chance(10) and words == 1:
-        row["decimal"] = at
+        row["checked"] = {**row.get("checked", {}), "decimal": at}
     if draft.chance(12):
         row["count"] = draft.number(2, 4)
         if draft.chance(40):
@@ -200,7 +202,7 @@ def tables(draft: Draft) -> list[Spec]:
 
 def _add_count(draft: Draft, at: int, count: int, space: str) -> str:
     """Adds a register with the number of elements of a table, in a group of its own."""
-    row = {"at": at, **draft.fact(type="u16", words=1, range=f"0..{count}", default=count), "access": "rw"}
+    row = {"at": at, **draft.fact(type="u16", checked={"words": 1}, range=f"0..{count}", default=count), "access": "rw"}
     group: Spec = {"group": draft.name(), "source": draft.source(), "rows": [row]}
     draft.spec.setdefault("registers", []).append(group | ({"space": space} if space else {}))
     return str(row["name"])
@@ -209,7 +211,11 @@ def _add_count(draft: Draft, at: int, count: int, space: str) -> str:
 def _add_base(draft: Draft, at: int, table: Spec) -> str:
     """Adds a register with the address of the first element of a table, in a group of its own."""
     words = table["stride"] * table["count"]
-    row = {"at": at, **draft.fact(type="u16", words=1, range=f"{table['base']}..{0xEFFF - words}"), "access": "ro"}
+    row = {
+        "at": at,
+        **draft.fact(type="u16", checked={"words": 1}, range=f"{table['base']}..{0xEFFF - words}"),
+        "access": "ro",
+    }
     group: Spec = {"group": draft.name(), "source": draft.source(), "rows": [row]}
     draft.spec.setdefault("registers", []).append(group | ({"space": table["space"]} if "space" in table else {}))
     return str(row["name"])

@@ -133,7 +133,7 @@ def pieces_text(places: list[int]) -> str:
     return ", ".join(str(first) if first == last else f"{first}..{last}" for first, last in runs)
 
 
-_BARE = {"name", "at", "type", "access", "source", "words", "decimal", "label", "doc", "notes"}
+_BARE = {"name", "at", "type", "access", "source", "checked", "label", "doc", "notes"}
 
 
 def place_bits(draft: Draft) -> None:

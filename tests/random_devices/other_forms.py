@@ -24,7 +24,7 @@ _TEXTS = ("doc", "label", "notes")
 _OF_DEVICES = (*_TEXTS, "broadcast", "unit_addresses", "silence", "open", "unit", "range")
 """The keys that a device may state of what it takes from a protocol."""
 _OF_DERIVED = ("name", "label", "doc", "source")
-_OF_COPIES = ("name", "at", "decimal", "access", "trigger", "restart", "source", "clears_on_read", "label", "notes")
+_OF_COPIES = ("name", "at", "checked", "access", "trigger", "restart", "source", "clears_on_read", "label", "notes")
 
 
 def flat(spec: Spec, version: str = "") -> Spec:
@@ -88,6 +88,7 @@ def _copy(group: Spec, stated: Spec) -> Spec:
         own = {"at": row["at"] - group["rows"][0]["at"] + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
         own |= {key: value for key, value in row.items() if key not in _OF_COPIES}
         own |= {key: inner for key in ("access", "trigger") if (inner := stated.get(key, row.get(key))) is not None}
+        own |= {"checked": {"words": row["checked"]["words"]}} if "words" in row.get("checked", {}) else {}
         own |= {"source": sources[row["name"]]} if row["name"] in sources else {}
         rows.append({**own, "copy_of": row["name"]})
     result = {"group": stated["group"], "source": stated["source"], "rows": rows}

@@ -83,8 +83,17 @@ MAPPINGS = {
     "link.serial": DOCUMENTATION,
     "link.silence": "It is about time, and codecs see no time.",
     "link.direction_names": DOCUMENTATION,
-    "message.frame_length": COMPARED,
-    "message.data_words": COMPARED,
+    **dict.fromkeys(
+        (
+            "message.checked",
+            "message.checked.frame_length",
+            "message.checked.data_words",
+            "field.checked",
+            "table.checked",
+            "parameter.checked",
+        ),
+        COMPARED,
+    ),
 }
 """Mappings of which no key must be in random devices."""
 KEYS = {
@@ -109,14 +118,11 @@ KEYS = {
     ("bit", "when"): DOCUMENTATION,
     ("record", "same_as"): COMPARED,
     ("field", "at"): COMPARED,
-    ("field", "words"): COMPARED,
-    ("field", "span"): COMPARED,
-    ("field", "word_span"): COMPARED,
+    ("field", "checked"): COMPARED,
     ("field", "atomic"): "It bounds the requests for a register; registers have it.",
     ("copy", "trigger"): EXPANDED,
     ("copy.rows", "access"): EXPANDED,
-    ("copy.rows", "decimal"): COMPARED,
-    ("copy.rows", "words"): COMPARED,
+    ("copy.rows", "checked"): COMPARED,
     ("message.segments", "abort"): "A program sends it; codecs have it as any other message.",
     ("message.segments", "unsized"): "It says when a size in an answer means nothing, which only clients look at.",
     ("register", "copy_of"): "Reading a spec adds it to the registers of a block that is copied.",
@@ -125,10 +131,9 @@ KEYS = {
     ("register", "element_name"): DOCUMENTATION,
     ("register", "element_sources"): DOCUMENTATION,
     ("register_group", "order"): "It permits addresses in another order.",
-    ("table", "decimal"): COMPARED,
-    ("table", "words"): COMPARED,
+    ("table", "checked"): COMPARED,
     ("table", "elements"): COMPARED,
-    ("parameter", "wire_number"): COMPARED,
+    ("parameter", "checked"): COMPARED,
     ("value", "codec"): PACKAGES,
     ("parameter", "applies_to"): DOCUMENTATION,
     ("parameter", "messages"): DOCUMENTATION,
@@ -138,8 +143,7 @@ KEYS = {
     ("part", "same_as"): "A program compares the two parts; codecs read both alike.",
     ("message.segments", "size"): "Reading in pieces has none here.",
     ("message", "supplements"): "It says beside which messages one is sent.",
-    ("message", "data_words"): COMPARED,
-    ("message", "frame_length"): COMPARED,
+    ("message", "checked"): COMPARED,
     ("conversion", "complement"): "Conversions are of quantities; the tests of conversions cover them.",
     ("conversion", "type"): "Conversions are of quantities; the tests of conversions cover them.",
     ("conversion", "references"): "Conversions are of quantities; the tests of conversions cover them.",
@@ -153,7 +157,7 @@ WORDS = {
     ("flags", "bit_0"): "`least` is the default: words without the key have it.",
 }
 """Keys of which random devices need not have every word."""
-FORMS = {"part.checksum.method: codec": PACKAGES}
+FORMS = {"part.algorithm.method: codec": PACKAGES}
 """Single words that random devices need not have."""
 
 

@@ -65,7 +65,7 @@ def with_examples(spec: Spec, layout: DeviceLayout, queries: list[Query], most: 
 
 def _addresses(layout: DeviceLayout, query: Query) -> bool:
     """Whether a frame accesses registers, of which not all addresses exist."""
-    return layout.messages[query.path[2]].message.accesses is not None
+    return layout.messages[query.path[2]].message.single_access is not None
 
 
 def _is_writable(value: Any) -> bool:

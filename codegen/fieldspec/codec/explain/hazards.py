@@ -78,7 +78,7 @@ def only_reads(layout: DeviceLayout, link: LinkLayout, message: MessageLayout) -
     """Whether a message only reads, as far as the spec says: registers, a parameter, or values without an argument."""
     if is_bare(link):
         return False  # a cyclic exchange does not only read
-    access = message.message.accesses
+    access = message.message.single_access
     if access is not None:
         return access.operation == "read"
     if message.message.access_steps:

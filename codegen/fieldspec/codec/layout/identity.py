@@ -196,7 +196,7 @@ def _messages(messages: Mapping[str, MessageLayout]) -> Iterator[Words]:
             *((message.response_code,) if message.response_code not in (None, message.code) else ()),
             *(("remote", message.remote) if message.remote is not None else ()),
             message.broadcast is True,
-            _access(message.accesses),
+            _access(message.single_access),
             *_segments(message.segments),
             *(_step(step) for step in message.access_steps),
         )
@@ -232,7 +232,7 @@ def _spaces(device: Device) -> Iterator[Words]:
             [
                 message.name
                 for message in _by_name(device.messages)
-                if message.accesses is not None and device.space_name(message.accesses.space) == space.name
+                if message.single_access is not None and device.space_name(message.single_access.space) == space.name
             ],
         )
 

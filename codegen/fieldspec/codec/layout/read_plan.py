@@ -155,7 +155,7 @@ def _space(device: Device, name: str) -> str:
 
 def read_limit(device: Device, message: Message) -> ReadLimit:
     """The limit of a message: the range of its word count, how often its values repeat, or their size in bytes."""
-    access = message.accesses
+    access = message.single_access
     assert access is not None
     space, unit = _space(device, access.space), device.space(access.space).unit
     if not access.count:

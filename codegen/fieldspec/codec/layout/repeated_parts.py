@@ -31,7 +31,7 @@ def repeated_fields(message: MessageLayout) -> list[tuple[FieldLayout, FieldLayo
 
     The response to an access to registers repeats what has the same name, which no spec has to say.
     """
-    by_name = message.message.accesses is not None
+    by_name = message.message.single_access is not None
     candidates = [(field.field.same_as or (field.name if by_name else ""), field) for field in message.response.fields]
     pairs = [(message.request.named(name), field) for name, field in candidates if name]
     return [(own, other) for own, other in pairs if own is not None and not own.field.reserved]

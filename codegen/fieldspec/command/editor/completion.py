@@ -102,7 +102,7 @@ def _values(word: TypedWord) -> Iterator[Suggestion]:
             paths = (path.split("/") for path in place.project.memory.files)
             yield from (Suggestion(name[:-5], "protocol") for folder, *_, name in paths if folder == PROTOCOLS)
         if key == "codec":
-            kind = ChecksumCodec if "checksum" in place.keys else NumberCodec
+            kind = ChecksumCodec if "algorithm" in place.keys else NumberCodec
             yield from (Suggestion(name, "codec") for name, own in installed().items() if isinstance(own.codec, kind))
         if key == "proof":
             yield from (Suggestion(rule.code, "rule", documentation=rule.what) for rule in rules.all_rules())

@@ -10,7 +10,7 @@ from fieldspec.foundation.caches import ByIdentity
 from fieldspec.language.checks.facts import facts
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
-from fieldspec.language.reading.nodes import Mapping, Scalar, mappings
+from fieldspec.language.reading.nodes import Mapping, Scalar, mappings, with_checked_keys
 from fieldspec.language.reading.references import PlaceInFile, place_in_file
 
 _BY_PLACE: ByIdentity[Device, dict[PlaceInFile, Fact]] = ByIdentity(limit=50)
@@ -34,7 +34,7 @@ def _by_place(device: Device) -> dict[PlaceInFile, Fact]:
 
 def erratum_lines(place: Cursor, fact: Mapping, key: str, proof: str = "judgement") -> list[str] | None:
     """The lines of an erratum: the manual prints for a key of a fact what stands there now. None without a path."""
-    stated, value = stated_fact(place, fact), fact.values.get(key)
+    stated, value = stated_fact(place, fact), with_checked_keys(fact).values.get(key)
     if stated is None or not isinstance(value, Scalar):
         return None
     path = stated.place.path

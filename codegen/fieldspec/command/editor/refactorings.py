@@ -20,7 +20,17 @@ from fieldspec.command.rendering.blocks import bare_text
 from fieldspec.foundation.source import SourceFile
 from fieldspec.language.reading.findings import LARGEST_FILE, VERSIONS
 from fieldspec.language.reading.memory import FileRead
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, find, identity, node_at
+from fieldspec.language.reading.nodes import (
+    CHECKED,
+    Mapping,
+    Node,
+    Scalar,
+    Sequence,
+    find,
+    identity,
+    node_at,
+    with_checked_keys,
+)
 from fieldspec.language.reading.yaml_reader import parsed
 from fieldspec.tools.proofs.examples import stated_values
 
@@ -32,11 +42,13 @@ _UNPRINTED = frozenset(("errata", "reviews", "accepts", "audit", "changes", "add
 
 def refactorings(place: Cursor) -> Iterator[Action]:
     """What can be made of the value at a place."""
-    value, fact = place.scalar, next((node for node in reversed(place.nodes) if isinstance(node, Mapping)), None)
+    is_checked = CHECKED in place.keys[-2:-1]
+    holders = [node for node in place.nodes if isinstance(node, Mapping)][: -1 if is_checked else None]
+    value, fact = place.scalar, holders[-1] if holders else None
     if fact is None or not identity(fact) or place.keys[0] in _UNPRINTED:
         return
     key = place.keys[-1]
-    if value is not None and isinstance(key, str) and fact.values.get(key) is value:
+    if value is not None and isinstance(key, str) and with_checked_keys(fact).values.get(key) is value:
         if (lines := erratum_lines(place, fact, key)) is not None:
             erratum = with_item(holding_section(place, "errata"), "errata", lines)
             yield Action(f"Add an erratum: the manual prints this `{key}`", (erratum,))
@@ -49,7 +61,7 @@ def _of_versions(place: Cursor, fact: Mapping, key: str, value: Scalar) -> Itera
     known_fact, overlays = stated_fact(place, fact), [*_overlays(place)]
     if known_fact is None or not overlays:
         return
-    path = known_fact.place.path
+    path = f"{known_fact.place.path}/{CHECKED}" if CHECKED in place.keys[-2:-1] else known_fact.place.path
     current_text = source_text(value)
     saved_tree = _saved_tree(place)
     saved = (_text_of(find(saved_tree, path), key) if saved_tree is not None else None) or current_text

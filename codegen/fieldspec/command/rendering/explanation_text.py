@@ -43,7 +43,7 @@ def title(layout: DeviceLayout, explanation: Explanation, sure: bool) -> str:
 def accessed(layout: DeviceLayout, explanation: Explanation) -> str:
     """`reads 0x1000..0x1001`"""
     message = layout.messages[explanation.message].message
-    accesses = message.accesses
+    accesses = message.single_access
     if message.access_steps:
         done = [step.operation for step in message.access_steps]
         done = [verb for verb in done if verb == "read" or explanation.direction == "request"]
@@ -69,7 +69,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
     checksums = {part.name for part in shape.checksums}
     code = shape.role("code")
     message = layout.messages.get(explanation.message)
-    accesses = message.message.accesses if message else None
+    accesses = message.message.single_access if message else None
     addresses = {code.name if code else "", accesses.start if accesses else "", *_in_digits(layout, explanation)}
     headings = ("at", "sent", "bytes", "field", "label", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []

@@ -30,7 +30,7 @@ def segments_text(comparison: Comparison | None, message: Message) -> str:
 
 def access_text(comparison: Comparison | None, message: Message) -> str:
     """How a message accesses registers; with the new names of a comparison."""
-    access = message.accesses
+    access = message.single_access
     if access is None:
         return ""
     words = [access.start, access.count, access.values]

@@ -29,9 +29,6 @@ def access_steps_fit_space(device: Device) -> Iterator[Diagnostic]:
         steps = message.access_steps
         if not steps:
             continue
-        if message.accesses is not None:
-            text = f"{message.name} has both `accesses` and `access_steps`"
-            yield finding(_CODE, message.place, "accesses", text, "remove one of them")
         if len(steps) == 1 and not steps[0].and_mask:
             text = f"{message.name} has a single access, which clients look for under `accesses`"
             yield finding(_CODE, message.place, "accesses", text, "state it under `accesses`")

@@ -26,7 +26,7 @@ _CODE = "accesses_complete"
 
 def accesses_complete(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
-        access = message.accesses
+        access = message.single_access
         if access is None:
             continue
         field_names = [access.start, access.count, access.values if access.operation == "write" else ""]

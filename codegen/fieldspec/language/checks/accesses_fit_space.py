@@ -39,7 +39,7 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
         help = f"state `unit: {unit}` for {name}, or name another space in the messages"
         yield finding(_CODE, space.place, "unit", text, help)
     for message in device.messages.values():
-        access = message.accesses
+        access = message.single_access
         if access is None or access.space not in ("", *device.spaces):
             continue
         if device.space_name(access.space) in of_bits:
@@ -72,7 +72,7 @@ def _numbers(access: RegisterAccess) -> tuple[str, ...]:
 
 def _meant_unit(device: Device, name: str) -> str:
     """The unit of a space whose messages carry a `u8` repeated: bytes, where the space has other values than bits."""
-    own = (message.accesses for message in device.messages.values())
+    own = (message.single_access for message in device.messages.values())
     is_set = any(access.set is not None for access in own if access is not None and access.space == name)
     types = {register.value.type.name for register in device.registers() if device.space_name(register.space) == name}
     return BYTE if types and BIT not in types and not is_set else BIT
@@ -85,7 +85,7 @@ def spaces_of_bits(device: Device) -> dict[str, list[str]]:
     """
     spaces: dict[str, list[tuple[str, bool]]] = {}
     for message in device.messages.values():
-        access = message.accesses
+        access = message.single_access
         if access is None or device.space_name(access.space) not in device.spaces:
             continue
         holder = message.response if access.operation == "read" else message.request

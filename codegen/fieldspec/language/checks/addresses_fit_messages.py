@@ -29,7 +29,7 @@ _HELP = "correct the type or the range of the field, or the address"
 
 def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
-        access = message.accesses
+        access = message.single_access
         field = message.request.named(access.start) if access is not None else None
         if access is None or field is None or field.value is None or not is_count(field.value.encoding):
             continue

@@ -25,7 +25,7 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.sizes import RecordSizes, messages_on, messages_sent, part_size, sent_on
 
 _CODE = "can_frames_complete"
-_FOREIGN = ("start", "end", "delimiters", "transmission", "escape", "serial", "network", "silence")
+_FOREIGN = ("start", "end", "transmission", "escape", "serial", "network", "silence")
 _MOST_PARTS = 7
 """The bytes of the parts of an identifier: packed, they never need more room than unpacked."""
 _REMOTE_CODE = 4

@@ -196,7 +196,7 @@ def _binary_fields(device: Device) -> dict[int, str]:
             if selector is not None:
                 uses[id(selector)] = f"decides the type of {field.name}"
     for message in device.messages.values():
-        for access in (*((message.accesses,) if message.accesses is not None else ()), *message.access_steps):
+        for access in message.accesses:
             for field in (*message.request.fields, *message.response.fields):
                 if field.name in access.names:
                     uses[id(field)] = "is what reads or writes registers"

@@ -68,7 +68,7 @@ def _computed(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]
     own, other = _keys(request), _keys(response)
     differing = [key for key in own if own[key] != other[key]]
     if len(differing) == 1:
-        key = "checksum" if differing == ["algorithm"] and "checksum" in response.place else differing[0]
+        key = differing[0]
         text = f"{request.name} of requests and of responses on {link.name} differ in `{key}`"
         related_label = label(request.place, key if key in request.place else "name", "the part of requests")
         response_key = key if key in response.place else "name"

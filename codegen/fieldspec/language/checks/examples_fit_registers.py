@@ -118,18 +118,18 @@ def _bits(device: Device, message: Message, access: RegisterAccess, example: Exa
 
 def _data(device: Device, message: Message, example: Example) -> bytes:
     """The bytes of the words that an example carries; none if it carries none, or if they cannot be read."""
-    if message.accesses is None:
+    if message.single_access is None:
         return b""
-    reads = message.accesses.operation == "read"
+    reads = message.single_access.operation == "read"
     if reads != (example.direction == "response"):
         return b""
     layer = message.response if reads else message.request
-    field: Field | None = next((f for f in layer.fields if f.name == message.accesses.values), None)
-    value = example.values.get(message.accesses.values)
+    field: Field | None = next((f for f in layer.fields if f.name == message.single_access.values), None)
+    value = example.values.get(message.single_access.values)
     if field is None or field.value is None or field.value.digits:
         return b""
     size = field.value.size
-    if size != device.space(message.accesses.space).unit_size:
+    if size != device.space(message.single_access.space).unit_size:
         return b""
     items = value if isinstance(value, list) else [value]
     counts = [count for item in items if (count := in_counts(device, field.value, item)) is not None]

@@ -123,8 +123,7 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
     silent = [name for name in link_names if not message.is_answered_on(name)]
     if not silent:
         return
-    accesses = (message.accesses, *message.access_steps)
-    if any(access is not None and access.operation == "read" for access in accesses):
+    if any(access.operation == "read" for access in message.accesses):
         text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
         yield finding(_CODE, message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
     if message.number is not None and message.code is None:

@@ -171,26 +171,25 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
     yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
     yield from _within(device, message.request, None)
     yield from _within(device, message.response, message.request)
-    for access in (message.accesses, *message.access_steps):
+    for access in message.accesses:
         yield from _of_access(device, message, "accesses", access)
 
 
-def _of_access(device: Device, message: Message, key: str, access: RegisterAccess | None) -> Iterator[Diagnostic]:
-    if access is not None:
-        request_names = {field.name for field in message.request.fields}
-        response_names = {field.name for field in message.response.fields}
-        holder = response_names if access.operation == "read" else request_names
-        place = message.place
-        space = access.space
-        if space and space not in device.spaces and is_imported(place, device):
-            text = f"there is no address space `{space}`, which messages that {device.id} takes from protocols access"
-            help = "add the space to `spaces`, or state under `uses` which messages the device has"
-            yield finding("references_resolve", device.place, "id", text, help)
-        else:
-            yield from _named(place, key, "address space", space, device.spaces)
-        for name in (access.start, access.count, access.and_mask, access.or_mask):
-            yield from _named(place, key, "field of the request", name, request_names)
-        yield from _named(place, key, "field", access.values, holder)
+def _of_access(device: Device, message: Message, key: str, access: RegisterAccess) -> Iterator[Diagnostic]:
+    request_names = {field.name for field in message.request.fields}
+    response_names = {field.name for field in message.response.fields}
+    holder = response_names if access.operation == "read" else request_names
+    place = message.place
+    space = access.space
+    if space and space not in device.spaces and is_imported(place, device):
+        text = f"there is no address space `{space}`, which messages that {device.id} takes from protocols access"
+        help = "add the space to `spaces`, or state under `uses` which messages the device has"
+        yield finding("references_resolve", device.place, "id", text, help)
+    else:
+        yield from _named(place, key, "address space", space, device.spaces)
+    for name in (access.start, access.count, access.and_mask, access.or_mask):
+        yield from _named(place, key, "field of the request", name, request_names)
+    yield from _named(place, key, "field", access.values, holder)
 
 
 def _codes(device: Device, record: Record) -> frozenset[str]:

@@ -105,7 +105,7 @@ def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: b
     is_packed = field.value is not None and field.value.packed_bits > 0
     problem = f"{field.name} {'has packed numbers' if is_packed else 'differs in size'}"
     problem = f"{last.name} comes after {field.name}" if last is not field else problem
-    if message is not None and (message.accesses is not None or message.access_steps):
+    if message is not None and message.accesses:
         text = f"{message.name} reads or writes registers, and {problem}"
         yield finding(_CODE, field.place, "name", text, "list the repeated field last, or remove `accesses`")
     if refuses and message is None:

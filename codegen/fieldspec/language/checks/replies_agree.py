@@ -54,7 +54,7 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
 
 def _count_mismatch(device: Device, message: Message, request: Example, reply: Example) -> str:
     """The reason why the number of values in a response differs from the requested number, or an empty text."""
-    access = message.accesses
+    access = message.single_access
     if access is None or access.operation != "read" or reply.direction != "response":
         return ""
     count, values = message.request.named(access.count), message.response.named(access.values)

@@ -30,10 +30,7 @@ _SMALL = 4
 def siblings_agree(device: Device) -> Iterator[Diagnostic]:
     families: dict[tuple[str, str], list[tuple[Field, Value]]] = {}
     counts = {
-        id(message.request.named(access.count))
-        for message in device.messages.values()
-        for access in (message.accesses, *message.access_steps)
-        if access is not None
+        id(message.request.named(access.count)) for message in device.messages.values() for access in message.accesses
     }
     for field in fields(device):
         is_comparable = not field.reserved and field.measures is None and id(field) not in counts

@@ -33,9 +33,9 @@ def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
     if not device.spaces:
         return
     reached = {
-        (device.space_name(message.accesses.space), message.accesses.operation)
+        (device.space_name(message.single_access.space), message.single_access.operation)
         for message in device.messages.values()
-        if message.accesses is not None
+        if message.single_access is not None
     }
     for fact, name, accesses in _holders(device):
         space = device.space(name)
@@ -57,7 +57,7 @@ def _read_only(device: Device) -> Iterator[Diagnostic]:
     for _, name, accesses in _holders(device):
         present.setdefault(device.space(name).name, set()).update(accesses)
     for message in device.messages.values():
-        access = message.accesses
+        access = message.single_access
         if access is None or access.operation != "write" or is_imported(message.place, device):
             continue
         space = device.space(access.space)

@@ -3,9 +3,9 @@
 Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator
 is required, because manuals rarely state whether there is one. Characters that the length allows anyway have no effect.
 
-Example: 31 characters in a text of one word, or `length: 4` with `characters: 4`.
+Example: 31 characters in a text of two bytes, or `length: 4` with `characters: 4`.
 
-Fix: Correct the number of characters, the words or the length, and write an erratum. Remove `characters` if it equals
+Fix: Correct the number of characters or the length, and write an erratum. Remove `characters` if it equals
 the length.
 """
 
@@ -60,4 +60,4 @@ def _most(value: Value) -> int:
 
 
 def _size(fact: Fact) -> Label:
-    return label(fact.place, "length" if "length" in fact.place else "words", "its size")
+    return label(fact.place, "length", "its size")

@@ -122,7 +122,7 @@ def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[
             yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
         elif other in varying and other is not None:
             yield from _of_count(body, field, other)
-    if message.accesses is not None or message.access_steps:
+    if message.accesses:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
     index = body.fields.index(varying[0])

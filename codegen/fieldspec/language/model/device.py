@@ -193,17 +193,17 @@ class Device:
 
     def register_access(self, message: Message) -> RegisterAccess | None:
         """How a message accesses registers of words or bytes; None where it accesses none, or a space of bits."""
-        access = message.accesses
+        access = message.single_access
         return access if access is not None and self.space(access.space).unit != BIT else None
 
     def word_access(self, message: Message) -> RegisterAccess | None:
         """How a message accesses registers of words; None where it accesses none, or a space of bits or bytes."""
-        access = message.accesses
+        access = message.single_access
         return access if access is not None and self.space(access.space).unit == WORD else None
 
     def bit_access(self, message: Message) -> RegisterAccess | None:
         """How a message accesses a space of bits; None where it accesses none."""
-        access = message.accesses
+        access = message.single_access
         return access if access is not None and self.space(access.space).unit == BIT else None
 
     @property

@@ -217,9 +217,9 @@ class Message(Fact):
     A response has the code of its request, or `response_code`. A message without a code may have a `number` by which
     people know it. It is sent on `links`, which are all of the device's where they are empty, and never without one of
     those that it `supplements`. It is answered on the links in `answered_on`, which is None for all. The lengths of the
-    frame are in bytes, and the words count the data, as printed. A message that does more with registers than one
-    access has `access_steps`; outputs never choose it to read or to write a register. `remote` is the number of
-    bytes that a remote request on a CAN bus asks for, which its only field repeats; None for other requests.
+    frame are in bytes, and the words count the data, as printed. Outputs read and write registers by a message with a
+    `single_access`; one that does more with registers has `access_steps`, and is never chosen. `remote` is the number
+    of bytes that a remote request on a CAN bus asks for, which its only field repeats; None for other requests.
     """
 
     title: str
@@ -237,12 +237,22 @@ class Message(Fact):
     response_words: int | None
     broadcast: bool | None
     handling: Handling
-    accesses: RegisterAccess | None
+    accesses: tuple[RegisterAccess, ...]
     segments: Segments | None = None
     response_code: int | None = None
     is_requested: bool = True
-    access_steps: tuple[RegisterAccess, ...] = ()
     remote: int | None = None
+
+    @property
+    def single_access(self) -> RegisterAccess | None:
+        """The access of a message that has no other one, and whose values are registers without masks."""
+        access = self.accesses[0] if len(self.accesses) == 1 else None
+        return access if access is not None and access.values and not access.and_mask and not access.or_mask else None
+
+    @property
+    def access_steps(self) -> tuple[RegisterAccess, ...]:
+        """The accesses of a message that does more with registers than one access."""
+        return self.accesses if self.single_access is None else ()
 
     def code_of(self, direction: str) -> int | None:
         """The code in one direction, `request` or `response`, as frames have it; None where the message has none."""

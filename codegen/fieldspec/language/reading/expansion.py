@@ -9,7 +9,7 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.value import HANDLING_KEYS
 from fieldspec.language.reading.findings import near, quoted
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, identity, mappings
+from fieldspec.language.reading.nodes import CHECKED, Mapping, Node, Scalar, Sequence, identity, mappings
 from fieldspec.language.schema import schema
 
 _FACT = frozenset(schema()["$defs"]["fact"]["properties"])
@@ -20,7 +20,6 @@ _OF_SIGNAL = _VALUE | {"name", "printed_name", "label", "doc"}
 _NOT_COPIED = (_FACT - {"since", "until", "only", "inferred", "unverified", "doc"}) | {
     *HANDLING_KEYS,  # a copy is in a memory of its own
     "at",
-    "decimal",
     "number",
     "access",
     "trigger",
@@ -192,7 +191,7 @@ class _Expansion:
                     row = row.with_value(key, inherited)
             if "memory" in copy.values:
                 row = row.with_value("memory", copy.values["memory"])
-            for key, value in printed.items():
+            for key, value in {**printed, **_checked_of_copy(original, printed)}.items():
                 row = row.with_value(key, value)
             rows.append(row)
         result = copy
@@ -226,6 +225,17 @@ class _Expansion:
             text = f"there is no {kind} `{name.text}`"
             self.findings.append(Diagnostic("references_resolve", text, name.span, help=near(name.text, known)))
         return known.get(name.text)
+
+
+def _checked_of_copy(original: Mapping, printed: dict[str, Node]) -> dict[str, Node]:
+    """The numbers to compare for the copy of a register: the words of its original, and those printed for the copy."""
+    stated = [node for node in (original.values.get(CHECKED), printed.get(CHECKED)) if isinstance(node, Mapping)]
+    if not stated:
+        return {}
+    checked = stated[0].without("decimal") if stated[0] is original.values.get(CHECKED) else stated[0]
+    for key, value in stated[-1].values.items() if len(stated) > 1 else ():
+        checked = checked.with_value(key, value)
+    return {CHECKED: checked} if checked.values else {}
 
 
 def _elsewhere(defaults: Node) -> Node:

@@ -85,12 +85,20 @@ SYNONYMS = {
 FORMER = {
     "access_steps": "accesses",
     "check_code_correct": "checksum_correct",
+    "checksum": "algorithm",
     "counts": "measures",
     "encoding": "transmission",
     "error_reply_changed": "exception_response_changed",
     "wrong_check": "wrong_checksum",
 }
 """Keys and words of earlier versions of the language, with their names today."""
+
+_CHECKED = ("data_words", "decimal", "frame_length", "size", "span", "wire_number", "word_span", "words")
+_MOVED = {
+    **{key: ("checked", f"state it under `checked`: `checked: {{{key}: ...}}`") for key in _CHECKED},
+    "delimiters": ("start", "state `start` and `end`, each for both directions or as `{request: .., response: ..}`"),
+}
+"""Keys whose values are elsewhere today: the key of that place, and the help."""
 
 _LONGEST = 60
 _MOST_NAMES = 100
@@ -114,7 +122,10 @@ def quoted(text: str) -> str:
 
 def former(word: str, known: Collection[str]) -> str:
     """The help for a key or a word with a new name; empty for others."""
-    return f"it is called `{name}` now" if (name := FORMER.get(word)) in known else ""
+    if (name := FORMER.get(word)) in known:
+        return f"it is called `{name}` now"
+    name, help = _MOVED.get(word, ("", ""))
+    return help if name in known else ""
 
 
 def synonym(word: str, known: Collection[str]) -> str:

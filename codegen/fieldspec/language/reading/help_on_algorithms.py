@@ -26,5 +26,5 @@ def algorithm_help(text: str, known: Collection[str]) -> str:
         if alike:
             names = ", ".join(f"`{name}`" for name in alike)
             text = f"with the polynomial {number:#0{2 + width // 4}x} there are {names}, which differ in their initial "
-            return f"{text}values, bit orders and final values; state any other under `checksum`"
+            return f"{text}values, bit orders and final values; state the parameters of any other in its place"
     return ""

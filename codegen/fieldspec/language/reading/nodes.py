@@ -89,6 +89,9 @@ class Mapping:
 ALL_THERE: dict[str, Scalar | Mapping] = {}
 """The `keys` of a mapping whose text has all of its keys, as nearly every mapping."""
 
+CHECKED = "checked"
+"""The key of the numbers that follow from the rest of a fact. Errata, reasons and paths leave it out."""
+
 LISTS = ("rows", "members", "fields", "bits")
 """The keys of lists that paths leave out."""
 
@@ -111,6 +114,15 @@ def identity(node: Node) -> str | None:
             if isinstance(scalar, Scalar):
                 return scalar.text
     return None
+
+
+def with_checked_keys(fact: Mapping) -> Mapping:
+    """A fact with the keys under its `checked` as keys of its own."""
+    checked = fact.values.get(CHECKED)
+    if not isinstance(checked, Mapping):
+        return fact
+    values = {key: value for key, value in fact.values.items() if key != CHECKED} | checked.values
+    return Mapping(fact.file, fact.start, fact.end, values, {**fact.keys, **dict.fromkeys(checked.values, checked)})
 
 
 def mappings(node: Node | None) -> Iterator[Mapping]:
@@ -260,6 +272,9 @@ def _inner(mapping: Mapping, step: str) -> tuple[str, Node] | None:
     """The key under which a step finds its node in a mapping, and that node's holder."""
     if step in mapping.values:
         return step, mapping.values[step]
+    checked = mapping.values.get(CHECKED)
+    if isinstance(checked, Mapping) and step in checked.values:
+        return CHECKED, checked
     for key in LISTS:
         value = mapping.values.get(key)
         if isinstance(value, Sequence) and _index(value, step) is not None:

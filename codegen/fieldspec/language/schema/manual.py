@@ -188,6 +188,9 @@ def form_of(path: str, part: Schema) -> str:
     if "$ref" in part:
         name = part["$ref"].removeprefix("#/$defs/")
         return _link(name) if "/" not in name else form_of(name.replace("/properties/", "."), resolved(part))
+    if "then" in part:
+        other = {key: inner for key, inner in part.items() if key != "then"} | {"type": part["type"][1]}
+        return f"{form_of(path, part['then'])} or {form_of(path, other)}"
     if "properties" in part:
         return f"[mapping](#{anchor(path)})"
     if "enum" in part:

@@ -203,10 +203,10 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
     if message.broadcast is not None:
         text = "may be broadcast to all stations" if message.broadcast else "cannot be broadcast; encoders refuse it"
         yield "Broadcast", ((text_piece(text),),)
-    if message.accesses is not None:
-        verb, spaces = f"{message.accesses.operation}s", context.device.spaces
+    if message.single_access is not None:
+        verb, spaces = f"{message.single_access.operation}s", context.device.spaces
         if spaces:
-            space = context.device.space(message.accesses.space)
+            space = context.device.space(message.single_access.space)
             yield "Accesses", ((text_piece(f"{verb} {space.title or space.name}", f"#{space.place.path}"),),)
         else:
             yield "Accesses", ((text_piece(f"{verb} registers", "#registers"),),)

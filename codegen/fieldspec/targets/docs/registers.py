@@ -208,8 +208,8 @@ def _space_messages(context: Context, space: AddressSpace, operation: str) -> Li
     messages = [
         message
         for message in device.messages.values()
-        if message.accesses is not None
-        and message.accesses.operation == operation
-        and device.space_name(message.accesses.space) == space.name
+        if message.single_access is not None
+        and message.single_access.operation == operation
+        and device.space_name(message.single_access.space) == space.name
     ]
     return joined(((code(message.name, f"#{message.place.path}"),) for message in messages), ", ")

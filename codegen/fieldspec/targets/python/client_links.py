@@ -78,7 +78,7 @@ def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: C
     arguments += _refusal_part(link, view, names)
     repeated, value_counts = [], []
     for message in link.exchanged.values():
-        access = message.message.accesses
+        access = message.message.single_access
         exchange = names.exchanges[message.name]
         request = f"{CODEC}.{exchange.request_name}"
         request_slots = {slot.title: slot for slot in exchange.request.stored}

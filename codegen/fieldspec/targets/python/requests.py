@@ -45,7 +45,7 @@ def space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAcces
         own = [
             exchange
             for exchange in exchanges
-            if (access := exchange.message.message.accesses) is not None
+            if (access := exchange.message.message.single_access) is not None
             and (not name or device.space_name(access.space) == name)
         ]
         bits = device.space(name).unit == BIT
@@ -71,7 +71,7 @@ def _greatest_count(bits: bool, *fields: Slots | None) -> int:
 def read_access(exchanges: list[Exchange], bits: bool = False) -> AccessView | None:
     """The first message that reads registers, in a space of words or of `bits`."""
     for exchange in exchanges:
-        access = exchange.message.message.accesses
+        access = exchange.message.message.single_access
         if access is None or access.operation != "read":
             continue
         start, count = _field(exchange.request, access.start), _field(exchange.request, access.count)
@@ -114,7 +114,7 @@ def write_accesses(exchanges: list[Exchange], bits: bool = False) -> tuple[Acces
     single: AccessView | None = None
     block: AccessView | None = None
     for exchange in exchanges:
-        access = exchange.message.message.accesses
+        access = exchange.message.message.single_access
         if access is None or access.operation != "write":
             continue
         start, count = _field(exchange.request, access.start), _field(exchange.request, access.count)

@@ -60,7 +60,7 @@ def idle_reads(layout: DeviceLayout) -> Iterator[IdleRead]:
 
 def _idle_read(layout: DeviceLayout, link: LinkLayout, block: ReadBlock) -> IdleRead:
     message = layout.messages[block.message]
-    access = message.message.accesses
+    access = message.message.single_access
     assert access is not None
     values, words = _words(layout, block)
     codec = FrameCodec(layout, link)

@@ -108,7 +108,7 @@ def _placed(record: RecordLayout, message: Message | None) -> set[str]:
     reads or writes.
     """
     measured = {field.field.measures.field for field in record.fields if field.field.measures is not None}
-    accessed = {message.accesses.values} if message is not None and message.accesses is not None else set()
+    accessed = {message.single_access.values} if message is not None and message.single_access is not None else set()
     return measured | accessed | {field.bits_of for field in record.fields}
 
 
@@ -129,7 +129,7 @@ def opaque_data(layout: DeviceLayout, record: RecordLayout) -> dict[str, Data]:
 def message_data(layout: DeviceLayout, message: MessageLayout, is_decoded: bool = True) -> dict[str, Data]:
     """A message with the records of `record_key`. A message that is not decoded shows no access to registers."""
     own = message.message
-    access = own.accesses
+    access = own.single_access
     data: dict[str, Data] = {
         "name": message.name,
         "title": line_text(own.title) or Name.of(message.name).title(),

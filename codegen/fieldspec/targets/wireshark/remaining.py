@@ -95,7 +95,7 @@ def _separate_values(layout: DeviceLayout) -> Iterator[str]:
     for record in layout.records.values():
         yield from _separate_fields(record, ())
     for message in layout.messages.values():
-        access = message.message.accesses
+        access = message.message.single_access
         names = (access.start, access.count, access.values) if access is not None else ()
         for record in (message.request, message.response):
             yield from _separate_fields(record, names)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
 from fieldspec.language.model.texts import Erratum
-from fieldspec.language.reading.nodes import Mapping, find
+from fieldspec.language.reading.nodes import Mapping, find, with_checked_keys
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable, Subject
 from fieldspec.tools.proofs.errata import Proof, node_text
 
@@ -141,4 +141,5 @@ def used_text(tree: Mapping, erratum: Erratum) -> str | None:
     fact = find(tree, erratum.fact)
     if not isinstance(fact, Mapping) or not erratum.printed:
         return None
-    return "; ".join(f"{key} {node_text(fact.values.get(key)) or 'none'}" for key in erratum.printed)
+    values = with_checked_keys(fact).values
+    return "; ".join(f"{key} {node_text(values.get(key)) or 'none'}" for key in erratum.printed)

@@ -210,7 +210,7 @@ def tables(device: DeviceDecoder, link: LinkDecoder, decoded: LinkFrames, number
     messages = list(link.link.messages.values())
     message_places = np.array([*(device.texts.place(message.name) for message in messages), NONE], np.int32)
     own_device = device.layout.device
-    accesses = [message.message.accesses for message in messages]
+    accesses = [message.message.single_access for message in messages]
     spaces = [NONE if access is None else device.place(own_device.space_name(access.space)) for access in accesses]
     space_places = np.array([*spaces, NONE], np.int32)
     words = np.array([device.place(DIRECTIONS[REQUEST]), device.place(DIRECTIONS[RESPONSE]), NONE], np.int32)
@@ -268,7 +268,7 @@ def _values(
     for operation in ("read", "write"):
         by_space: dict[str, list[int]] = {}
         for place, message in enumerate(messages):
-            access = message.message.accesses
+            access = message.message.single_access
             if access is not None and access.operation == operation:
                 by_space.setdefault(device.layout.device.space_name(access.space), []).append(place)
         for space, places in by_space.items():

@@ -137,7 +137,7 @@ class CaptureAudit:
         kinds = []
         for key, use in sorted(self.seen.accesses.items(), key=lambda item: -item[1].requests):
             message = self.layout.messages.get(key[0])
-            access = message.message.accesses if message is not None else None
+            access = message.message.single_access if message is not None else None
             if access is None or access.operation != "read" or use.requests < 2:
                 continue
             interval = _interval(use)

@@ -295,7 +295,7 @@ class FrameReader:
                 reader = BodyReader(self.layout.records[refusal.record], self.decoders, True)
             elif place >= 0:
                 message = self.messages[place]
-                emits = message.message.accesses is None
+                emits = message.message.single_access is None
                 reader = BodyReader(message.data(self.direction), self.decoders, emits)
             else:
                 return None

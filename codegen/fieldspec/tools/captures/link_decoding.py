@@ -225,7 +225,7 @@ class LinkDecoder:
     def _own_accesses(self, rows: _Rows, direction: Numbers) -> None:
         """The address and the number of registers that frames state themselves."""
         for place, message in enumerate(self.link.messages.values()):
-            access = message.message.accesses
+            access = message.message.single_access
             if access is None:
                 continue
             for side, name in ((REQUEST, "request"), (RESPONSE, "response")):
@@ -255,7 +255,7 @@ class LinkDecoder:
         requested = np.full((2, len(direction)), NONE)
         requested[0, targets], requested[1, targets] = address, count
         for place, message in enumerate(self.link.messages.values()):
-            access = message.message.accesses
+            access = message.message.single_access
             if access is None:
                 continue
             is_bits = access.space in self.spaces

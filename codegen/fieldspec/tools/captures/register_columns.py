@@ -157,6 +157,6 @@ class RegisterMap:
 def spaces_of(layout: DeviceLayout) -> list[str]:
     """The names of the spaces that messages of a device access; the first one may be empty."""
     device = layout.device
-    accesses = (message.message.accesses for message in layout.messages.values())
+    accesses = (message.message.single_access for message in layout.messages.values())
     names = (device.space_name(access.space) for access in accesses if access is not None)
     return list(dict.fromkeys(names))

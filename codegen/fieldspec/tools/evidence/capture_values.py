@@ -82,7 +82,7 @@ class CaptureValues:
 
     def _refuse(self, message: str, space: str, address: int, count: int, exception: str) -> None:
         """Notes a refusal that concerns one value; the refusal of a longer request does not identify the value."""
-        access = self.observables.layout.messages[message].message.accesses
+        access = self.observables.layout.messages[message].message.single_access
         if access is None:
             return
         requested_items = [

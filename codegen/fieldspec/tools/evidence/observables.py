@@ -66,7 +66,7 @@ class Observables:
                         self.parameters[element.place.path] = own
         self.fields: dict[tuple[str, str], Observable] = {}
         for message in layout.messages.values():
-            if message.message.accesses is not None:
+            if message.message.single_access is not None:
                 continue
             for operation, record in ((WRITE, message.request), (READ, message.response)):
                 for item in (record, *record.chosen.values()):

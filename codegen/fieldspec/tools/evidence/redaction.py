@@ -313,7 +313,7 @@ def _access(message: Message, direction: str) -> RegisterAccess | None:
     """How a frame of a message carries registers; None where it carries none."""
     operation = "write" if direction == "request" else "read"
     steps = (step for step in message.access_steps if step.operation == operation and step.values)
-    return message.accesses or next(steps, None)
+    return message.single_access or next(steps, None)
 
 
 def _data_of(spans: tuple[Span, ...], fields: Sequence[Extent], image: bytearray, size: int) -> bytes:

@@ -208,7 +208,7 @@ def _marks(link: Link) -> Iterator[tuple[str, bytes]]:
         return
     for direction in ("request", "response"):
         for name, mark in zip(("start", "end"), link.marks(direction), strict=True):
-            yield f"delimiters/{direction}/{name}", mark
+            yield f"{name}/{direction}", mark
 
 
 def _link(link: Link) -> Iterator[FactRow]:

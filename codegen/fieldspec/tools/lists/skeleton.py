@@ -251,10 +251,10 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
         length += ["reserved: true"] if row.const is not None else []
         return [f"name: {quoted(name.rpartition('.')[2])}", f"type: {type_name}", *length]
     parts = [f"at: 0x{row.address:04X}", f"name: {quoted(name)}", f"type: {type_name}"]
-    if "digits" in row.form:
-        parts.append(f"length: {row.texts.get('bytes')}")
+    if not is_sized:
+        parts.append(f"length: {row.texts.get('bytes') if 'digits' in row.form else own_shape.words * 2}")
     elif type_name != BIT and (row.words is not None or not row.is_own):
-        parts.append(f"words: {own_shape.words}")
+        parts.append(f"checked: {{words: {own_shape.words}}}")
     if own_shape.count > 1:
         parts += [f"count: {own_shape.count}", f"stride: {row.stride or own_shape.words}"]
         first_number = whole(row.texts.get("first", ""))

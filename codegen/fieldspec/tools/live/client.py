@@ -258,7 +258,7 @@ class Client:
     def _fits(self, request: _Request, decoded: Decoded) -> bool:
         """Whether a response belongs to the request: it repeats the right values, and has the right number of words."""
         layout = self.layout.messages[request.message]
-        message, access = layout.message, layout.message.accesses
+        message, access = layout.message, layout.message.single_access
         for own, other in repeated_fields(layout):
             value = request.values.get(own.name)
             if isinstance(value, float) and access is not None:

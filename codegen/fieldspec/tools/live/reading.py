@@ -151,7 +151,7 @@ def _read_block(client: Client, block: Block) -> Iterator[Reading]:
 def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
     """The words, or the bits as 0 and 1, from an address on. Raises NoAnswerError, RefusedError and CarrierError."""
     message = message_for(client.layout, "read", space, count) or message_for(client.layout, "read", space, 1)
-    access = message.accesses if message is not None else None
+    access = message.single_access if message is not None else None
     if message is None or access is None:
         raise RefusedError(0, "no message of the device reads registers")
     limit = read_limit(client.layout.device, message).words

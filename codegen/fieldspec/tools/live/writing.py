@@ -97,7 +97,7 @@ def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, ob
     """The message that writes a value, its fields, and its frame. Raises WriteError."""
     space, address, words = chosen.sent
     message = message_for(client.layout, "write", space, len(words))
-    access = message.accesses if message is not None else None
+    access = message.single_access if message is not None else None
     if message is None or access is None:
         raise WriteError(f"no message of the device writes {chosen.occupant.path}")
     values: dict[str, object] = {access.start: address}

@@ -10,7 +10,19 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import JUDGEMENT, Erratum
 from fieldspec.language.reading.building.device import built
 from fieldspec.language.reading.device_spec import DeviceSpec
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, exact, find, keys, node_at, put, schema_path
+from fieldspec.language.reading.nodes import (
+    CHECKED,
+    Mapping,
+    Node,
+    Scalar,
+    exact,
+    find,
+    keys,
+    node_at,
+    put,
+    schema_path,
+    with_checked_keys,
+)
 from fieldspec.language.reading.scalars import part_at, violations_at
 
 MISSING = "present"
@@ -79,8 +91,9 @@ def _unsound(tree: Mapping, erratum: Erratum, known: frozenset[str]) -> Diagnost
     if not isinstance(node, Mapping):
         text = f"there is no fact `{erratum.fact}`"
         return Diagnostic("errata_paths_resolve", text, place["fact"], help="see `fieldspec facts` for the paths")
+    values = with_checked_keys(node).values
     for key, printed in erratum.printed.items():
-        own = node.values.get(key)
+        own = values.get(key)
         if _is_same_value(exact(own) if own is not None else None, printed, key):
             span = own.span if own is not None else node.span
             text = f"the spec uses the printed value of `{key}`"
@@ -144,10 +157,16 @@ def _as_printed(fact: Mapping, printed: Mapping, fact_keys: list[str | int]) -> 
     """A fact with what the manual prints of it; None if the manual lacks it."""
     if _lacking(printed, fact_keys):
         return None
+    below = part_at(schema_path(fact_keys)).get("properties", {}).get(CHECKED, {}).get("properties", {})
+    checked = fact.values.get(CHECKED, Mapping(printed.file, printed.start, printed.end, {}))
+    assert isinstance(checked, Mapping)
     for key, value in printed.values.items():
         is_removed = isinstance(value, Scalar) and value.value is None
-        fact = fact.without(key) if is_removed else fact.with_value(key, value)
-    return fact
+        if key in below:
+            checked = checked.without(key) if is_removed else checked.with_value(key, value)
+        else:
+            fact = fact.without(key) if is_removed else fact.with_value(key, value)
+    return fact.with_value(CHECKED, checked) if checked.values else fact.without(CHECKED)
 
 
 def _lacking(printed: Mapping, fact_keys: list[str | int]) -> bool:

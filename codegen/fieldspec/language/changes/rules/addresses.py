@@ -138,8 +138,10 @@ def space_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.any_of(Register, Table):
         yield from _moved(comparison, pair, pair.old.space, pair.new.space, "space")
     for message in comparison.of(Message):
-        if message.old.accesses is not None and message.new.accesses is not None:
-            yield from _moved(comparison, message, message.old.accesses.space, message.new.accesses.space, "accesses")
+        if message.old.single_access is not None and message.new.single_access is not None:
+            yield from _moved(
+                comparison, message, message.old.single_access.space, message.new.single_access.space, "accesses"
+            )
     for space in comparison.of(AddressSpace):
         for key, subject, effect in _OF_SPACE:
             old, new = _space_value(space.old, key), _space_value(space.new, key)

@@ -21,12 +21,10 @@ _OWNERS = {
 
 def algorithm_of(entry: Entry, link_order: str) -> str:
     """The name of the algorithm that a part states; empty where it states none. `link_order` is that of the link."""
-    parameters = entry.entry("checksum")
-    name = entry.text("algorithm")
+    parameters = entry.entry("algorithm")
     if parameters is None:
+        name = entry.text("algorithm")
         return catalogue_name(name) if name else ""
-    if name:
-        entry.refuse("wrong_form", "checksum", "`algorithm` states the checksum already", "remove one of the two")
     method, width = parameters.text("method") or "crc", parameters.integer("width") or 8
     for key in parameters.own:
         methods, owners = _OWNERS.get(key, ((method,), ""))

@@ -14,7 +14,7 @@ from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.fact import Citation, Claim, Place, Report, ScalarValue, Standard
 from fieldspec.language.model.ranges import Ranges, intervals, whole_intervals
 from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED, Handling
-from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, exact
+from fieldspec.language.reading.nodes import CHECKED, Mapping, Node, Scalar, Sequence, exact, with_checked_keys
 
 _CLAIM_META = ("source", "doc")
 _REPORT_META = ("by", "how")
@@ -42,6 +42,10 @@ class Entry:
         sources: tuple[Citation, ...] = (),
         defaults: Mapping | None = None,
     ) -> None:
+        if CHECKED in node.values:
+            node = with_checked_keys(node)
+        if defaults is not None and CHECKED in defaults.values:
+            defaults = with_checked_keys(defaults)
         self.node, self.path, self.findings, self.defaults = node, path, findings, defaults
         self.own = own = node.values
         self.section, self.sources = section, sources

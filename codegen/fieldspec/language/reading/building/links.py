@@ -24,14 +24,14 @@ _KEYS = {
     "code": _NUMBER_KEYS,
     "length": _NUMBER_KEYS | {"range", "measures"},
     "body": frozenset[str](),
-    "checksum": frozenset({"algorithm", "byte_order", "checksum", "covers", "digits", "prefix", "suffix", "avoids"}),
+    "checksum": frozenset({"algorithm", "byte_order", "covers", "digits", "prefix", "suffix", "avoids"}),
     "plain": VALUE_KEYS
     - {"characters", "places", "sentinels", "parameter", "default", "unit_default"}
     - {"encoding", "padding", "align", "terminator", "varies"}
     | {"reserved", "same_as"},
 }
 """The keys of a part by its role, except the keys of every fact."""
-_SPECIFIC = VALUE_KEYS | {"algorithm", "checksum", "covers", "measures", "prefix", "suffix", "avoids"}
+_SPECIFIC = VALUE_KEYS | {"algorithm", "covers", "measures", "prefix", "suffix", "avoids"}
 _SPECIFIC |= {"reserved", "same_as"}
 _UNIT_SIZES = {"bytes": 1, "words": 2}
 _HELP = {
@@ -42,10 +42,9 @@ _HELP = {
     "prefix": "move it to the part with `role: checksum`",
     "suffix": "move it to the part with `role: checksum`",
     "avoids": "move it to the part with `role: checksum`",
-    "checksum": "move it to the part with `role: checksum`",
     "digits": "remove `digits`, and state them at the fields of messages",
     "flags": "remove `flags`; only a part without a `role` is a word of bits",
-    "algorithm": "name its `algorithm` or state its parameters under `checksum`; other parts have neither",
+    "algorithm": "state its `algorithm`; other parts have none",
     "reserved": "move it to a part without a `role`",
     "same_as": "move it to a part without a `role`; a response always has the unit address of its request",
 }
@@ -64,18 +63,8 @@ def link(entry: Entry) -> Link:
     delimiters, preamble = _delimiters(entry), _preamble(entry)
     if preamble is not None:
         delimiters |= {key: preamble.start + delimiters[key] for key in ("start", "response_start")}
-    delimiter_entries = [
-        part.entry(key) for part in (entry.entry("delimiters"),) if part for key in ("request", "response")
-    ]
-    cited = [
-        *entry.sources,
-        *(
-            source
-            for part in (*delimiter_entries, entry.entry("preamble"), escaping, can)
-            if part
-            for source in part.sources
-        ),
-    ]
+    stated = (entry.entry("start"), entry.entry("end"), entry.entry("preamble"), escaping, can)
+    cited = [*entry.sources, *(source for part in stated if part for source in part.sources)]
     return Link(
         **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
         title=entry.text("title"),
@@ -132,19 +121,12 @@ def _preamble(entry: Entry) -> Preamble | None:
 
 def _delimiters(entry: Entry) -> dict[str, bytes]:
     """The delimiters of both directions, which are stated once where they are the same."""
-    by_direction = entry.entry("delimiters")
-    if by_direction is None:
-        start, end = bytes.fromhex(entry.text("start")), bytes.fromhex(entry.text("end"))
-        return {"start": start, "end": end, "response_start": start, "response_end": end}
-    for key in ("start", "end"):
-        if key in entry.own:
-            text = f"`{key}` has no effect beside `delimiters`"
-            entry.refuse("wrong_form", key, text, "remove it, or state it for each direction under `delimiters`")
     delimiters = {}
-    for direction, prefix in (("request", ""), ("response", "response_")):
-        inner = by_direction.entry(direction)
-        for key in ("start", "end"):
-            delimiters[prefix + key] = bytes.fromhex(inner.text(key) if inner is not None else "")
+    for key in ("start", "end"):
+        by_direction = entry.entry(key)
+        for direction, prefix in (("request", ""), ("response", "response_")):
+            text = entry.text(key) if by_direction is None else by_direction.text(direction)
+            delimiters[prefix + key] = bytes.fromhex(text)
     return delimiters
 
 

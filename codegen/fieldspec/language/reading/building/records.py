@@ -50,7 +50,6 @@ def _field(entry: Entry) -> Field:
     for key in sorted(_OF_VALUES & entry.own.keys()) if name else ():
         help = f"state it at the fields of {name}, or give the field a `type`"
         entry.refuse("type_present", key, f"the field is a record, which has no `{key}`", help)
-    words = entry.integer("words")
     measures = entry.entry("measures")
     measure = None
     if measures:
@@ -60,7 +59,7 @@ def _field(entry: Entry) -> Field:
         measure = Measure(unit, measures.text(unit), measures.integer("plus") or 0)
     return Field(
         **entry.fact(),
-        value=None if name or choice else value(entry, words=words),
+        value=None if name or choice else value(entry),
         record=name,
         choice=_choice(choice, entry) if choice and not name else None,
         signal=entry.text("signal"),
@@ -70,7 +69,7 @@ def _field(entry: Entry) -> Field:
         reserved=entry.flag("reserved"),
         is_implied=not {"separator", "remote"}.isdisjoint(entry.own),
         at=entry.integer("at"),
-        words=words,
+        words=entry.integer("words"),
         span=_span(entry.text("span")),
         word_span=_span(entry.text("word_span")),
         access=entry.text("access"),
@@ -103,7 +102,7 @@ def _span(text: str) -> tuple[int, int] | None:
 def message(entry: Entry, reused: Reused) -> Message:
     """A message. Its data are records that are named after it."""
     lengths, words = entry.entry("frame_length"), entry.entry("data_words")
-    (access, access_steps), pieces = _accesses(entry), entry.entry("segments")
+    accesses, pieces = _accesses(entry), entry.entry("segments")
     entry = with_remote_request(entry)
     _refuse_unstated(entry)
     return Message(
@@ -123,11 +122,10 @@ def message(entry: Entry, reused: Reused) -> Message:
         response_words=words.integer("response") if words else None,
         broadcast=entry.maybe("broadcast"),
         handling=entry.handling(),
-        accesses=access,
+        accesses=accesses,
         segments=_segments(pieces) if pieces else None,
         response_code=_response_code(entry),
         is_requested=_is_requested(entry),
-        access_steps=access_steps,
         remote=entry.integer("remote"),
     )
 
@@ -224,13 +222,13 @@ def _segments_abort(entry: Entry) -> SegmentsAbort:
     return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
 
 
-def _accesses(entry: Entry) -> tuple[RegisterAccess | None, tuple[RegisterAccess, ...]]:
+def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
     """The access of a message by which registers are read and written, or the steps of one that does more."""
     accesses = [*entry.entries("accesses")]
     own = accesses[0].own if len(accesses) == 1 else ()
     if "values" in own and {"and_mask", "or_mask"}.isdisjoint(own):
-        return _access(accesses[0]), ()
-    return None, tuple(_step(access) for access in accesses)
+        return (_access(accesses[0]),)
+    return tuple(_step(access) for access in accesses)
 
 
 def _access(entry: Entry) -> RegisterAccess:

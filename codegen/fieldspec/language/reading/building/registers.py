@@ -61,8 +61,7 @@ def _gap(entry: Entry) -> Gap:
 def _register(entry: Entry, space: str, unit_size: int) -> Register:
     if not entry.node.values.get("source"):
         entry.sources = ()  # a group's source is the place of its table
-    words = entry.integer("words")
-    content = value(entry, words=words)
+    content = value(entry)
     width = -(-content.size // unit_size)
     count = entry.integer("count") or 1
     for key in ("stride", "index_from", "element_name") if entry.get("count") is None else ():
@@ -81,7 +80,7 @@ def _register(entry: Entry, space: str, unit_size: int) -> Register:
         decimal=entry.integer("decimal"),
         number=entry.integer("number"),
         copy_of=entry.text("copy_of"),
-        words=words,
+        words=entry.integer("words"),
         value=content,
         access=entry.text("access"),
         restart=entry.maybe("restart"),

@@ -40,7 +40,7 @@ VALUE_KEYS = frozenset(schema()["$defs"]["value"]["properties"])
 """The keys for the encoding of a value and its meaning."""
 
 
-def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
+def value(entry: Entry, type_name: str = "") -> Value:
     """The value that an entry describes. A missing type is a finding; the value is then a `u16`."""
     codec = number_codec_name(entry)
     digits = CODEC if codec else entry.text("digits")
@@ -57,7 +57,7 @@ def value(entry: Entry, type_name: str = "", words: int | None = None) -> Value:
         if entry.value(key) is not None:
             text = f"a quantity depends on what the device has in {scale_by}"
             entry.refuse("wrong_form", key, text, f"state `{key.removeprefix('unit_')}`, in counts")
-    size = _size(entry, primitive, words, digits)
+    size = _size(entry, primitive, digits)
     varies = entry.flag("varies")
     return Value(
         type=primitive,
@@ -149,12 +149,10 @@ def scale_text(scale: ScalarValue) -> str:
     return "" if scale is None else str(scale)
 
 
-def _size(entry: Entry, primitive: Primitive, words: int | None, digits: str) -> int:
+def _size(entry: Entry, primitive: Primitive, digits: str) -> int:
     if not is_array(primitive.encoding) and not digits:
         return primitive.size
     length = entry.integer("length")
-    if length is None and words is not None:
-        return 2 * words
     if length is None:
         text = f"a {primitive.name} {'of digits ' if digits else ''}has no fixed size"
         entry.refuse("type_present", "type", text, "add its `length` in bytes")

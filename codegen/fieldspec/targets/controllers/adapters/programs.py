@@ -70,7 +70,7 @@ def stations(world: World, routines: Sequence[Routine]) -> Iterator[Station]:
 
 def _is_shared(link: LinkLayout) -> bool:
     """Whether the frames of a link are those that blocks of vendors make: by codes and check, and words after them."""
-    codes = {message.message.code_of("request") for message in link.exchanged.values() if message.message.accesses}
+    codes = {message.message.code_of("request") for message in link.exchanged.values() if message.message.single_access}
     checks = {part.algorithm for part in link.request.parts if part.algorithm}
     return _WORD_CODES["read"] <= codes and bool(_WORD_CODES["write"] & codes) and checks == {_WORD_CHECK}
 

@@ -175,7 +175,7 @@ def _counts(
     response_values: Mapping[str, Expression],
 ) -> list[Expression]:
     """Whether the number of registers or bits in a response differs from the requested number."""
-    world, access = comparison.world, message.message.accesses
+    world, access = comparison.world, message.message.single_access
     device = world.layout.device
     if access is None or access.operation != "read" or not access.count or answers.count is None:
         return []

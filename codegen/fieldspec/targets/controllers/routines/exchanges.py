@@ -50,7 +50,7 @@ def exchange_blocks(world: World, link: LinkLayout, routines: Sequence[Routine])
         return
     by_name = {routine.name: routine for routine in routines}
     for message in link.exchanged.values():
-        if message.message.accesses is not None:
+        if message.message.single_access is not None:
             words = (*link_words(world, link), message.name)
             build, parse = by_name[world.routine("build", *words)], by_name[world.routine("parse", *words)]
             yield _block(world, link, message, build, parse, world.block(*words))

@@ -127,6 +127,6 @@ def _telling(link: LinkLayout) -> MessageLayout | None:
     for message in link.carried("request").values():
         fields = [field for field in message.request.fields if is_user_field(field)]
         single = all(field.value is not None and not field.is_list for field in fields)
-        if single and message.message.accesses is None and len(fields) > greatest_count:
+        if single and message.message.single_access is None and len(fields) > greatest_count:
             best, greatest_count = message, len(fields)
     return best

@@ -77,7 +77,7 @@ def device_blocks(world: World, routines: Sequence[Routine]) -> Blocks:
         blocks += client_blocks(world, by_name, own_links(layout))
     for link in own_links(layout):
         for message in link.exchanged.values():
-            if message.message.accesses is None:
+            if message.message.single_access is None:
                 blocks.append(message_block(world, exchange_of(world, link, message, by_name)))
     blocks += panels(world, task_blocks, kinds)
     return Blocks((*maker.helpers.routines.values(), *_distinct(blocks, by_name)), tuple(missing))

@@ -105,7 +105,7 @@ def _access(world: World, expansion: Expansion, exchange: Exchange) -> dict[str,
 
 def _arguments(world: World, expansion: Expansion, exchange: Exchange) -> dict[str, Expression]:
     """The arguments of the function that builds a request."""
-    access = exchange.message.message.accesses
+    access = exchange.message.message.single_access
     assert access is not None
     words, count, address = (
         member(world, AXIS, name, expansion.scope["Axis"]) for name in ("words", "count", "address")
