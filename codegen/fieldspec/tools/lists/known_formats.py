@@ -15,7 +15,7 @@ _FORMATS = (
     ),
     (r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
     (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
-    (r"\A(?:\s*[#;][^\n]*$|\s*$)*\s*\[{1,2}[A-Za-z][\w. -]*\]{1,2}\s*$", "a configuration in TOML or INI"),
+    (r"\A(?:[ \t]*(?:[#;][^\n]*)?\n)*[ \t]*\[{1,2}[A-Za-z][\w. -]*\]{1,2}[ \t\r]*$", "a configuration in TOML or INI"),
     (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
 )
 _KEY = re.compile(r"[A-Za-z_]\w*:(?: |$)")

@@ -9,6 +9,7 @@ from typing import Any
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.cells import whole
+from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.tools.lists.words import folded, meaning, words
 
@@ -66,14 +67,18 @@ def _has_address(item: dict[str, Any]) -> bool:
 def _groups(name: str, value: Any, outer_facts: dict[str, Any]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
     """The groups of objects in some data, each with the key that it stands under.
 
-    `outer_facts` are the functions and spaces at the level of the groups, or farther out.
+    `outer_facts` are the functions, spaces and orders at the level of the groups, or farther out.
     """
     if objects := _group(value):
         yield name, [{**outer_facts, **item} for item in objects]
     if isinstance(value, dict):
-        roles = ("function", "space", "word_order", "byte_order")
+        roles = ("function", "space", "word_order")
         stated = {word for role in roles for word in words("headings")[role]} - {"object", "kind"}
         scalars = {key: inner for key, inner in value.items() if not isinstance(inner, list | dict)}
+        orders = [f"{key}: {inner}" for key, inner in scalars.items() if _says_order(str(key), str(inner))]
+        outer_facts = outer_facts | (
+            {"note": orders[0]} if orders else {}
+        )  # of bytes, or of words: the file does not say it
         outer_facts = {**outer_facts, **{key: inner for key, inner in scalars.items() if folded(str(key)) in stated}}
     pairs = (
         value.items()
@@ -85,6 +90,12 @@ def _groups(name: str, value: Any, outer_facts: dict[str, Any]) -> Iterator[tupl
     for key, inner in pairs:
         if isinstance(inner, list | dict):
             yield from _groups(str(key), inner, outer_facts)
+
+
+def _says_order(key: str, text: str) -> bool:
+    """Whether a setting of a whole file says that values are not sent in the usual order of bytes."""
+    is_order = folded(key) in words("headings")["byte_order"]
+    return is_order and stated_order(text) not in ("", "ABCD")
 
 
 def _group(value: Any) -> list[dict[str, Any]]:

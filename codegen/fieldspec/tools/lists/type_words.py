@@ -14,6 +14,9 @@ from fieldspec.tools.lists.orders import joined_order
 from fieldspec.tools.lists.words import folded, meaning
 
 _WORD_BITS = 16
+_LONGEST = 400
+"""The most characters of a type with what its values mean; a longer text is a description."""
+
 _COMPOSED = re.compile(
     r"(?P<sign>unsigned|uns|usigned|ui|u|signed|sgn|si|s|)(?P<base>integer|int|word|float|real|double|bcd|bitfield|bitmap|bits?|enum|hex|)"
     r"(?P<bits>8|16|24|32|48|64)(?P<late>u|s|i|)(?:bits?|flags?|t|)(?P<order>|abcd|cdab|dcba|badc|be|le|sw|swapped|msw|lsw|big|little|bigendian|littleendian)"
@@ -110,7 +113,7 @@ class Typed:
 def typed(text: str) -> Typed | None:
     """The type that a text names, None if it names none that is known."""
     text = unicodedata.normalize("NFKC", text).strip().strip("`*").strip()
-    if not text:
+    if not text or len(text) > _LONGEST:
         return None
     if known := _known(text):
         return known

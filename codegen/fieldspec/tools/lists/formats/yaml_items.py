@@ -14,7 +14,7 @@ from fieldspec.tools.lists.sheet import ListError
 
 _TAG = re.compile(r"(?m)(?<=[:\-\[,{?] )![A-Za-z_]*|^![A-Za-z_]+")
 
-_ALIAS = re.compile(r"(?m)(?<=: )\*([A-Za-z_]\w*)(?=\s*(?:#.*)?$)")
+_ALIAS = re.compile(r"(?m)(?<=: )\*([A-Za-z_]\w*)(?=[ \t]*(?:#.*)?$)")
 """A reference to a value, which a part of a file may lack."""
 
 
