@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from fieldspec.tools.lists.column_roles import NOTE
+from fieldspec.tools.lists.column_roles import FURTHER, NOTE
 from fieldspec.tools.lists.imported import Imported
 from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER
 from fieldspec.tools.lists.words import folded
@@ -82,7 +82,7 @@ def _columns(result: Imported) -> Iterator[str]:
     used_columns = [(role, columns.heading(role)) for role in columns.places if role not in (NOTE, *_IDLE)]
     used_columns += [
         (role, columns.heading_at(place))
-        for role in ("address", "name", "values")
+        for role in ("address", "name", "values", *FURTHER)
         for place in columns.more.get(role, ())
     ]
     yield "columns used: " + ", ".join(

@@ -45,6 +45,9 @@ _BITS = re.compile(
     r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*b?(?:it)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
     re.IGNORECASE,
 )
+_BITS_BY_WIDTH = re.compile(r"[0-9a-fx]+h?:[0-9]+:[0-9]+", re.IGNORECASE)
+"""The address, the first bit and the number of bits."""
+
 _NO_AREA = ("", "r", "x", "h", "add", "adr", "no", "nr", "reg")
 """Letters before digits that are not a name of an area, but marks and words for any address."""
 
@@ -149,6 +152,8 @@ def place(text: str) -> Place | None:
         return _joined([place(piece) for piece in pieces])
     if (bits := _BITS.fullmatch(normalized)) and (address := address_text(bits[1])):
         low, high = int(bits[2]), int(bits[3] or bits[2])
+        if _BITS_BY_WIDTH.fullmatch(normalized):
+            high = low + max(high, 1) - 1
         pointless = _POINTLESS.fullmatch(normalized) is not None
         pointed = _POINTED.fullmatch(normalized) is not None
         return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless, pointed=pointed)

@@ -38,6 +38,7 @@ _CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|:|\s)*(?:0x)?0*([0-9a-f]{1,2})h?"
 _WORDS_BEHIND = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
 """The words after the code of a function that describe it."""
 
+_VERB = re.compile("read(?:write)?|write(?:single|multiple)?")
 _WRITING = {5: "coils", 15: "coils", 6: "registers", 16: "registers", 22: "registers", 23: "registers"}
 _READING = {1: "coils", 2: "discrete_inputs", 3: "registers", 4: "input_registers"}
 
@@ -65,7 +66,11 @@ def answer(text: str) -> bool | None:
 
 
 def functions(text: str) -> Functions | None:
-    """The meaning of `03`, `3/6`, `FC04`, `03H, 10H`; None if a text has other things, or codes of two spaces."""
+    """The meaning of `03`, `3/6`, `FC04`, `03H, 10H`, `Read_Input_Registers`; None if a text has other things, or codes
+    of two spaces."""
+    verb = _VERB.match(folded(text))
+    if verb and (named_space := meaning("spaces", folded(text)[verb.end() :])):
+        return Functions(named_space, "read" in verb[0], "write" in verb[0])
     codes = []
     for part in re.split(r"[,;/&+|]|\band\b|\s(?=0)", without_brackets(unicodedata.normalize("NFKC", text)).strip()):
         match = _CODE.fullmatch(_WORDS_BEHIND.sub("", part.strip()))
@@ -86,9 +91,10 @@ def functions(text: str) -> Functions | None:
 
 def space(text: str) -> str:
     """The address space that a text names, perhaps in two languages or notations: `线圈 COIL`, `Coil (0x)`."""
-    if stated := meaning("spaces", text):
-        return stated
     bare = without_brackets(text)
+    for stated in (text, bare, _VERB.sub("", folded(bare), count=1), bare.partition("_")[2]):
+        if meaning("spaces", stated):
+            return meaning("spaces", stated)
     space_names = {meaning("spaces", piece) for piece in _PIECES.split(bare.strip())} or {""}
     return meaning("spaces", bare) or (space_names.pop() if len(space_names) == 1 else "")
 

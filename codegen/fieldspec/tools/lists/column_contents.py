@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text, place
 from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.orders import stated_order
-from fieldspec.tools.lists.row_quantity import decimal_places
+from fieldspec.tools.lists.quantities import formula, known_unit
+from fieldspec.tools.lists.row_quantity import decimal_places, example
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.value_texts import bit_names
+from fieldspec.tools.lists.value_texts import bit_names, value_meanings
 from fieldspec.tools.lists.words import folded
 
 _NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discrete", "c", "h")
@@ -35,13 +36,21 @@ def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
     return are_marked or (len(rising) == len(texts) > 2 and rising == sorted(set(rising)))
 
 
+def are_exponents(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column of scales has powers of ten: small whole numbers, some of them no factors of anything."""
+    numbers = [cells.whole(text) for row in rows if (text := row.cell(column))]
+    powers = [number for number in numbers if number is not None and abs(number) <= _MOST_PLACES]
+    return 0 < len(powers) == len(numbers) and min(powers) <= 0
+
+
 def repeats(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column has most of its texts several times, as one of groups has; those in brackets do not count."""
     texts = [without_brackets(text) for row in rows if (text := row.cell(column))]
     return len(texts) > 3 and len(set(texts)) * 2 < len(texts)
 
 
-def _is_place(text: str) -> bool:
+def is_place(text: str) -> bool:
+    """Whether a text is an address, or several."""
     try:
         return place(text) is not None
     except CellError:
@@ -49,7 +58,7 @@ def _is_place(text: str) -> bool:
 
 
 _CONTENTS: dict[str, Callable[[str], object]] = {
-    "address": _is_place,
+    "address": is_place,
     "words": lambda text: re.fullmatch(
         r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?)?\.?", text, re.IGNORECASE
     ),
@@ -70,20 +79,57 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "name": lambda text: any(map(str.isalpha, text)),
     "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None,
     "unit": lambda text: not text.isdecimal() or text == "1",
+    "type": typed,
     "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,
     "byte_order": lambda text: stated_order(text) or cells.answer(text) is not None,
 }
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
 
+_MOST_PLACES = 9
 _FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
     "type": typed,
-    "places": lambda text: not text.isdecimal() and decimal_places(text) is not None,
+    "places": lambda text: decimal_places(text) is not None and int(decimal_places(text) or 0) <= _MOST_PLACES,
+    "scale": lambda text: re.fullmatch(r"0[.,]0*1|1|10+", text),
+    "values": lambda text: value_meanings(text) is not None,
+    "name": lambda text: any(map(str.isalpha, text)) and not cells.access(text),
 }
 """The same for roles whose own headings are enough, and others are not."""
 
-NOTED = ("access", "unit", "writable", "word_order", "byte_order")
+NOTED = ("access", "unit", "writable", "word_order", "byte_order", "type")
 """Roles whose heading, if it is a whole word, is enough: cells that do not fit become notes."""
+
+
+_BY_CELLS: dict[str, Callable[[str], object]] = {
+    "type": lambda text: typed(text) is not None and not text.isdecimal(),
+    "space": cells.space,
+    "access": cells.access,
+    "unit": known_unit,
+    "values": lambda text: value_meanings(text) is not None and example(text, cells.POINT) is None,
+    "formula": lambda text: formula(text, cells.POINT) is not None,
+}
+"""The roles that the cells of a column show without a heading, where all of them fit."""
+
+_FEWEST, _LETTERS, _FEWEST_NAMES = 2, 3, 3
+
+
+def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> str:
+    """The role that all texts of a column fit, and that no other column has; empty for none.
+
+    Texts that differ are names where no column has names or descriptions.
+    """
+    if len(texts) < _FEWEST:
+        return ""
+    for role, check in _BY_CELLS.items():
+        if role not in existing and all(map(check, texts)) and not all(folded(text) in _NO_SPACES for text in texts):
+            return role
+    are_words = all(sum(map(str.isalpha, text)) >= _LETTERS for text in texts)
+    return "name" if are_words and not repeats and existing.isdisjoint(("name", "label")) else ""
+
+
+def is_alike(texts: Sequence[str]) -> bool:
+    """Whether some of the texts of a column are equal, as texts of few kinds are; a short column has none."""
+    return len(texts) <= _FEWEST_NAMES or len(set(texts)) < len(texts)
 
 
 def has_role(role: str, texts: Sequence[str], is_fallback: bool) -> bool:

@@ -3,49 +3,85 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache, reduce
+from functools import cache
+from itertools import product
 
-from fieldspec.foundation.classes import dataclass, field, replace
+from fieldspec.foundation.classes import dataclass, field
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.addresses import address_text
+from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, address_text
 from fieldspec.tools.lists.brackets import without_brackets
-from fieldspec.tools.lists.column_contents import NOTED, are_spaces, counts_on, has_role, repeats
-from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.column_contents import (
+    NOTED,
+    are_exponents,
+    are_spaces,
+    counts_on,
+    has_role,
+    is_alike,
+    repeats,
+    role_by_cells,
+)
+from fieldspec.tools.lists.object_groups import GROUP
+from fieldspec.tools.lists.quantities import known_unit
+from fieldspec.tools.lists.row_quantity import FACTORS
+from fieldspec.tools.lists.sheet import SheetRow, letters
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
-from fieldspec.tools.lists.words import folded, words
+from fieldspec.tools.lists.words import folded, meaning, words
 
-_SHORT_REGISTER = re.compile(r"reg(?![a-z])", re.IGNORECASE)
+_SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc\b", "function code"))
+"""Patterns of words that headings shorten, and the whole words."""
+
 _BETWEEN = re.compile(r"\s*[/|\n]\s*")
 _LONGEST = 200
-_HEADED_BY = 40
-"""The number of rows among which the heading is searched."""
-
-_MOST_HEADING_ROWS = 3
-_MOST_TABLES = 40
-_LOOKED_AT = 200
-"""The number of rows whose cells show what a column has_role."""
-
 NOTE = "note"
+FURTHER = ("unit",)
+"""The roles of which a row has the cell of any column: the first one with a text, and others become notes."""
+
+_NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start", "end")
+"""Headings of numbers of any kind."""
+
+_ANNOTATIONS = {NOTE, "label", "values"}
+"""The roles of the second word of a heading such as `Values / Notes`."""
+
+_SHORTEST_SPACE = 4
+LOOKED_AT = 200
+"""The number of rows whose cells show what a column has_role."""
 
 
 @dataclass(frozen=True, slots=True)
 class Columns:
     """The columns of a list by role, counted from 0, its headings, and the rows below them.
 
-    `more` are further columns of roles that several may have: addresses, names and notes.
+    `more` are further columns of roles that several may have: addresses, names and notes. `by_cells` are the roles
+    whose columns their cells show, whatever their headings are, `other_tables` the headings of tables without
+    addresses, each with its number of rows.
     """
 
     places: Mapping[str, int]
     headings: tuple[str, ...]
     rows: tuple[SheetRow, ...]
     more: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    by_cells: tuple[str, ...] = ()
+    other_tables: tuple[tuple[SheetRow, int], ...] = ()
+
+    @property
+    def headed(self) -> int:
+        """How many roles have a heading of their own."""
+        headings = {self.headings[column] for column in self.places.values() if column < len(self.headings)}
+        return len(headings) - len(self.by_cells)
 
     def cell(self, row: SheetRow, role: str) -> str:
         """The cell of a row in the column of a role; empty if the list has no such column."""
         column = self.places.get(role)
         return row.cell(column) if column is not None else ""
+
+    def texts(self, row: SheetRow) -> dict[str, str]:
+        """The cells of a row by role."""
+        texts = {role: text for role in self.places if (text := self.cell(row, role))}
+        further = [(role, row.cell(column)) for role in FURTHER for column in self.more.get(role, ())]
+        return {role: text for role, text in reversed(further) if text} | texts
 
     def heading(self, role: str) -> str:
         """The heading of a role's column, or its letter if it has none."""
@@ -63,138 +99,17 @@ class Columns:
         return [column for column in range(width) if column not in used and any(row.cell(column) for row in self.rows)]
 
 
-def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
-    """The columns of a sheet. `names` has a heading, a letter or a number for some roles.
-
-    Raises ListError if no column has addresses.
-    """
-    if not sheet.rows:
-        raise ListError("is empty")
-    best: Columns | None = None
-    earlier: list[Columns] = []
-    for index, row in enumerate(sheet.rows[:_HEADED_BY]):
-        if not _is_heading(row):
-            continue
-        for last in range(index, min(index + _MOST_HEADING_ROWS, len(sheet.rows))):
-            below = sheet.rows[index : last + 1]
-            if not all(_is_heading(row_below) for row_below in below) or (last - index and not _continues(below)):
-                break
-            parts = _heading_parts(below)
-            candidate = _guessed(parts, names, sheet.rows[last + 1 :])
-            if candidate is not None and last == index and len(candidate.places) > 1:
-                earlier.append(candidate)
-            if candidate is not None and (best is None or len(candidate.places) >= len(best.places) + (last == index)):
-                best = candidate
-    if best is None:
-        best = _without_heading(sheet, names)
-    if not best.rows:
-        raise ListError("has a heading and no rows")
-    if names:
-        return best
-    first_row = best.rows[0].number
-    tables = (table for table in earlier if _has_rows_before(table, first_row))
-    return _with_further_tables(next(tables, best))
-
-
-def _has_rows_before(table: Columns, number: int) -> bool:
-    """Whether a table has rows with addresses before that of a number, below a heading whose words are all known."""
-    heads = [folded(text) for text in table.headings if text]
-    texts = (table.cell(row, "address") for row in table.rows if row.number < number - 1)
-    return all(head in _whole_words() for head in heads) and any(address_text(text) for text in texts)
-
-
-def _with_further_tables(first: Columns) -> Columns:
-    """The columns of a sheet, with the rows of the tables below in them, each of which has a heading of its own."""
-    tables = [(first, 0, first.headings)]
-    for index, row in enumerate(first.rows):
-        roles = [_whole_words().get(folded(cell)) for cell in row.cells if cell]
-        is_heading = "address" in roles and roles.count(None) * 2 <= len(roles) and row.cells != tables[-1][2]
-        text = row.cell(tables[-1][0].places["address"])
-        is_heading = is_heading and (folded(text) in _whole_words() or address_text(text) is None)
-        if is_heading and len(tables) < _MOST_TABLES:
-            sample = first.rows[index + 1 : index + 1 + _LOOKED_AT]
-            further = _guessed([[cell] if cell else [] for cell in row.cells], {}, sample)
-            if further is not None and len(further.places) > 1:
-                tables.append((further, index + 1, row.cells))
-    ends = [start - 1 for _, start, _ in tables[1:]] + [len(first.rows)]
-    parts = [replace(table, rows=first.rows[start:end]) for (table, start, _), end in zip(tables, ends, strict=True)]
-    return reduce(_joined, parts)
-
-
-def _joined(first: Columns, further: Columns) -> Columns:
-    """Two tables as one: columns of a role that both have are one, and others follow the columns of the first table."""
-    headings = [*first.headings]
-    places, further_columns = dict(first.places), dict(first.more)
-    targets: dict[int, int] = {}
-    for role, column in further.places.items():
-        targets[column] = places.setdefault(role, len(headings))
-        headings += [further.heading_at(column)] if targets[column] == len(headings) else []
-    for column in range(max((len(row.cells) for row in further.rows), default=0)):
-        if column not in targets:
-            targets[column] = len(headings)
-            headings.append(further.heading_at(column))
-    for role, columns_of_role in further.more.items():
-        further_columns[role] = (*further_columns.get(role, ()), *(targets[column] for column in columns_of_role))
-    rows = list(first.rows)
-    for row in further.rows:
-        cells = [""] * len(headings)
-        for column, target in targets.items():
-            cells[target] = row.cell(column)
-        rows.append(SheetRow(row.number, tuple(cells)))
-    return Columns(places, tuple(headings), tuple(rows), further_columns)
-
-
-def role_count(sheet: Sheet) -> int:
-    """How many columns of a sheet have a role by a heading, with addresses below it; 0 where there are none."""
-    try:
-        ranked_columns = columns(sheet, {})
-    except ListError:
-        return 0
-    return len(ranked_columns.places) if ranked_columns.headings else 0
-
-
-def _is_heading(row: SheetRow) -> bool:
-    """Whether a row may be a heading: it has texts, and none of them is an address with digits."""
-    filled = [cell for cell in row.cells if cell]
-    numbers = sum(cell[:1].isdigit() and address_text(cell) is not None for cell in filled)
-    return bool(filled) and not numbers
-
-
-def _continues(rows: Sequence[SheetRow]) -> bool:
-    """Whether the last of some rows continues the heading above: half of its cells are headings, or in brackets."""
-    counts = [sum(map(bool, row.cells)) for row in rows]
-    labels = sum(folded(cell) in _whole_words() or cell.startswith(("(", "[")) for cell in rows[-1].cells if cell)
-    return counts[0] > 1 and counts[-1] <= max(counts[:-1]) and labels * 2 >= counts[-1]
-
-
-def _heading_parts(rows: Sequence[SheetRow]) -> list[list[str]]:
-    """The texts of each column in the rows of a heading. A text over several columns counts for all of them."""
-    width = max(len(row.cells) for row in rows)
-    parts: list[list[str]] = []
-    for column in range(width):
-        texts = []
-        for number, row in enumerate(rows):
-            text = row.cell(column)
-            later = any(below.cell(column) for below in rows[number + 1 :])
-            if not text and later and column and parts[column - 1] and not number:
-                text = parts[column - 1][0]
-            if text:
-                texts.append(text)
-        parts.append(texts)
-    return parts
-
-
-def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[SheetRow, ...]) -> Columns | None:
+def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tuple[SheetRow, ...]) -> Columns | None:
     """The columns below a heading, None if none has addresses, or if one that the user names is not there."""
     headings = tuple(" ".join(texts) for texts in parts)
     places: dict[str, int] = {}
     for role, text in names.items():
-        column = _column_index(headings, text)
+        column = column_index(headings, text)
         if column is None:
             return None
         places[role] = column
     heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
-    sample = rows[:_LOOKED_AT]
+    sample = rows[:LOOKED_AT]
     further: dict[str, tuple[int, ...]] = {}
     of_spaces = [column for column in _ranked(heads, words("headings")["type"], set()) if are_spaces(sample, column)]
     for role, role_words in words("headings").items():
@@ -208,7 +123,21 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
         texts = {column: [text for row in sample if (text := row.cell(column))] for column in fits}
         columns = [column for column in fits if has_role(role, texts[column], is_fallback)]
         if role in NOTED and not columns:
-            columns = [column for column in fits if not {*heads[column]}.isdisjoint(role_words)]
+            columns = [
+                column
+                for column in fits
+                if not {*heads[column]}.isdisjoint(role_words) and (role != "access" or is_alike(texts[column]))
+            ]
+        if role in FACTORS:
+            columns = [column for column in columns if not are_exponents(sample, column)]
+        if role == "exponent" and not columns:
+            columns = [
+                column
+                for column in _ranked(heads, words("headings")["scale"], used_columns)
+                if are_exponents(sample, column)
+            ]
+        if role == "address" and not fits and len(set(filter(None, headings))) > 1:
+            columns = [column for column, text in enumerate(headings) if _space_of_heading(text)]
         if role == "address" and "address" not in places:
             columns = (
                 columns or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
@@ -217,12 +146,17 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
             lengths = _ranked(heads, words("headings")["words"], set())
             columns = [column for column in columns if column not in lengths] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
+            if not names:
+                main = [places["address"]] if "address" in places else columns[:1]
+                columns = [column for column in columns if column in main or _has_addresses_of(sample, main[0], column)]
         if role == "name" and "name" not in places:
             columns = sorted(columns, key=lambda column: repeats(sample, column))
         if role not in places and columns:
             places[role] = columns[0]
             columns = columns[1:]
-        if role in ("address", "name", NOTE) and columns and not (role == "address" and "address" in names):
+        if role == "unit":
+            columns = [column for column in columns if all(map(known_unit, texts[column]))]
+        if role in (*FURTHER, "address", "name", NOTE) and columns and not (role == "address" and "address" in names):
             further[role] = tuple(columns)
     codes = _ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())
     if codes and "printed_name" not in places:
@@ -232,7 +166,13 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
         further["address"] = (*further.get("address", ()), places.pop("value_offset"))
     if "name" not in places:
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
-        if labels := _ranked(heads, words("headings")["label"], used_columns):
+        labels = [
+            column
+            for column in _ranked(heads, words("headings")["address"], used_columns)
+            if has_role("name", [text for row in sample if (text := row.cell(column))], False)
+        ]
+        labels += _ranked(heads, words("headings")["label"], {*used_columns, *labels})
+        if labels := [column for column in labels if not repeats(sample, column)] or labels[:1]:
             places["name"] = labels[0]
     if "value" in places and not {"range", "values"} & {*places}:
         filled = [text for row in sample if (text := row.cell(places["value"]))]
@@ -254,7 +194,59 @@ def _guessed(parts: list[list[str]], names: Mapping[str, str], rows: tuple[Sheet
         places["address"] = marked[0]
     if "address" not in places:
         return None
-    return Columns(places, headings, rows, further)
+    by_cells = _places_by_cells(headings, sample, places, further) if not names else {}
+    if (space := _space_of_heading(headings[places["address"]])) and "space" not in {*places, *by_cells}:
+        rows, places["space"] = _with_spaces_of_heading(rows, len(headings), space), len(headings)
+        headings = (*headings, headings[places["address"]])
+    return Columns({**places, **by_cells}, headings, rows, further, tuple(by_cells))
+
+
+def _places_by_cells(
+    headings: tuple[str, ...],
+    rows: Sequence[SheetRow],
+    places: Mapping[str, int],
+    further: Mapping[str, tuple[int, ...]],
+) -> dict[str, int]:
+    """The columns of roles that no heading names, where all their cells show the role."""
+    used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+    result: dict[str, int] = {}
+    for column in range(max((len(row.cells) for row in rows), default=0)):
+        texts = [text for row in rows if (text := row.cell(column))]
+        if column in used_columns or headings[column : column + 1] == (GROUP,):
+            continue
+        role = role_by_cells(texts, {*places, *result}, repeats(rows, column))
+        result |= {role: column} if role else {}
+    return result
+
+
+def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int) -> bool:
+    """Whether a further column has the addresses of a column too: in most rows they differ by the same number."""
+    pairs = [(address_text(row.cell(column)), address_text(row.cell(further_column))) for row in rows]
+    pairs = [pair for pair in pairs if all(pair)]
+    for base, other_base in product((DECIMAL, HEXADECIMAL), repeat=2):
+        numbers = [(first.number(base), other.number(other_base)) for first, other in pairs if first and other]
+        differences = Counter(b - a for a, b in numbers if a is not None and b is not None)
+        if max(differences.values(), default=0) * 2 > len(pairs):
+            return True
+    return not pairs
+
+
+def address_rank(heading: str) -> int:
+    """How clearly a heading is that of addresses: 2 for one that says so, 1 for a notation of any numbers, else 0."""
+    heads = tuple(map(folded, _variants([heading])))
+    is_address = _space_of_heading(heading) or _ranked([heads], words("headings")["address"], set())
+    return 0 if not is_address else 2 if set(_NOTATIONS).isdisjoint(heads) else 1
+
+
+def _space_of_heading(heading: str) -> str:
+    """The address space that a heading of addresses names: `Discrete input`; empty for `Register`."""
+    is_general = meaning("headings", heading) == "address" or len(folded(heading)) < _SHORTEST_SPACE
+    return "" if is_general else cells.space(heading)
+
+
+def _with_spaces_of_heading(rows: Iterable[SheetRow], width: int, space: str) -> tuple[SheetRow, ...]:
+    """The rows with a further column that has the address space."""
+    return tuple(SheetRow(row.number, (*(row.cell(column) for column in range(width)), space)) for row in rows)
 
 
 def _marked_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[int]:
@@ -296,17 +288,19 @@ def _variants(texts: Sequence[str]) -> Iterator[str]:
         yield text
         if bare := without_brackets(text).strip():
             yield bare
-        if _SHORT_REGISTER.match(text):
-            yield _SHORT_REGISTER.sub("register", text)
+        for pattern, word in _SHORT_WORDS:
+            if (whole := re.sub(pattern, word, text, flags=re.IGNORECASE)) != text:
+                yield whole
         pieces = _BETWEEN.split(text)
-        roles = {_whole_words().get(folded(piece)) for piece in pieces}
-        if len(pieces) > 1 and len(roles - {None}) == 1:
-            yield next(piece for piece in pieces if folded(piece) in _whole_words())
+        roles = {whole_words().get(folded(piece)) for piece in pieces}
+        is_annotated = bool(roles) and {whole_words().get(folded(piece)) for piece in pieces[1:]} <= _ANNOTATIONS
+        if len(pieces) > 1 and (len(roles - {None}) == 1 or is_annotated) and roles != {None}:
+            yield next(piece for piece in pieces if folded(piece) in whole_words())
 
 
 def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_columns: set[int]) -> list[int]:
     """The columns whose headings fit a role, the likeliest first. No part counts of a heading that is another word."""
-    whole = _whole_words()
+    whole = whole_words()
     ranked_columns: dict[int, None] = {}
     for word in role_words:
         for column, texts in enumerate(heads):
@@ -324,7 +318,7 @@ def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_co
 
 
 @cache
-def _whole_words() -> Mapping[str, str]:
+def whole_words() -> Mapping[str, str]:
     """The headings that are whole words of a role, with the first such role."""
     return {
         word: role
@@ -338,15 +332,16 @@ def _fits(head: str, word: str) -> bool:
     return word[1:] in head if word.startswith("*") else head == word
 
 
-def _column_index(headings: Sequence[str], text: str) -> int | None:
+def column_index(headings: Sequence[str], text: str) -> int | None:
     """The column that a user names: by its heading, by its number, or by its letters."""
     heads = [folded(heading) for heading in headings]
     if folded(text) and folded(text) in heads:
         return heads.index(folded(text))
-    return _numbered(text, len(headings))
+    return column_number(text, len(headings))
 
 
-def _numbered(text: str, width: int) -> int | None:
+def column_number(text: str, width: int) -> int | None:
+    """The column that a number from 1 or letters name; None for another text, and beyond the last one."""
     if re.fullmatch("[0-9]{1,4}", text) and 1 <= int(text) <= width:
         return int(text) - 1
     if re.fullmatch("[A-Za-z]{1,2}", text):
@@ -355,28 +350,6 @@ def _numbered(text: str, width: int) -> int | None:
             number = number * 26 + ord(letter) - ord("A") + 1
         return number - 1 if number <= width else None
     return None
-
-
-def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
-    """The columns of a list whose first row is data, or a heading that names no role."""
-    first = sheet.rows[0]
-    width = max(len(row.cells) for row in sheet.rows)
-    heads = first.cells if _is_heading(first) else ()
-    headings = headings_text(heads)
-    places = {}
-    for role, text in names.items():
-        column = _column_index(heads, text) if heads else None
-        column = _numbered(text, width) if column is None else column
-        if column is None:
-            raise ListError(f"has no column {text}; choose from {headings}, or give a letter or a number")
-        places[role] = column
-    if "address" not in places:
-        raise ListError(
-            f"has no column that looks like addresses ({headings}); name it with --address, by its heading, letter or "
-            "number"
-        )
-    rows = sheet.rows[1:] if heads else sheet.rows
-    return Columns(places, heads, rows)
 
 
 def headings_text(headings: Iterable[str]) -> str:

@@ -8,7 +8,7 @@ from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, Sheet, SheetRow
 
 _NUMBERED = re.compile(
     r"\s*(?:[-*\u2022]\s+)?`?((?:0x|x)?[0-9a-f]{1,6}h?(?:\s?(?:-|\u2013|\.\.|~)\s?(?:0x)?[0-9a-f]{1,6}h?)?)`?"
-    r"(?:\s*[:=]\s*|\s+[-\u2013\u2014]\s+)(\S[^\t;|]*)",
+    r"(?:\s*[:=]\s*|\s+[-\u2013\u2014]\s+|\s+\((?:0x)?[0-9a-f]{1,6}h?\)\s+)(\S[^\t;|]*?)(?:\s*\((R/?W?|W|[RW]O)\))?",
     re.IGNORECASE,
 )
 _CELL = re.compile(r"\S+(?: \S+)*")
@@ -23,10 +23,13 @@ def numbered_sheet(text: str) -> Sheet | None:
     numbered = [match for match in matches if match and any(map(str.isdecimal, match[1]))]
     if len(lines) > MOST_ROWS or len(numbered) < _FEWEST or len(numbered) * 2 <= filled:
         return None
-    rows = [SheetRow(0, ("Address", "Name"))]
+    rows = [SheetRow(0, ("Address", "", "Name", "Access"))]
+    indent = min(len(line) - len(line.lstrip()) for line, match in zip(lines, matches, strict=True) if match)
     for number, (line, match) in enumerate(zip(lines, matches, strict=True), 1):
         if line.strip():
-            rows.append(SheetRow(number, (match[1], match[2].strip()) if match else (line.strip(),)))
+            is_beneath = len(line) - len(line.lstrip()) > indent + 1
+            texts = ((match[1], "") if not is_beneath else ("", match[1])) if match else ()
+            rows.append(SheetRow(number, (*texts, match[2].strip(), match[3] or "") if match else (line.strip(),)))
     return Sheet(tuple(rows), len(lines))
 
 

@@ -20,7 +20,7 @@ from fieldspec.tools.lists.sheet import ListError
 _FEWEST = 3
 """The rows that show what addresses count."""
 
-_FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "mA", "°")
+_FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "°")
 """The units in whose parts devices measure."""
 
 

@@ -170,11 +170,11 @@ def _of_bits(rows: Sequence[ListRow], space: str, refused: list[Refusal]) -> Ent
 
 
 def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
-    """The registers of which no word is in an earlier row."""
+    """The registers of which no word is in another row: an earlier one, or one that says more."""
     owners: dict[str, dict[int, int]] = {}
     disjoint_entries: list[Entry] = []
     words = 0
-    for entry in wholes:
+    for entry in sorted(wholes, key=_is_bare):
         row, own_shape = entry.row, entry.shape
         stride = row.stride or own_shape.words
         words += own_shape.count * own_shape.words
@@ -193,7 +193,15 @@ def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
             continue
         rows_by_address.update(dict.fromkeys(numbers, row.row))
         disjoint_entries.append(entry)
-    return disjoint_entries
+    return sorted(disjoint_entries, key=lambda entry: entry.row.row)
+
+
+def _is_bare(entry: Entry) -> bool:
+    """Whether a row has an address and texts alone, as one of an overview has."""
+    row = entry.row
+    return bool(entry.shape.inferred) and not (
+        row.unit or row.access or row.scale or row.meanings.members or entry.bits
+    )
 
 
 def _stated(rows: Sequence[ListRow], refused: list[Refusal]) -> list[Entry]:

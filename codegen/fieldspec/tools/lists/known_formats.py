@@ -15,6 +15,7 @@ _FORMATS = (
     ),
     (r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
     (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
+    (r"\A(?:[ \t]*(?:[#;][^\n]*)?\n)*[ \t]*\[{1,2}[A-Za-z][\w. -]*\]{1,2}[ \t\r]*$", "a configuration in TOML or INI"),
     (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
 )
 _KEY = re.compile(r"[A-Za-z_]\w*:(?: |$)")
@@ -35,4 +36,4 @@ def is_yaml(text: str) -> bool:
     head = text[:_LOOKED_AT].removeprefix("\ufeff")
     lines = [line for line in head.splitlines() if line.strip() and not line.lstrip().startswith(("#", "---"))][:2]
     is_pair = len(lines) == 2 and all(_KEY.match(line) and not re.search(r"[,;\t|]", line) for line in lines)
-    return bool(lines) and (is_pair or _SECTION.match(lines[0]) is not None)
+    return bool(lines) and (is_pair or _SECTION.match(lines[0].strip()) is not None)

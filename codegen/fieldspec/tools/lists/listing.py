@@ -10,10 +10,10 @@ from itertools import pairwise
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.fact import LINES
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place
+from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place, address_text
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
-from fieldspec.tools.lists.column_roles import NOTE, Columns, columns
+from fieldspec.tools.lists.column_roles import FURTHER, NOTE, Columns, headings_text
 from fieldspec.tools.lists.decisions import decided
 from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
@@ -32,6 +32,7 @@ from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row, uncited
 from fieldspec.tools.lists.shapes import with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
+from fieldspec.tools.lists.tables import columns
 from fieldspec.tools.lists.type_words import described_order
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import folded
@@ -109,6 +110,7 @@ class Listing:
 def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NOTHING) -> Listing:
     """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is not a list."""
     columns_of_sheet = columns(with_subindices_apart(sheet), names)
+    first_row = columns_of_sheet.rows[0].number
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
     refused: list[Refusal] = []
     assumptions: list[Assumption] = []
@@ -121,6 +123,19 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
         columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
     assumptions += [*shortened_bits(places), *assumed_areas(places)]
+    assumptions += [
+        Assumption(columns_of_sheet.heading(role), f"column of {role}", "all its cells", f"--column {role}")
+        for role in columns_of_sheet.by_cells
+    ]
+    refused += [
+        Refusal(row.number, "", "", "has a number, and is above the headings of the list")
+        for row in sheet.rows
+        if row.number < first_row and not sheet.heads and _has_number(row)
+    ]
+    refused += [
+        Refusal(head.number, "", "", f"begins a table without addresses, of {number} rows: {headings_text(head.cells)}")
+        for head, number in columns_of_sheet.other_tables
+    ]
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused += [*places.refused, *_formulas(sheet, columns_of_sheet)]
     reason = "has cells that do not stand under the headings"
@@ -131,8 +146,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     for sheet_row, row_place in places.rows:
         texts = {
             role: text
-            for role in columns_of_sheet.places
-            if (text := columns_of_sheet.cell(sheet_row, role)) and (text not in _EMPTY or role == "address")
+            for role, text in columns_of_sheet.texts(sheet_row).items()
+            if text not in _EMPTY or role == "address"
         }
         if "readable" in columns_of_sheet.places and "writable" in texts:
             texts.setdefault("readable", "no")
@@ -187,8 +202,12 @@ def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -
     noted = [columns_of_sheet.places[NOTE]] if NOTE in columns_of_sheet.places else []
     notes = tuple(
         (columns_of_sheet.heading_at(column), row.cell(column))
-        for column in (*noted, *further_columns.get(NOTE, ()))
-        if row.cell(column) and row.cell(column) not in _EMPTY
+        for column in (
+            *noted,
+            *further_columns.get(NOTE, ()),
+            *(n for role in FURTHER for n in further_columns.get(role, ())),
+        )
+        if row.cell(column) and row.cell(column) not in (*_EMPTY, *(texts.get(role) for role in FURTHER))
     )
     has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
     return Cells(row.number, texts, tuple(names), notes, has_factors)
@@ -205,6 +224,12 @@ def _decimal(columns_of_sheet: Columns, assumptions: list[Assumption]) -> str:
     if sign == COMMA:
         assumptions.append(Assumption("numbers", "a comma is before the fraction", f"`{example}`", "--decimal point"))
     return sign
+
+
+def _has_number(row: SheetRow) -> bool:
+    """Whether a row has several cells, one of which is a number that may be an address."""
+    filled = [cell for cell in row.cells if cell]
+    return len(filled) > 1 and any(cell[:1].isdigit() and address_text(cell) for cell in filled)
 
 
 def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:

@@ -14,7 +14,7 @@ from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.entries import Bit, Entry
 from fieldspec.tools.lists.naming import fresh, snake
 from fieldspec.tools.lists.quantities import known_unit
-from fieldspec.tools.lists.row_reading import SIGNAL, ListRow
+from fieldspec.tools.lists.row_reading import SIGNAL, STATES, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.yaml_text import exact, quoted
 
@@ -42,7 +42,8 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     meanings = entry.row.meanings
     bits = list(entry.bits) or [Bit(own.low, own.high, own.name, None, own.pieces) for own in meanings.bits]
     members = meanings.members
-    text = entry.row.texts.get("values", "")
+    texts = entry.row.texts
+    text = texts.get("values") or "; ".join(f"{n} {texts[role]}" for n, role in enumerate(STATES) if role in texts)
     doubt = (f"Values in the list: {text}.",) if text else ()
     own_type = entry.shape.type
     is_stated = (entry.row.is_own or entry.kind == SIGNAL) and own_type.startswith("u")
@@ -65,15 +66,15 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     if not members:
         return Meant(keys=own_states)
     if only_states or entry.row.scale not in (None, 1) or entry.row.offset:
-        return Meant(keys=(f"sentinels: [{', '.join(_members(members))}]",))
+        return Meant(keys=(f"sentinels: [{', '.join(_members(members, True))}]",))
     if is_truth(kind.encoding) and own_type != BIT and not entry.row.is_own:
         own_type, kind = unsigned, PRIMITIVES[unsigned]
-    if not (is_count(kind.encoding) or entry.row.is_own) or not all(
+    if not (is_count(kind.encoding) or own_type == BIT or entry.row.is_own) or not all(
         kind.low <= value <= kind.high for value, _ in members
     ):
         return Meant(doubts=doubt)
     members, special = _within(entry.row, members)
-    states = (f"sentinels: [{', '.join(_members(special))}]",) if special else own_states
+    states = (f"sentinels: [{', '.join(_members(special, True))}]",) if special else own_states
     if not members:
         return Meant(keys=states, type=own_type)
     enum_name, line = enum_of(members, name.replace(".", "_"), entry.row, enums, used_names)
@@ -103,13 +104,16 @@ def _within(row: ListRow, members: Members) -> tuple[Members, Members]:
     return members_within, tuple(member for member in members if member not in members_within)
 
 
-def _members(members: Sequence[tuple[int, str]]) -> list[str]:
+def _members(members: Sequence[tuple[int, str]], are_states: bool = False) -> list[str]:
+    """The members of an enum, or states, which have no printed names."""
     names: set[str] = set()
+    printed: set[str] = set()
     parts = []
     for value, text in members:
         number = str(value).replace("-", "minus_")
         name = fresh(snake(text) or f"value_{number}", number, names)
-        parts.append(f"{{value: {value}, name: {quoted(name)}{_printed(text, name)}}}")
+        printed_name = "" if are_states else _printed(text, name, printed)
+        parts.append(f"{{value: {value}, name: {quoted(name)}{printed_name}}}")
     return parts
 
 
@@ -126,6 +130,7 @@ def _states(special: Sequence[tuple[str, str]]) -> list[str]:
 def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str]) -> tuple[list[str], tuple[str, ...]]:
     """The bits of a bit field as mappings, and the lines of the enums that they name."""
     names: set[str] = set()
+    printed: set[str] = set()
     parts: list[str] = []
     lines: list[str] = []
     ordered = sorted(bits, key=lambda bit: bit.low)
@@ -150,7 +155,7 @@ def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str
             facts += "" if place in ascending else ", allow: {sources_ascending: The list has it so.}"
             if doubts:
                 facts += f", notes: [{', '.join(map(quoted, doubts))}]"
-        parts.append(f"{{{number}, name: {quoted(name)}{_printed(texts[0] if texts else '', name)}{facts}}}")
+        parts.append(f"{{{number}, name: {quoted(name)}{_printed(texts[0] if texts else '', name, printed)}{facts}}}")
     return parts, tuple(lines)
 
 
@@ -205,5 +210,11 @@ def count_of(number: Decimal | None, row: ListRow) -> int | None:
     return int(count) if count.denominator == 1 else None
 
 
-def _printed(text: str, name: str) -> str:
-    return f", printed_name: {quoted(text)}" if text and text != name else ""
+def _printed(text: str, name: str, earlier: set[str]) -> str:
+    """The key of a printed name, but for one that is printed twice, and for words that are joined in part: the name
+    says them."""
+    is_whole = "_" not in text or len(text.split()) == 1
+    if not text or text == name or text in earlier or not is_whole:
+        return ""
+    earlier.add(text)
+    return f", printed_name: {quoted(text)}"

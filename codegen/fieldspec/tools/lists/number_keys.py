@@ -35,7 +35,7 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
     elif low is not None and high is not None and has_counts and not is_switch and lowest <= low <= high <= highest:
         parts.append(f"{'unit_range' if row.in_unit else 'range'}: {_bound(row.low)}..{_bound(row.high)}")
         lowest, highest = low, high
-    elif row.is_own and is_real(primitive.encoding) and row.low is not None and row.high is not None:
+    elif is_real(primitive.encoding) and row.low is not None and row.high is not None and scale == 1:
         parts.append(f"range: {row.low:f}..{row.high:f}")
     else:
         unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max")}
@@ -43,14 +43,17 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
         doubts += [f"{heading} in the list: {text}." for heading, text in unread.items() if text]
     states = ", ".join(number for number, _ in row.special if not number.startswith("NaN"))
     special = Ranges(whole_intervals(states) or ()) if states else Ranges(())
+    is_set = row.is_own or row.kind == PARAMETER or row.access != "ro" or row.default != 0
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
         count = count_of(number, row) if key == "default" else _whole(number)
-        if key in texts and count is not None and are_counts and (lowest <= count <= highest or count in special):
+        if key == "default" and key in texts and not is_set:
+            doubts.append(f"{word} in the list, whose value is only read: {texts[key]}.")
+        elif key in texts and count is not None and are_counts and (lowest <= count <= highest or count in special):
             unit_key = "unit_default" if row.in_unit and key == "default" else key
             parts.append(f"{unit_key}: {_bound(number)}")
         elif key in texts and (row.is_own or row.kind == PARAMETER) and is_text(primitive.encoding):
             parts.append(f"default: {quoted(texts[key])}")
-        elif key == "default" and number is not None and row.is_own and is_real(primitive.encoding):
+        elif key == "default" and number is not None and is_real(primitive.encoding) and scale == 1:
             parts.append(f"default: {number:f}")
         elif key in texts:
             doubts.append(f"{word} in the list: {texts[key]}.")

@@ -138,18 +138,20 @@ def as_parameters(
         if not elements or (not wholes and {row.subindices for row in elements} == {(0, 0)}):
             yield from (replace(row, subindices=None) for row in group)
             continue
-        usual = max(
-            (row for row in elements if row.type), key=lambda row: row.subindices or (0, 0), default=elements[0]
-        )
-        whole_row = wholes[0] if wholes else elements[0]
-        texts = {"space": OBJECTS, "bytes": usual.texts["bytes"]}
-        texts |= {"label": whole_row.texts["label"]} if wholes and "label" in whole_row.texts else {}
-        count = max((row.subindices or (0, 0))[1] for row in elements) + 1
-        names = whole_row.names if wholes else (f"object_{index:04x}",)
-        yield ListRow(
-            whole_row.row, names=names, type=usual.type, texts=texts, count=count, kind=PARAMETER, space=OBJECTS
-        )
-        yield from (*elements, *wholes[1:])
+        whole = wholes[0] if wholes else ListRow(elements[0].row, names=(f"object_{index:04x}",))
+        yield from (object_of(whole, elements), *elements, *wholes[1:])
+
+
+def object_of(whole: ListRow, elements: Sequence[ListRow]) -> ListRow:
+    """The object that consists of elements, with the names of a row and the type of its last element."""
+    usual = max((row for row in elements if row.type), key=lambda row: row.subindices or (0, 0), default=elements[0])
+    texts = {"space": OBJECTS, "bytes": usual.texts["bytes"]}
+    texts |= {"label": whole.texts["label"]} if "label" in whole.texts else {}
+    count = max((row.subindices or (0, 0))[1] for row in elements) + 1
+    names, own_type = whole.names, usual.type
+    return ListRow(
+        whole.row, whole.address, None, names, own_type, texts=texts, count=count, kind=PARAMETER, space=OBJECTS
+    )
 
 
 def _object(row: ListRow) -> ListRow:

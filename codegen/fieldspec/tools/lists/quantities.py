@@ -27,6 +27,11 @@ _LINEAR = re.compile(
     r"\(?\s*[a-z_][a-z_ ]*\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?\s*\)?\s*(?:([-+])\s*([0-9][0-9.,]*))?",
     re.IGNORECASE,
 )
+_SHIFTED = re.compile(
+    r"\(\s*[a-z_][a-z_ ]*\s*([-+])\s*([0-9][0-9.,]*)\s*\)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)", re.IGNORECASE
+)
+"""A formula that adds before it scales: `(x - 400) / 10`."""
+
 _SYMBOL = re.compile(r"[^\W\d_°%µΩ\u2032″‰]*[°%‰]?[^\W\d_]*(?:[/·*^⁻¹²³][^\W_]{1,8}){0,3}[²³]?")
 _PER_COUNT = re.compile(r"\s*(?:/|\bper\b)\s*(?:bit|digit|lsb|count|step)s?$", re.IGNORECASE)
 _NO_UNIT = ("", "-", "--", "---", "n/a", "na", "none", "/", "1", ".", "无", "無", "keine", "aucune", "\u2013", "\u2014")
@@ -149,7 +154,16 @@ def scaled_unit(text: str, decimal: str) -> Quantity | None:
 def formula(text: str, decimal: str) -> Quantity | None:
     """The scale and the offset of a linear formula, such as `x/10 - 40`; None for any other."""
     before, _, suffix = unicodedata.normalize("NFKC", text).partition("=")
-    linear = _LINEAR.fullmatch((suffix or before).strip())
+    right = (suffix or before).strip()
+    if shifted := _SHIFTED.fullmatch(right):
+        added, value = number(shifted[2], decimal), number(shifted[4], decimal)
+        if added is None or value is None or value <= 0:
+            return None
+        scale = 1 / Fraction(value) if shifted[3] in ("/", "÷") else Fraction(value)
+        offset = Fraction(added) * scale * (-1 if shifted[1] == "-" else 1)
+        exact = Decimal(offset.numerator) / offset.denominator
+        return Quantity(scale, "", exact) if Fraction(exact) == offset else None
+    linear = _LINEAR.fullmatch(right)
     if linear is None or not (linear[1] or linear[3]):
         return None
     value = number(linear[2], decimal) if linear[1] else Decimal(1)

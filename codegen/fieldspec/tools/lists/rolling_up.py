@@ -65,7 +65,7 @@ def rolled_up(entries: Sequence[Entry]) -> list[Entry]:
                 numbered[entry.space, part.before, part.behind, part.printed, part.facts].append(part)
     runs = [run for parts in numbered.values() for run in _runs(parts)]
     rolled: dict[int, Entry] = {}
-    for table in _tables(runs, times):
+    for table in _tables(runs, times, entries):
         _replace(table, rolled)
     for run in sorted(runs, key=lambda run: -len(run.members)):
         base = run.first.before.rstrip("_")
@@ -130,8 +130,10 @@ def _array(run: _Run, base: str) -> Entry:
     return _rolled(run, REGISTER, base, base, "{n}".join(run.first.printed))
 
 
-def _tables(runs: Sequence[_Run], times: Mapping[str, int]) -> Iterator[dict[int, tuple[Entry, _Run]]]:
-    """The fields of each table, by the rows that they are in the place of."""
+def _tables(
+    runs: Sequence[_Run], times: Mapping[str, int], entries: Sequence[Entry]
+) -> Iterator[dict[int, tuple[Entry, _Run]]]:
+    """The fields of each table, by the rows that they are in the place of. No other row is between its elements."""
     groups: dict[object, list[_Run]] = defaultdict(list)
     for run in runs:
         first = run.first
@@ -142,6 +144,7 @@ def _tables(runs: Sequence[_Run], times: Mapping[str, int]) -> Iterator[dict[int
         ends = sorted((run.first.entry.row.address, run.words) for run in group)
         size = ends[-1][0] + ends[-1][1] - ends[0][0]
         is_certain = len(group) > 1 and all(fields) and len({*fields}) == len(fields) and size <= group[0].stride
+        is_certain = is_certain and not _has_others(group, ends[0][0], entries)
         if is_certain and table and table not in times:
             yield {
                 run.first.entry.row.row: (
@@ -150,6 +153,16 @@ def _tables(runs: Sequence[_Run], times: Mapping[str, int]) -> Iterator[dict[int
                 )
                 for run, name in zip(group, fields, strict=True)
             }
+
+
+def _has_others(group: Sequence[_Run], start: int, entries: Sequence[Entry]) -> bool:
+    """Whether rows lie among the elements of a table that are not in it."""
+    end = start + group[0].stride * len(group[0].members)
+    rows = {member.entry.row.row for run in group for member in run.members}
+    space = group[0].first.entry.space
+    return any(
+        entry.space == space and start <= entry.row.address < end and entry.row.row not in rows for entry in entries
+    )
 
 
 def _rolled(run: _Run, kind: str, name: str, printed: str, element_name: str) -> Entry:

@@ -46,6 +46,13 @@ _EXAMPLE = re.compile(
     r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
+_SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
+_RAW = re.compile(
+    r"\(?\s*(?:raw|reg(?:ister)?|value|val|data|count|wert|rohwert|x|n)(?:[ _]?(?:value|val|data))?\s*[-+*/x\u00d7÷]",
+    re.IGNORECASE,
+)
+"""The count in a formula within a text."""
+
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
@@ -128,7 +135,9 @@ def quantity_of(
         ):
             quantity = _described(described, decimal)
             if quantity is not None and (not quantity.unit or unit.unit in ("", quantity.unit)):
-                return replace(quantity, unit=unit.unit or quantity.unit, offset=offset, evidence=described)
+                return replace(
+                    quantity, unit=unit.unit or quantity.unit, offset=offset or quantity.offset, evidence=described
+                )
     scales = {scale for scale, _ in stated}
     if len(scales) > 1:
         doubts.append("The list has several scales: " + ", ".join(cell for _, cell in stated) + ".")
@@ -167,10 +176,14 @@ def example(text: str, decimal: str) -> Quantity | None:
 
 def _described(text: str, decimal: str) -> Quantity | None:
     """The quantity that a description says: `Dew point in 0.01 °C`, `Charge (÷10 for %)`, `(Hz x 100)`, `(XX.X V)`,
-    `325 = 32.5 °C`."""
+    `325 = 32.5 °C`, `Temperature = raw / 10 - 40`."""
     quantity = example(text, decimal) or scaled_unit(text, decimal)
     if quantity is not None and known_unit(quantity.unit):
         return quantity
+    for piece in _SENTENCES.split(text):
+        right = piece.partition("=")[2].strip()
+        if _RAW.match(right) and (linear := formula(right, decimal)) is not None:
+            return linear
     if step := _STEP.search(text):
         quantity = scaled_unit(step[1], decimal)
         return quantity if quantity is not None and known_unit(quantity.unit) else None

@@ -30,6 +30,9 @@ REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", 
 OF_THE_MANUAL = ("section", "line", "unverified")
 """The columns of an export about the place where the manual prints a fact."""
 
+STATES = ("zero", "one")
+"""The roles of columns with the meaning of 0, and of 1."""
+
 _SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
@@ -144,6 +147,8 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     texts = row.texts
     doubts: list[str] = []
     own_type = _type(texts, row.notes, doubts)
+    if own_type is not None and own_type.factor and not row.has_factors:
+        texts = {**texts, "scale": own_type.factor}
     low, high, meanings = _bounds(texts, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
     quantity = quantity_of(texts, row.names, row.notes, decimal, row.has_factors, doubts)
@@ -154,6 +159,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         words=None,
         names=row.names,
         type=own_type,
+        form={"digits": own_type.digits} if own_type is not None and own_type.digits else {},
         access=_access(texts, doubts),
         low=low,
         high=high,
@@ -204,7 +210,8 @@ def exported_row(row: ListRow) -> ListRow:
     row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
     row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
     unit = row.texts.get("unit", "")
-    return replace(row, scale=scale, scale_text=own_text, unit=known_unit(unit) or unit)
+    low, high = (number_in_unit(row.texts.get(role, "")) for role in ("min", "max"))
+    return replace(row, low=low, high=high, scale=scale, scale_text=own_text, unit=known_unit(unit) or unit)
 
 
 def uncited(row: ListRow) -> ListRow:
@@ -219,7 +226,8 @@ def _unciting(row: ListRow) -> list[str]:
 def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: list[str]) -> Typed | None:
     text = texts.get("type", "")
     own_type = typed(text)
-    if text and (own_type is None or (own_type.aside and scaled_unit(own_type.aside, POINT) is None)):
+    aside = own_type.aside if own_type is not None else ""
+    if text and (own_type is None or (aside and scaled_unit(aside, POINT) is None and value_meanings(aside) is None)):
         doubts.append(f"Type in the list: {text}.")
     if not text:
         type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *(note for _, note in notes)]
@@ -306,6 +314,8 @@ def _bounds(
 ) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
     """The least and the greatest number, or the meanings that a list has in their place."""
     low, high = (number_in_unit(texts.get(role, ""), decimal) for role in ("min", "max"))
+    if low == high == 0:
+        low = high = None  # programs write 0 for both where there are none
     values = texts.get("values", "")
     text = texts.get("range", "") or (values if bounds(values, decimal) is not None else "")
     range_ends = bounds(text, decimal)
@@ -321,6 +331,10 @@ def _bounds(
 
 
 def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[str]) -> Meanings:
+    states = tuple((number, texts[role]) for number, role in enumerate(STATES) if role in texts)
+    if states:
+        doubts += [f"Values in the list: {texts['values']}."] if "values" in texts else []
+        return Meanings(states)
     text = texts.get("values", "")
     if text:
         if example(text, POINT) is not None or bounds(text, POINT) is not None:
@@ -329,7 +343,7 @@ def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[
         if meanings is not None:
             return meanings
         doubts.append(f"Values in the list: {text}.")
-    asides = (parted(texts.get(role, ""))[1] for role in ("printed_name", "name"))
+    asides = (parted(texts.get(role, ""))[1] for role in ("printed_name", "name", "type"))
     for described_text in (texts.get("label", ""), texts.get("note", ""), *asides):
         described = value_meanings(described_text)
         if of_range is None and described is not None and len(described.members) + len(described.bits) > 1:

@@ -37,8 +37,8 @@ class Sheet:
 
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
     names of further sheets with cells, `joined` the names of the sheets that form this sheet, `encoding` that of a text
-    where it was guessed, `shifted` the rows whose cells do not stand under the headings. `format` is that of another
-    program, empty for a table.
+    where it was guessed, `shifted` the rows whose cells do not stand under the headings, `heads` the rows that the file
+    marks as headings. `format` is that of another program, empty for a table.
     """
 
     rows: tuple[SheetRow, ...]
@@ -49,6 +49,7 @@ class Sheet:
     joined: tuple[str, ...] = ()
     encoding: str = ""
     shifted: frozenset[int] = frozenset()
+    heads: frozenset[int] = frozenset()
     format: str = ""
 
 

@@ -204,7 +204,7 @@ class _Writer:
             inferred["range"] = "The list does not say it; that of SunSpec is taken."
         parts = _head(entry, name, type_name)
         parts += [f"access: {row.access}"] if row.access else []
-        parts += order_keys(row.order, kind, int(texts["bytes"]) if "digits" in row.form else kind.size)
+        parts += order_keys(row.order, kind, _bytes(entry) if "digits" in row.form else kind.size)
         unit = known_unit(row.unit) or row.unit
         if unit and not meaning.flags_line and (is_count(kind.encoding) or is_real(kind.encoding)):
             parts.append(f"unit: {quoted(unit)}")
@@ -247,12 +247,12 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
     if entry.kind == SIGNAL:
         return [f"name: {quoted(name)}", f"type: {type_name}"]
     if entry.kind == FIELD:
-        length = [] if is_sized else [f"length: {row.texts.get('bytes') or own_shape.words * 2}"]
+        length = [] if is_sized else [f"length: {_bytes(entry)}"]
         length += ["reserved: true"] if row.const is not None else []
         return [f"name: {quoted(name.rpartition('.')[2])}", f"type: {type_name}", *length]
     parts = [f"at: 0x{row.address:04X}", f"name: {quoted(name)}", f"type: {type_name}"]
     if not is_sized:
-        parts.append(f"length: {row.texts.get('bytes') if 'digits' in row.form else own_shape.words * 2}")
+        parts.append(f"length: {_bytes(entry)}")
     elif type_name != BIT and (row.words is not None or not row.is_own):
         parts.append(f"checked: {{words: {own_shape.words}}}")
     if own_shape.count > 1:
@@ -264,6 +264,11 @@ def _head(entry: Entry, name: str, type_name: str) -> list[str]:
         if entry.element_name not in ("", f"{name}_{{n}}"):
             parts.append(f"element_name: {quoted(entry.element_name)}")
     return parts
+
+
+def _bytes(entry: Entry) -> int:
+    """The bytes of a value whose type does not say them."""
+    return int(entry.row.texts.get("bytes") or entry.shape.words * 2)
 
 
 def _widened(entry: Entry, names: Mapping[tuple[int, int | None], str]) -> Entry:

@@ -46,6 +46,8 @@ _MOST_BORDERS = 3
 _BOLD, _CODE = re.compile(r"\*\*(?=\S)(.+?)\*\*"), re.compile(r"`+([^`]+)`+")
 _LINK, _SLANTED = re.compile(r"\[([^\[\]]+)\]\([^()\s]*\)"), re.compile(r"\*(?=\S)([^*]+)\*")
 _RULE = re.compile(r"[|+:=\s-]+")
+_DELIMITER = re.compile(r"^[ \t]*(?:\|[ \t]*)?:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)+(?:\|[ \t]*)?\r?$", re.MULTILINE)
+"""The line below the heading of a table in Markdown."""
 
 
 def text_sheet(content: bytes, encoding: str = "") -> Sheet:
@@ -53,22 +55,29 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
     text = decoded(content, encoding)
     if not text.strip():
         raise ListError("is empty")
-    refuse_known_format(text)
-    if text.lstrip()[0] in "[{":
-        return objects_sheet(json_data(text), "JSON")
-    if is_yaml(text):
-        return objects_sheet(data_of(tree(text)), "YAML of no program that is known", only_with_addresses=True)
+    delimiter = _DELIMITER.search(text)
+    if delimiter is None:
+        refuse_known_format(text)
+        if text.lstrip()[0] in "[{":
+            lines = [line for line in text.splitlines() if line.strip()]
+            are_objects = len(lines) > 1 and all(line.startswith("{") and line.rstrip().endswith("}") for line in lines)
+            return objects_sheet(json_data(f"[{','.join(lines)}]" if are_objects else text), "JSON")
+        if is_yaml(text):
+            return objects_sheet(data_of(tree(text)), "YAML of no program that is known", only_with_addresses=True)
+        if (numbered := numbered_sheet(text)) is not None:
+            return numbered
     guessed = WESTERN if not encoding and _is_western(content) else ""
-    if (numbered := numbered_sheet(text)) is not None:
-        return numbered
-    separator = _separator([line for line, _ in zip(io.StringIO(text, newline=None), range(_LOOKED_AT), strict=False)])
+    first_lines = [line for line, _ in zip(io.StringIO(text, newline=None), range(_LOOKED_AT), strict=False)]
+    separator = "|" if delimiter is not None else _separator(first_lines)
     if not separator:
         placed = placed_sheet(text)
         if placed is not None:
             return placed
         separator = ","
     bars = separator == "|"
-    heading = next((line.strip() for line in text.splitlines() if "|" in line), "")
+    heads: set[int] = set()
+    above = text[: delimiter.start()].splitlines() if delimiter is not None else text.splitlines()
+    heading = next((line.strip() for line in (above[::-1] if delimiter is not None else above) if "|" in line), "")
     is_bordered = bars and heading.startswith("|")
     is_grid = bars and sum(line.startswith("+") for line in text.splitlines()) > _MOST_BORDERS
     is_first = True
@@ -91,20 +100,22 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
                 raise ListError(f"has a row {number} with more than {MOST_COLUMNS} cells")
             if bars and _RULE.fullmatch(separator.join(cells)):
                 is_first = True
+                if len(cells) > 1 and rows and rows[-1].number == number - 1 and not is_grid:
+                    heads.add(number - 1)
                 continue
             if is_bordered and cells and not cells[0].strip():
                 cells = cells[1:]
             row = tuple(clean(_without_markup(cell) if bars else cell) for cell in cells)
             if is_grid and not is_first:
-                above = rows.pop()
-                pairs = zip_longest(above.cells, row, fillvalue="")
-                rows.append(SheetRow(above.number, tuple(" ".join(filter(None, pair)) for pair in pairs)))
+                last = rows.pop()
+                pairs = zip_longest(last.cells, row, fillvalue="")
+                rows.append(SheetRow(last.number, tuple(" ".join(filter(None, pair)) for pair in pairs)))
             elif any(row):
                 rows.append(SheetRow(number, row))
             is_first = False
     except csv.Error as error:
         raise ListError(f"cannot be read as a table at row {number + 1}: {error}") from None
-    return Sheet(tuple(rows), number, encoding=guessed)
+    return Sheet(tuple(rows), number, encoding=guessed, heads=frozenset(heads))
 
 
 def _without_markup(cell: str) -> str:
@@ -173,8 +184,6 @@ def _separator(lines: list[str]) -> str:
     looked_at = [line for line in lines if line.strip()]
     if all(line.strip().startswith("|") or _RULE.fullmatch(line) for line in looked_at):
         return "|"
-    if any({"|", "-"} <= {*line} and _RULE.fullmatch(line) for line in looked_at):
-        return "|"  # a table within a text of Markdown
     best, best_score, rows = ",", (0, 0), 0
     for separator in _SEPARATORS:
         try:

@@ -14,14 +14,18 @@ from fieldspec.tools.lists.orders import joined_order
 from fieldspec.tools.lists.words import folded, meaning
 
 _WORD_BITS = 16
+_LONGEST = 400
+"""The most characters of a type with what its values mean; a longer text is a description."""
+
 _COMPOSED = re.compile(
-    r"(?P<sign>unsigned|uns|usigned|u|signed|sgn|s|)(?P<base>integer|int|word|float|real|double|bcd|bitfield|bitmap|bits?|enum|hex|)"
+    r"(?P<sign>unsigned|uns|usigned|ui|u|signed|sgn|si|s|)(?P<base>integer|int|word|float|real|double|bcd|bitfield|bitmap|bits?|enum|hex|)"
     r"(?P<bits>8|16|24|32|48|64)(?P<late>u|s|i|)(?:bits?|flags?|t|)(?P<order>|abcd|cdab|dcba|badc|be|le|sw|swapped|msw|lsw|big|little|bigendian|littleendian)"
 )
 _EARLY_BITS = re.compile(r"(8|16|32|64)(?:bits(?!igned)|bit)(.*)")
 _LENGTH = re.compile(
     r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*\u00d7]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
 )
+_SCALED = re.compile(r"(.+?)\s*([/÷:*\u00d7]\s*(?:0[.,][0-9]+|10+))")
 _SIZED = re.compile(r"([0-9]{1,2})\s*-?(byte|bit|word|register)s?", re.IGNORECASE)
 _ORDERED = re.compile(
     r"(float|real|f32|u?int32|[ui]32|dint|u?dint|dword|long)[\s_-]*(sw|swap|swapped|swappedwords|inverse|rev)"
@@ -61,7 +65,7 @@ class Typed:
 
     `bits` is its size where only that is said, `length` a number in brackets: of characters, or of elements. `order`
     is that of the bytes, such as `CDAB`, and empty if the type does not say it. `aside` are the words in brackets
-    after it that say something else.
+    after it that say something else, `factor` is a scale after it, `digits` the representation of BCD.
     """
 
     name: str = ""
@@ -71,6 +75,8 @@ class Typed:
     length: int = 0
     order: str = ""
     aside: str = ""
+    factor: str = ""
+    digits: str = ""
 
     def fits(self, name: str) -> bool:
         """Whether the type with a name agrees."""
@@ -107,7 +113,7 @@ class Typed:
 def typed(text: str) -> Typed | None:
     """The type that a text names, None if it names none that is known."""
     text = unicodedata.normalize("NFKC", text).strip().strip("`*").strip()
-    if not text:
+    if not text or len(text) > _LONGEST:
         return None
     if known := _known(text):
         return known
@@ -125,6 +131,10 @@ def typed(text: str) -> Typed | None:
         stated = meaning("orders", text[blank.end() :])
         if stated and (inner := typed(text[: blank.start()])) is not None:
             return replace(inner, order=stated)
+    if text.casefold().endswith("bcd") and (inner := typed(text[:-3].rstrip(" _-"))) and inner.kind is not Loose.TRUTH:
+        return replace(inner, digits="bcd")
+    if (scaled := _SCALED.fullmatch(text)) and (inner := typed(scaled[1])) and inner.name != "text":
+        return replace(inner, factor=scaled[2])
     length = _LENGTH.search(text)
     if length and (inner := typed(text[: length.start()])) and not inner.length:
         return replace(inner, length=int(next(filter(None, length.groups()))))
@@ -162,6 +172,8 @@ def _known(text: str) -> Typed | None:
         return Typed("", Loose.TRUTH)
     if loose:
         return Typed("", Loose.WHOLE, loose == "signed")
+    if word in ("bcd", "packedbcd"):
+        return Typed(kind=Loose.WHOLE, digits="bcd")
     if sized := _SIZED.fullmatch(text):
         unit = {"byte": 8, "bit": 1}.get(sized[2].casefold(), _WORD_BITS)
         return Typed(kind=Loose.WHOLE, bits=int(sized[1]) * unit)
@@ -178,15 +190,14 @@ def _composed(word: str) -> Typed | None:
     if parts is None or not (parts["sign"] or parts["base"] or parts["late"]):
         return None
     base, bits = parts["base"], parts["bits"]
-    if base == "bcd":
-        return None
     if base in ("float", "real", "double"):
         name = f"f{bits}"
     else:
-        unsigned = parts["sign"] in ("unsigned", "uns", "usigned", "u") or parts["late"] == "u"
-        signed = parts["sign"] in ("signed", "sgn", "s") or parts["late"] in ("s", "i")
+        unsigned = parts["sign"].startswith(("u",)) or parts["late"] == "u"
+        signed = parts["sign"].startswith("s") or parts["late"] in ("s", "i")
         if base in ("int", "integer") and not unsigned:
             signed = True
         name = f"{'i' if signed else 'u'}{bits}"
     order = meaning("orders", parts["order"]) if parts["order"] else ""
-    return Typed(name, order=order) if name in PRIMITIVES else None
+    digits = "bcd" if base == "bcd" else ""
+    return Typed(name, order=order, digits=digits) if name in PRIMITIVES else None

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.spreadsheet import clean
-from fieldspec.tools.lists.column_roles import role_count
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
+from fieldspec.tools.lists.tables import role_count
 from fieldspec.tools.lists.words import meaning
 from fieldspec.tools.lists.workbook_size import used_area
 

@@ -21,7 +21,7 @@ from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.formats.format_rows import FormatRows, decimal
 from fieldspec.tools.lists.listing import Listing
-from fieldspec.tools.lists.object_rows import OBJECTS, TEXT_BYTES
+from fieldspec.tools.lists.object_rows import OBJECTS, TEXT_BYTES, object_of
 from fieldspec.tools.lists.row_reading import PARAMETER, ListRow
 from fieldspec.tools.lists.sheet import MOST_ROWS, ListError, Sheet
 from fieldspec.tools.lists.type_words import Typed
@@ -218,23 +218,13 @@ def _add_object(
 
 def _add_elements(rows: FormatRows, head: _Section, number: int, elements: Mapping[tuple[int, int], _Element]) -> None:
     """Adds an object that consists of elements, and these; without one that has a size it is refused."""
-    sized = {place: element for place, element in elements.items() if _type(element.variable)}
+    sized = [_row(part.section, part.variable, place) for place, part in elements.items() if _type(part.variable)]
     if not sized:
         rows.refuse(head.line, _cells(head), "has no element of a type whose size is known")
     else:
-        usual = sized[max(sized)].variable
         name = head.pairs.get("ParameterName", "")
-        row = ListRow(
-            0,
-            number,
-            names=(name,),
-            type=Typed(_type(usual)),
-            texts={"space": OBJECTS, "bytes": _bytes(usual), "label": name},
-            count=max(place[1] for place in sized) + 1,
-            kind=PARAMETER,
-            space=OBJECTS,
-        )
-        rows.add(head.line, _cells(head), row)
+        whole = ListRow(0, number, names=(name,), texts={"label": name})
+        rows.add(head.line, _cells(head), object_of(whole, sized))
     for place, element in sorted(elements.items()):
         _add(rows, element, place)
 
@@ -299,7 +289,7 @@ def _row(section: _Section, variable: Any, place: tuple[int, int] | None) -> Lis
         variable.index,
         names=(variable.name,),
         type=Typed(name),
-        access=_ACCESSES[access],
+        access=_ACCESSES.get(access, ""),
         low=_number(texts.get("min", ""), name),
         high=_number(texts.get("max", ""), name),
         default=value if initial == "default" else None,

@@ -14,10 +14,14 @@ from fieldspec.tools.lists.sheet import ListError
 
 _TAG = re.compile(r"(?m)(?<=[:\-\[,{?] )![A-Za-z_]*|^![A-Za-z_]+")
 
+_ALIAS = re.compile(r"(?m)(?<=: )\*([A-Za-z_]\w*)(?=[ \t]*(?:#.*)?$)")
+"""A reference to a value, which a part of a file may lack."""
+
 
 def tree(text: str) -> Node:
     """The tree of a file. Raises ListError."""
     bare = _TAG.sub(lambda match: " " * len(match[0]), text)
+    bare = _ALIAS.sub(lambda match: match[0] if f"&{match[1]}" in text else f" {match[1]}", bare)
     file, problems = decoded("", bare.encode("utf-8", "replace"))
     node: Node | None = None
     if not problems:

@@ -1,0 +1,197 @@
+"""The tables of a sheet: their headings, the rows below them, and several tables as one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import reduce
+from itertools import pairwise
+
+from fieldspec.foundation.classes import replace
+from fieldspec.tools.lists.addresses import address_text
+from fieldspec.tools.lists.column_contents import is_place
+from fieldspec.tools.lists.column_roles import (
+    LOOKED_AT,
+    Columns,
+    address_rank,
+    column_index,
+    column_number,
+    guessed_columns,
+    headings_text,
+    whole_words,
+)
+from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
+from fieldspec.tools.lists.words import folded
+
+_HEADED_BY = 40
+"""The number of rows among which the heading is searched."""
+
+_MOST_HEADING_ROWS = 3
+_MOST_TABLES, _MOST_MARKED_TABLES = 40, 200
+_LONGEST_HEADING = 100
+
+
+def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
+    """The columns of a sheet. `names` has a heading, a letter or a number for some roles.
+
+    Raises ListError if no column has addresses.
+    """
+    if not sheet.rows:
+        raise ListError("is empty")
+    if sheet.heads and (marked := _marked_tables(sheet, names)) is not None:
+        return marked
+    best: Columns | None = None
+    earlier: list[Columns] = []
+    for index, row in enumerate(sheet.rows[:_HEADED_BY]):
+        if not _is_heading(row):
+            continue
+        for last in range(index, min(index + _MOST_HEADING_ROWS, len(sheet.rows))):
+            below = sheet.rows[index : last + 1]
+            if not all(_is_heading(row_below) for row_below in below) or (last - index and not _continues(below)):
+                break
+            parts = _heading_parts(below)
+            candidate = guessed_columns(parts, names, sheet.rows[last + 1 :])
+            if candidate is not None and last == index and candidate.headed > 1:
+                earlier.append(candidate)
+            if candidate is not None and (best is None or candidate.headed >= best.headed + (last == index)):
+                best = candidate
+    if best is None:
+        best = _without_heading(sheet, names)
+    if not best.rows:
+        raise ListError("has a heading and no rows")
+    if names:
+        return best
+    first_row = best.rows[0].number
+    tables = (table for table in earlier if _has_rows_before(table, first_row))
+    return _with_further_tables(next(tables, best))
+
+
+def _marked_tables(sheet: Sheet, names: Mapping[str, str]) -> Columns | None:
+    """The columns of all tables with addresses of a sheet that marks its headings; None if it has none."""
+    starts = [index for index, row in enumerate(sheet.rows) if row.number in sheet.heads]
+    if len(starts) > _MOST_MARKED_TABLES:
+        raise ListError(f"has more than {_MOST_MARKED_TABLES} tables; a list of registers has fewer")
+    parts: list[tuple[SheetRow, int, Columns | None]] = []
+    for start, end in pairwise([*starts, len(sheet.rows)]):
+        head = sheet.rows[start]
+        rows = tuple(row for row in sheet.rows[start + 1 : end] if sum(map(bool, row.cells)) > 1)
+        table = guessed_columns([[cell] if cell else [] for cell in head.cells], names, rows) if rows else None
+        has_addresses = table is not None and any(is_place(table.cell(row, "address")) for row in rows)
+        parts.append((head, len(rows), table if has_addresses else None))
+    ranks = [address_rank(table.heading("address")) if table is not None else 0 for _, _, table in parts]
+    tables = [table for (_, _, table), rank in zip(parts, ranks, strict=True) if table and rank == max(ranks)]
+    used = set(map(id, tables))
+    other_tables = tuple((head, number) for head, number, table in parts if number and id(table) not in used)
+    return replace(reduce(_joined, tables), other_tables=other_tables) if tables else None
+
+
+def _has_rows_before(table: Columns, number: int) -> bool:
+    """Whether a table has rows with addresses before that of a number, below a heading whose words are all known."""
+    heads = [folded(text) for text in table.headings if text]
+    texts = (table.cell(row, "address") for row in table.rows if row.number < number - 1)
+    return all(head in whole_words() for head in heads) and any(address_text(text) for text in texts)
+
+
+def _with_further_tables(first: Columns) -> Columns:
+    """The columns of a sheet, with the rows of the tables below in them, each of which has a heading of its own."""
+    tables = [(first, 0, first.headings)]
+    for index, row in enumerate(first.rows):
+        roles = [whole_words().get(folded(cell)) for cell in row.cells if cell]
+        is_heading = "address" in roles and roles.count(None) * 2 <= len(roles) and row.cells != tables[-1][2]
+        text = row.cell(tables[-1][0].places["address"])
+        is_heading = is_heading and (folded(text) in whole_words() or address_text(text) is None)
+        if is_heading and len(tables) < _MOST_TABLES:
+            sample = first.rows[index + 1 : index + 1 + LOOKED_AT]
+            further = guessed_columns([[cell] if cell else [] for cell in row.cells], {}, sample)
+            if further is not None and further.headed > 1:
+                tables.append((further, index + 1, row.cells))
+    ends = [start - 1 for _, start, _ in tables[1:]] + [len(first.rows)]
+    parts = [replace(table, rows=first.rows[start:end]) for (table, start, _), end in zip(tables, ends, strict=True)]
+    return reduce(_joined, parts)
+
+
+def _joined(first: Columns, further: Columns) -> Columns:
+    """Two tables as one: columns of a role that both have are one, and others follow the columns of the first table."""
+    headings = [*first.headings]
+    places, further_columns = dict(first.places), dict(first.more)
+    targets: dict[int, int] = {}
+    unused = {folded(first.heading_at(column)): column for column in first.unused()}
+    for role, column in further.places.items():
+        targets[column] = places.setdefault(role, unused.get(folded(further.heading_at(column)), len(headings)))
+        headings += [further.heading_at(column)] if targets[column] == len(headings) else []
+    unused |= {folded(first.heading(role)): first.places[role] for role in first.by_cells}
+    for column in range(max((len(row.cells) for row in further.rows), default=0)):
+        if column not in targets:
+            targets[column] = unused.get(folded(further.heading_at(column)), len(headings))
+            headings += [further.heading_at(column)] if targets[column] == len(headings) else []
+    for role, columns_of_role in further.more.items():
+        further_columns[role] = (*further_columns.get(role, ()), *(targets[column] for column in columns_of_role))
+    rows = list(first.rows)
+    for row in further.rows:
+        cells = [""] * len(headings)
+        for column, target in targets.items():
+            cells[target] = row.cell(column)
+        rows.append(SheetRow(row.number, tuple(cells)))
+    by_cells = tuple(dict.fromkeys((*first.by_cells, *further.by_cells)))
+    return Columns(places, tuple(headings), tuple(rows), further_columns, by_cells)
+
+
+def role_count(sheet: Sheet) -> int:
+    """How many columns of a sheet have a role by a heading, with addresses below it; 0 where there are none."""
+    try:
+        ranked_columns = columns(sheet, {})
+    except ListError:
+        return 0
+    return ranked_columns.headed if ranked_columns.headings else 0
+
+
+def _is_heading(row: SheetRow) -> bool:
+    """Whether a row may be a heading: it has texts, and none of them is an address with digits."""
+    filled = [cell for cell in row.cells if cell]
+    numbers = sum(cell[:1].isdigit() and address_text(cell) is not None for cell in filled)
+    return bool(filled) and not numbers and max(map(len, filled)) <= _LONGEST_HEADING
+
+
+def _continues(rows: Sequence[SheetRow]) -> bool:
+    """Whether the last of some rows continues the heading above: half of its cells are headings, or in brackets."""
+    counts = [sum(map(bool, row.cells)) for row in rows]
+    labels = sum(folded(cell) in whole_words() or cell.startswith(("(", "[")) for cell in rows[-1].cells if cell)
+    return counts[0] > 1 and counts[-1] <= max(counts[:-1]) and labels * 2 >= counts[-1]
+
+
+def _heading_parts(rows: Sequence[SheetRow]) -> list[list[str]]:
+    """The texts of each column in the rows of a heading. A text over several columns counts for all of them."""
+    width = max(len(row.cells) for row in rows)
+    parts: list[list[str]] = []
+    for column in range(width):
+        texts = []
+        for number, row in enumerate(rows):
+            text = row.cell(column)
+            later = any(below.cell(column) for below in rows[number + 1 :])
+            if not text and later and column and parts[column - 1] and not number:
+                text = parts[column - 1][0]
+            if text:
+                texts.append(text)
+        parts.append(texts)
+    return parts
+
+
+def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
+    """The columns of a list whose first row is data, or a heading that names no role."""
+    first = sheet.rows[0]
+    width = max(len(row.cells) for row in sheet.rows)
+    heads = first.cells if _is_heading(first) else ()
+    headings = headings_text(heads)
+    places = {}
+    for role, text in names.items():
+        column = column_index(heads, text) if heads else None
+        column = column_number(text, width) if column is None else column
+        if column is None:
+            raise ListError(f"has no column {text}; choose from {headings}, or give a letter or a number")
+        places[role] = column
+    if "address" not in places:
+        raise ListError(
+            f"has no column that looks like addresses ({headings}); name it with --address, by its heading, letter or "
+            "number"
+        )
+    rows = sheet.rows[1:] if heads else sheet.rows
+    return Columns(places, heads, rows)
