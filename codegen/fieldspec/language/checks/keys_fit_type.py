@@ -89,7 +89,13 @@ def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
         manner = "as characters, the most significant digit first," if value.has_characters else "by a codec"
         text = f"{fact.name} is sent {manner} and has no byte order"
         yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
-    elif value.type.is_number and not value.has_order and "byte_order" in fact.place and value.type.name != BIT:
+    elif (
+        value.size == 1
+        and not value.has_order
+        and value.type.is_number
+        and "byte_order" in fact.place
+        and value.type.name != BIT
+    ):
         text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"
         yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or correct the type")
     for key in ("word_order", "write_word_order"):

@@ -173,9 +173,9 @@ def signed_words(bits: int) -> dict[str, str]:
     """The words of the function from the bits of a signed number that has fewer bits than its type to the number."""
     number = machine(Whole(bits, Sign.COMPLEMENT))
     sign = f"0x{1 << bits - 1:X}"
-    sign, least = (f"{sign}u", sign) if bits < 32 else (f"UINT64_C({sign})", f"INT64_C({sign})")
+    sign, lowest = (f"{sign}u", sign) if bits < 32 else (f"UINT64_C({sign})", f"INT64_C({sign})")
     words = {"signed": f"signed_{bits}", "number_type": number.type, "word_type": number.word}
-    return {**words, "SIGN": sign, "LEAST": least}
+    return {**words, "SIGN": sign, "LEAST": lowest}
 
 
 def _magnitude_words(bits: int) -> dict[str, str]:
