@@ -20,6 +20,7 @@ from fieldspec.command.sources import specs
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.behaviour.part import ASSUMED, NOT_MODELLED, STANDINGS
 from fieldspec.language.behaviour.reading import behaviour_of
+from fieldspec.language.model.link import Link
 from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
 from fieldspec.tools.lists.dump import dump, dump_sheet
 from fieldspec.tools.lists.list_file import content_sheet
@@ -55,6 +56,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 0
     if not layout.links:
         raise UsageError(f"{arguments.device} has no link, so there is nothing to serve")
+    settings = {name: _line_settings(link.link, arguments) for name, link in layout.links.items()}
     simulation = Simulation(
         layout,
         behaviour,
@@ -74,8 +76,7 @@ def run(arguments: argparse.Namespace) -> int:
             recording = Path(arguments.record).open("w", encoding="utf-8", newline="\n")  # noqa: SIM115
             simulation.listeners.append(_Recorder(recording).write)
         for link, place in places:
-            settings = settings_of(layout.links[link].link, arguments.baud, arguments.parity, arguments.data_bits)
-            name = _served(simulation, link, place, settings, is_stated=bool(arguments.port))
+            name = _served(simulation, link, place, settings[link], is_stated=bool(arguments.port))
             print_note(f"{layout.device.id} {layout.device.version}, {link}: {name}")
         if arguments.websocket is not None:
             for link, name in _serve_browsers(simulation, arguments.websocket).items():
@@ -99,6 +100,21 @@ def run(arguments: argparse.Namespace) -> int:
         if recording is not None:
             recording.close()
     return 0
+
+
+def _line_settings(link: Link, arguments: argparse.Namespace) -> LineSettings:
+    """The settings of a serial line. Raises UsageError for a setting that the device does not have."""
+    if link.serial is not None:
+        serial = link.serial
+        for option, number, choices in (
+            ("baud", arguments.baud, serial.baud),
+            ("parity", arguments.parity, serial.parity),
+            ("data-bits", arguments.data_bits, serial.data_bits),
+        ):
+            if number is not None and choices and number not in choices:
+                listed = ", ".join(map(str, choices))
+                raise UsageError(f"{link.name} has no --{option} {number}; choose from {listed}")
+    return settings_of(link, arguments.baud, arguments.parity, arguments.data_bits)
 
 
 def _served(simulation: Simulation, link: str, place: str, settings: LineSettings, is_stated: bool) -> str:
