@@ -167,6 +167,12 @@ DONE_CASES = (
     Case(
         done_is_at_the_target,
         37,
+        ("p500", EDGE, "refused:absolute:0:500", "", DONE),
+        ("p400", EDGE, "refused:absolute:0:500", "", DONE),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
         ("p500", EDGE, "ask:start_absolute accepted:absolute:1:500 w1", DONE),
         ("p400", EDGE, "ask:start_absolute accepted:absolute:1:500 w1", DONE),
     ),

@@ -253,12 +253,23 @@ class History:
         return result
 
     def accepted(self, calls: Calls, first: int, last: int) -> list[tuple[int, Event]]:
-        """The commands of a block that the device has accepted between two scans, both included."""
+        """The commands of a block that the device has accepted between two scans, both included.
+
+        A move that is refused where the axis stands at its target is one of them: it is done.
+        """
         return [
             (scan, event)
             for scan, event, owner in self.owners
-            if first <= scan <= last and event.kind == "accepted" and owner == calls.name
+            if first <= scan <= last
+            and owner == calls.name
+            and (event.kind == "accepted" or self.is_refused_in_place(scan, event))
         ]
+
+    def is_refused_in_place(self, scan: int, event: Event) -> bool:
+        """Whether the device refuses a move to where the axis stands. A block may see only that it stands there."""
+        state = self.scans[scan].state
+        stands = not state.number and not state.velocity and abs(state.position - event.value) <= 0.5
+        return event.kind == "refused" and event.about == "absolute" and stands
 
     def stop_follows(self, first: int, most: int) -> bool | None:
         """Whether a stop is among the next requests from a scan on; None where the record ends too early to say.

@@ -82,14 +82,20 @@ MOTION_CASES = (
     Case(
         who_is_refused_ends_with_an_error,
         17,
-        ("", EDGE, "refused:absolute", "", "-Move.Busy +Move.Error"),
-        ("", EDGE, "refused:absolute", "", DONE),
+        ("", EDGE, "refused:absolute:0:500", "", "-Move.Busy +Move.Error"),
+        ("", EDGE, "refused:absolute:0:500", "", DONE),
     ),
     Case(
         who_is_refused_ends_with_an_error,
         17,
-        ("ms:50", EDGE, "refused:absolute", "", "-Move.Busy +Move.Error x300"),
-        ("ms:50", EDGE, "refused:absolute", "x300"),
+        ("p500", EDGE, "refused:absolute:0:500", "", DONE),
+        ("p500 v9", EDGE, "refused:absolute:0:500", "", DONE),
+    ),
+    Case(
+        who_is_refused_ends_with_an_error,
+        17,
+        ("ms:50", EDGE, "refused:absolute:0:500", "", "-Move.Busy +Move.Error x300"),
+        ("ms:50", EDGE, "refused:absolute:0:500", "x300"),
     ),
     Case(
         two_edges_start_once,
@@ -190,8 +196,8 @@ MOTION_CASES = (
     Case(
         who_is_refused_ends_with_an_error,
         17,
-        ("", EDGE, "refused:absolute", "+Other.Execute +Other.Busy", "-Move.Busy +Move.CommandAborted"),
-        ("", EDGE, "refused:absolute", "", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, "refused:absolute:0:500", "+Other.Execute +Other.Busy", "-Move.Busy +Move.CommandAborted"),
+        ("", EDGE, "refused:absolute:0:500", "", "-Move.Busy +Move.CommandAborted"),
     ),
     Case(
         two_edges_start_once,

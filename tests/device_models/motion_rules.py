@@ -89,7 +89,7 @@ def who_is_refused_ends_with_an_error(history: History) -> Iterator[Violation]:
     """Rule 17: a block whose command the device refuses ends with Error, never with Done, nor as if it was followed."""
     for scan, event, owner in history.owners:
         calls = history.blocks[owner]
-        if event.kind == "refused" and calls.busy_at(scan):
+        if event.kind == "refused" and calls.busy_at(scan) and not history.is_refused_in_place(scan, event):
             ending = _end_after(calls, scan)
             if ending is None:
                 if _is_clear(history, scan):

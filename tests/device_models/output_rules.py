@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from device_models.history import ENDS, JOGS, LOCKS, MOTIONS, Calls, History, Violation, starts
+from device_models.motion_rules import _is_replaced
 
 REFUSED = 1
 """The ErrorID of a value that is refused."""
@@ -115,7 +116,8 @@ def values_count_at_the_edge(history: History) -> Iterator[Violation]:
             last = calls.index_at(scan) if calls.kind in JOGS else index
             inputs = (history.scans[calls.scans[place]].inputs for place in range(index, last + 1))
             speeds = [history.speed_of(calls.name, item) for item in inputs]
-            if not any(speed is None or abs(speed - event.speed) <= SPEED_STEP for speed in speeds):
+            is_right = any(speed is None or abs(speed - event.speed) <= SPEED_STEP for speed in speeds)
+            if event.kind == "accepted" and not is_right:
                 text = f"the speed {event.speed:g} is asked for, and the inputs were {speeds[0]:g} at the edge"
                 yield Violation(rule, scan, calls.name, text)
 
@@ -154,7 +156,8 @@ def done_is_for_the_last_edge(history: History) -> Iterator[Violation]:
 def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
     """Rule 12: a value out of range is Error 1 in the scan of the edge, and nothing is sent.
 
-    A block that is Busy with its own motion ends that first, and then it is Error 1.
+    A block that is Busy with its own motion ends that first, and then it is Error 1. So it does where another block
+    aborts that motion in the scan of the edge.
     """
     for calls in _edged(history):
         for index, scan in _edges(calls):
@@ -173,6 +176,9 @@ def values_out_of_range_are_refused(history: History) -> Iterator[Violation]:
             when, begin = calls.scans[place], calls.scans[max(calls.begin_before(scan), 0)]
             another = calls.error[place] != REFUSED and not _is_locked(history, when)
             if "CommandAborted" in calls.ends[place] and ends_first and _is_locked(history, when):
+                continue
+            was_busy = index > 0 and calls.busy[index - 1]
+            if "CommandAborted" in calls.ends[place] and was_busy and _is_replaced(history, calls, begin, when):
                 continue
             if calls.ends[place] != "Error" or (another and not (ends_first and _is_hindered(history, begin, when))):
                 text = f"a value out of range ends with {calls.ends[place] or 'nothing'} {calls.error[place]}"
