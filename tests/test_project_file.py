@@ -101,10 +101,16 @@ def test_the_command_line_takes_the_place_of_the_file(bench: Bench) -> None:
     state(bench, "folder: gen\nversions: newest\noutputs: {vectors: }\n")
     assert build(bench, "--to", "wireshark", "--out", "here") == 0
     assert paths(bench.folder / "here") == {"wireshark/gizmo_v1.lua", f"wireshark/glider_x_{NEW}.lua", "manifest.json"}
+
+
+def test_a_named_version_is_built_in_addition_to_the_chosen_ones(bench: Bench) -> None:
     state(bench, "outputs: {wireshark: , c: {versions: newest, tests: none}}\nversions: newest\n")
     assert build(bench, "glider-x@1.0") == 0
     assert paths(bench.folder / "generated") == {
         f"wireshark/glider_x_{OLD}.lua",
+        f"wireshark/glider_x_{NEW}.lua",
+        f"c/glider_x_{NEW}.h",
+        f"c/glider_x_{NEW}_constants.h",
         f"c/glider_x_{OLD}.h",
         f"c/glider_x_{OLD}_constants.h",
         f"c/glider_x_{OLD}_selftest.c",
@@ -112,8 +118,16 @@ def test_the_command_line_takes_the_place_of_the_file(bench: Bench) -> None:
         "c/glider_x.h",
         "manifest.json",
     }
+    header = (bench.folder / "generated/c/glider_x.h").read_text("utf-8")
+    assert header.index(f"glider_x_{OLD}.h") != header.index(f"glider_x_{NEW}.h")
     assert build(bench) == 0
     assert not [path for path in paths(bench.folder / "generated") if OLD in path]
+
+
+def test_a_named_version_is_built_alone_into_a_named_folder(bench: Bench) -> None:
+    state(bench, "outputs: {wireshark: }\nversions: newest\n")
+    assert build(bench, "glider-x@1.0", "--out", "here") == 0
+    assert paths(bench.folder / "here") == {f"wireshark/glider_x_{OLD}.lua", "manifest.json"}
 
 
 WRONG = {

@@ -135,6 +135,7 @@ def _build_stale(
                     ""
                     if memory is not None and DOCUMENTATION not in plan.outputs
                     else earlier.key(spec.id, spec.files),
+                    adds=build_request.adds,
                 )
             )
     lacking = [name for name in build_request.outputs if name not in shared]

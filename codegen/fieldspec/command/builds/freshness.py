@@ -48,13 +48,15 @@ class Built:
 class BuildRequest:
     """The selection for a build: outputs, and devices with their versions; no version means all, no device means all.
 
-    Outputs that are `required` must express each device. `project` has the choices of the project file.
+    Outputs that are `required` must express each device. `project` has the choices of the project file. A request that
+    `adds` builds versions in addition to the chosen ones, so that files of several versions keep all of them.
     """
 
     outputs: tuple[str, ...]
     devices: dict[str, frozenset[str]]
     required: bool = False
     project: ProjectChoices = field(default_factory=lambda: ProjectChoices(None, ""))
+    adds: bool = False
 
     def outputs_of(self, device: str) -> tuple[str, ...]:
         """The outputs of a device: those that are named, or else those that the project file chooses."""

@@ -43,10 +43,10 @@ class Task:
 
     `judged` are the outputs whose refusals are computed, including outputs that are not rebuilt. Where they are
     `required`, one that cannot express the device keeps the others from being built; else it is left out. `manual` is
-    the index of its manual, for the audit in its documentation. `choice` is that of the project file, which does not
-    matter where versions are named. `key` is that under which its spellings are in the cache, empty where they are not;
-    `spellings` are the spellings of another process, and `lends` is true if another process needs the spellings of this
-    task.
+    the index of its manual, for the audit in its documentation. `choice` is that of the project file; the versions are
+    built instead of the chosen ones, or in addition to them if the task `adds`. `key` is that under which its spellings
+    are in the cache, empty where they are not; `spellings` are the spellings of another process, and `lends` is true if
+    another process needs the spellings of this task.
     """
 
     device: str
@@ -60,10 +60,14 @@ class Task:
     key: str = ""
     spellings: Spellings = field(default_factory=dict)
     lends: bool = False
+    adds: bool = False
 
     def chosen(self, output: str, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:
         """The layouts of the versions of a device that an output has; at least that of the newest."""
-        return _chosen(self.choice.of(output).versions, layouts) or [layouts[-1]]
+        chosen = _chosen(self.choice.of(output).versions, layouts)
+        return [layout for layout in layouts if layout in chosen or layout.device.version in self.versions] or [
+            layouts[-1]
+        ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,7 +216,7 @@ def task_result(work: Work, task: Task) -> TaskResult:
     if has_errors(findings) or not task.judged:
         return TaskResult(task.device, findings, {}, {}, [])
     layouts = pipeline.layouts(spec, ran)
-    if task.versions:
+    if task.versions and not task.adds:
         layouts = [layout for layout in layouts if layout.device.version in task.versions]
         task = replace(task, choice=Choice())
     with_blocks = [replace(layout, blocks=task.choice.blocks) for layout in layouts]
@@ -240,7 +244,7 @@ def task_result(work: Work, task: Task) -> TaskResult:
             if name in refusing:
                 hashes[name] = {}
                 continue
-            if name == DOCUMENTATION and not task.versions:
+            if name == DOCUMENTATION and (task.adds or not task.versions):
                 from fieldspec.command.rendering.audit_pages import LINK, pages
                 from fieldspec.targets.docs.backend import fact_links
 
@@ -248,7 +252,7 @@ def task_result(work: Work, task: Task) -> TaskResult:
                 files |= pages(spec, layouts, task.manual, fact_links(chosen[name][-1], files), ran)
             else:
                 files = pipeline.output(name, chosen[name])
-                files = _without_tests(name, files, task.choice.of(name).tests, chosen[name])
+                files = _without_tests(name, files, task, chosen[name])
             hashes[name] = stage_changes(work, files, stale)
     spelling_cache.store(task.key, {name: rows for name, rows in spellings.items() if {*rows} - known.get(name, set())})
     return TaskResult(task.device, findings, identities, hashes, stale, refusals, spellings if task.lends else {})
@@ -261,13 +265,10 @@ def _chosen(choice: VersionChoice, layouts: Sequence[DeviceLayout]) -> list[Devi
     return [layout for layout in layouts if choice.includes(layout.device.version, newest)]
 
 
-def _without_tests(
-    name: str, files: dict[str, bytes], choice: VersionChoice, layouts: Sequence[DeviceLayout]
-) -> dict[str, bytes]:
-    """The files of an output without the tests of versions that are not chosen."""
-    without = {layout.device.version for layout in layouts} - {
-        layout.device.version for layout in _chosen(choice, layouts)
-    }
+def _without_tests(name: str, files: dict[str, bytes], task: Task, layouts: Sequence[DeviceLayout]) -> dict[str, bytes]:
+    """The files of an output without the tests of versions that are neither chosen nor named."""
+    tested = {layout.device.version for layout in _chosen(task.choice.of(name).tests, layouts)} | task.versions
+    without = {layout.device.version for layout in layouts} - tested
     stems = [stem(layout.device.id, version) for layout in layouts[-1:] for version in without]
     left_out = {f"{name}/{own}{ending}" for own in stems for ending in OUTPUTS[name].test_endings}
     return {path: content for path, content in files.items() if path not in left_out}

@@ -73,7 +73,7 @@ def build(arguments: argparse.Namespace, memory: BuildMemory | None = None) -> i
     for folder, devices in folders.items():
         versions = {device: requested[device] for device in devices if requested}
         outputs = requested_outputs or all_outputs
-        request = BuildRequest(outputs, versions, bool(requested_outputs), project)
+        request = BuildRequest(outputs, versions, bool(requested_outputs), project, adds=not arguments.out)
         chosen = {name for device in devices for name in request.outputs_of(device)}
         request = replace(request, outputs=tuple(name for name in request.outputs if name in chosen))
         among = {name: data for name, data in files.items() if name.partition("/")[0] in {*devices, PROTOCOLS}}
