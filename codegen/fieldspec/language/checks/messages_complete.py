@@ -10,8 +10,8 @@ Fix: Add the code, or correct one of them and write an erratum if the manual pri
 code and have subcodes, give each request the field with its subcode as a `const`, at the same offset, or a byte with a
 `range` of its own numbers. Responses need no subcode: without it, the request determines the expected response. A
 message that is sent only on links without codes names these links under `links`. A message that reads has a response on
-every link on which it is sent. An unrequested message has a code that no response has, or a constant at the same
-offset.
+every link on which it is sent. An unrequested message has a code that no response has, or differs from
+every response with its code in a constant at one common offset.
 """
 
 from __future__ import annotations
