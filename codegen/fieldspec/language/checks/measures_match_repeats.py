@@ -1,5 +1,5 @@
-"""The range of a field that carries the size of another field is from the least to the greatest size of that
-field. It is a whole number in a type without a sign, and only its range restricts it; it has no scale and no names.
+"""The range of a field that carries the size of another field is from the least to the greatest size of that field. The
+field is an unsigned whole number, restricted only by its range, without a scale or names.
 
 Why: the number of bytes or elements follows from the permitted repetitions, and encoders compute it. The manual prints
 both limits, so a misprint in one of them shows. A number of bytes or elements is never negative.

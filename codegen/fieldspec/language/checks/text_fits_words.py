@@ -1,4 +1,5 @@
-"""The permitted characters of a text fit its bytes, and so does its default. They are fewer than fit into its `length`.
+"""The permitted characters of a text, and its default, fit its bytes. `characters` is less than the number that fits
+into the `length`.
 
 Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator
 is required, because manuals rarely state whether there is one. Characters that the length allows anyway have no effect.
