@@ -6,7 +6,7 @@ both limits, so a misprint in one of them shows. A number of bytes or elements i
 
 Example: `values` has 1 to 60 words, and the byte count has the range `2..127`, but the maximum is 120 bytes.
 
-Fix: Correct the range or the repetitions, and write an erratum for the one that is misprinted.
+Fix: Correct the range or the repetitions, and write an erratum for the misprint.
 """
 
 from __future__ import annotations

@@ -83,7 +83,7 @@ file systems of users permit.
 Why: users whose file system does not permit the name can neither check out the specs nor write the outputs. A name with
 a line break or another invisible character misleads the reader.
 
-Example: a device `aux`, a version `con`, or `Motion.yaml` beside `motion.yaml`.
+Example: a device `aux`, a version `con`, or `Motion.yaml` next to `motion.yaml`.
 
 Fix: Choose another name.
 """,
@@ -247,8 +247,8 @@ Fix: Correct the first findings.
     "type_present": """The spec states the type of every value on the wire, once, and the keys of a value at the value
 itself.
 
-Why: width and sign are never guessed. A field with a record has no value of its own, so a unit, a range or a meaning
-there would have no effect.
+Why: width and sign are never guessed. A field with a record has no value, so a unit, a range or a meaning of this field
+would have no effect.
 
 Example: a register without `type`, a text without `length`, a field with both `type` and `record`, or with `record` and
 `unit`.
@@ -264,9 +264,9 @@ Example: `acces: rw`
 
 Fix: Correct the key; `docs/language.md` and the pages that it names list all keys.
 """,
-    "unknown_word": """A word is one of the words that its key permits.
+    "unknown_word": """A word is permitted by its key.
 
-Why: other words have no meaning there.
+Why: other words have no meaning for the key.
 
 Example: `access: readonly`
 
@@ -279,7 +279,7 @@ Why: reading a folder of specs must take a bounded time, even if its author is h
 
 Example: a chain of seventeen protocols, each of which uses the next.
 
-Fix: Combine related protocols, and let each protocol use the ones that it needs directly.
+Fix: Combine related protocols, and let each protocol use directly the protocols that it needs.
 """,
     "version_never": """The bounds of a fact permit at least one version.
 
