@@ -119,7 +119,7 @@ async def test_a_key_is_shown_as_the_manual_of_the_language_has_it(specs: Path) 
                 text = await hover_text(session, span)
                 # What is needed of the keys of every fact is said in a sentence below the table.
                 row, _, words = text.replace(", needed\n", "\n", 1).partition("\n\n|")
-                assert row.partition("\n\nWords:")[0].rstrip() in rows, (file, key, words)
+                assert row.partition("\n\nPermitted values:")[0].rstrip() in rows, (file, key, words)
 
 
 # The quantities that the manuals of the devices print for these numbers, which the specs have in counts.

@@ -44,8 +44,8 @@ _CHANGES = """\
 
 `fieldspec diff A B` assigns every difference between two versions of a device to one of these rules, and `fieldspec
 rule CODE` shows the entry of a rule. A and B are versions (`drive@1.5`), folders of specs, or git revisions (`HEAD~3`,
-`main:specs/drive`). Folders and revisions are compared version by version. A version that only B has is compared with
-the one that it is based on. The class of a change says whom it affects:
+`main:specs/drive`). Folders and revisions are compared version by version. A version that exists only in B is compared
+with its base version. The class of a change shows whom it affects:
 
 - `wire`: bytes have a different meaning. Programs read and write wrong values without an error.
 - `source`: generated names or types change. Programs must be changed.

@@ -11,13 +11,13 @@ Example: a field with `type: u16, digits: decimal, length: 5`.
 
 Fix: Do without the omitted facts, or state the digits as a text.
 """,
-    "output_has_codec": """The package that gives a codec has a text of it for the output.
+    "output_has_codec": """The package that provides a codec contains its text for the output.
 
-Why: the language does not say what the bytes are, so an output can only print what the package has.
+Why: the language does not describe the bytes, so an output can only contain the text from the package.
 
 Example: a field with `codec: acme_float` whose package has Python and C, in JavaScript.
 
-Fix: Do without what is left out, or add the text to the package. Outputs for controllers, dissectors, queries and word
+Fix: Do without the omitted facts, or add the text to the package. Outputs for controllers, dissectors, queries and word
 maps print none.
 """,
     "wireshark_parameters_typed": """The value of a parameter is a number or a text, for dissectors.
@@ -69,10 +69,10 @@ Fix: Do without the frames, or use another output: Python, JavaScript and C esca
 """,
     "output_registers_words": """Every register occupies whole words, in word maps.
 
-Why: several registers of bits or bytes share a word, and which ones depends on the request that reads them. A register
-whose words are read in one order and written in the other has two places for each of its bits.
+Why: several registers of bits or bytes share a word, and the request that reads them determines which registers. If the
+words of a register are read in one order and written in the other, each of its bits has two positions.
 
-Example: the control table of a servo, in a space with `unit: byte`.
+Example: the control table of a servo, in an address space with `unit: byte`.
 
 Fix: Do without the registers; the map contains the bytes of the messages that read and write them.
 """,

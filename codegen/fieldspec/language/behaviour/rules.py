@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 RULES = {
-    "behaviour_clear": """Every part of a behaviour, and every action of its rules, is of one kind and has only the keys
-of this kind. No two parts have the same name.
+    "behaviour_clear": """Every entry of a behaviour, and every action of its rules, is of one kind and has only the
+keys of this kind. No two entries have the same name.
 
-Why: a part with two kinds would have two effects, and a key of a different kind would have none.
+Why: an entry with two kinds would have two effects, and a key of a different kind would have no effect.
 
 Example: `{name: servo, machine: [off, on], show: servo_state}`.
 
-Fix: Write two parts, or remove the key.
+Fix: Write two entries, or remove the key.
 """,
     "behaviour_resolves": """Every name in a behaviour exists: signals, members, states, events, messages, limits,
 tables and collections.
@@ -19,11 +19,11 @@ Why: a rule that waits for a signal that does not exist silently never acts.
 
 Example: `if: {state/servo: running}` for a machine with the states `off` and `on`.
 
-Fix: Correct the name. If only some versions have it, give the part `since` or `until`.
+Fix: Correct the name. If only some versions have the name, give the entry `since` or `until`.
 """,
-    "behaviour_stated": """Every part of a behaviour cites the manual, or a standard, or states an assumption.
+    "behaviour_stated": """Every entry of a behaviour cites the manual or a standard, or states an assumption.
 
-Why: a simulator that invents behaviour is worse than none. Its users can list the assumptions.
+Why: a simulator that invents behaviour is worse than no simulator. The users of a simulator can list its assumptions.
 
 Example: a rule that starts homing, without `source`, `standard` or `assumed`.
 

@@ -1,10 +1,10 @@
-"""Each step of a message that accesses registers in several steps reads or writes words or bytes that the message
-carries, or changes the bits of one register by two masks. All of its numbers are integers, and each step has values of
-its own.
+"""If a message accesses registers in several steps, each step reads or writes words or bytes in the message, or changes
+the bits of one register by two masks. All numbers of a step are integers, and no two reads and no two writes share
+their `values`.
 
 Why: a simulated device carries out the steps, and explanations show their registers.
 
-Example: a step that writes without `values` and without masks; a step for a space of coils.
+Example: a step that writes without `values` and without masks; a step for an address space of coils.
 
 Fix: Correct the keys of the step, and leave out steps that access single bits.
 """

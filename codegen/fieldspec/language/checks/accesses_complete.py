@@ -1,15 +1,15 @@
-"""A request that accesses a space of registers contains only the address, the count and the values that `accesses`
-names, and computed or constant fields. The address and the count of several registers are not constant.
+"""A request that reads or writes registers contains only the address, the count and the values that `accesses` names,
+and computed or constant fields. The address and the count of several registers are not constant.
 
-Why: clients, simulators and `live` choose the message for any register of the space. They have no value for a further
-field, so they could not send the message, and the registers would be inaccessible. With a constant address they would
-reach only one register; with a constant count they would read values that were not requested.
+Why: clients, simulators and `live` use the message for every register of the address space. They have no value for a
+further field, so they could not send the message, and the registers would be inaccessible. With a constant address they
+would reach only one register; with a constant count they would read values that the user did not request.
 
 Example: a message that reads registers by `{name: address, type: u16}`, `{name: word_count, type: u16}` and
 `{name: area, type: u8}`, whose area is not stated.
 
-Fix: State `const` for a further field; if it has several values, state a message and a space for each. Or remove
-`accesses`: users then send the message with all its fields.
+Fix: State `const` for a further field; if the field has several values, state a message and an address space for each
+value. Or remove `accesses`: users then send the message with all its fields.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""A message that accesses a space carries its units: words as `u16`, bytes as `u8`, bits packed into a repeated `u8`,
-or a single bit as a number; `set` states which number means 1. The number of words or bytes in a write request is
-computed from the values.
+"""A message that accesses an address space carries the units of that space: words as `u16`, bytes as `u8`, bits packed
+into a repeated `u8`, or a single bit as a number; `set` states which number means 1. The number of words or bytes in a
+write request is computed from the values.
 
 Why: outputs read the value of a register from the data of the message. They need the position of each word or bit, and
 the number that stands for a bit that is 1.

@@ -1,4 +1,4 @@
-"""No two registers, arrays of registers or tables occupy the same address of a space.
+"""No two registers, arrays of registers or tables occupy the same address in one address space.
 
 Why: two names for one word are nearly always a mistake, and writing one changes the other.
 

@@ -1,11 +1,11 @@
 """The field with the first address can contain the address of every register that its message accesses.
 
-Why: outputs put the address of a register into that field. An address beyond its type or its range is rejected when a
+Why: outputs put the address of a register into that field. An address that does not fit the field is rejected when a
 program first requests the register, or loses its high bits.
 
-Example: a register at 0x1200 in a space whose reading message has `{name: address, type: u8}`.
+Example: a register at 0x1200 in an address space whose reading message has `{name: address, type: u8}`.
 
-Fix: Correct the type or the range of the field, the address, or the space of the register.
+Fix: Correct the type or the range of the field, or the address or the address space of the register.
 """
 
 from __future__ import annotations

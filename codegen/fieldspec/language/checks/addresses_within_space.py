@@ -1,12 +1,12 @@
 """Every register, array of registers and table is within the bounds of its address space.
 
-Why: a frame carries an address in 16 bits, and a space can have fewer addresses. An address outside the bounds cannot
-be read. The address, the stride, the number of elements or the bounds are wrong.
+Why: a frame carries an address in 16 bits, and an address space can have fewer addresses. An address outside the bounds
+cannot be read. The address, the stride, the number of elements or the bounds are wrong.
 
 Example: a table of 4096 elements with a stride of 0x10 that begins at 0x9000.
 
-Fix: Correct the address, the stride, the number of elements or the `bounds` of the space. Data with longer addresses
-is stated as `parameters`, whose numbers have up to 32 bits.
+Fix: Correct the address, the stride, the number of elements or the `bounds` of the address space. Data with longer
+addresses is stated as `parameters`, whose numbers have up to 32 bits.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 """A register or field with `same_as` has the type, scale, unit and range of the register or field that it names. If a
-record has `same_as`, this applies to the fields with the same name in both records; there is at least one.
+record has `same_as`, this applies to the fields with the same name in both records; at least one name is in both.
 
 Why: two descriptions of one value must agree. If they differ, one is misprinted, or the two are not the same
 value.

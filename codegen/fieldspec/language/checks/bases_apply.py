@@ -1,5 +1,5 @@
 """The `base_by` of a record table names a register with the address of the first element: a single readable whole
-number without a scale, names or special values. Its `range` includes the `base` of the table, its `default` equals the
+number without a scale, names or sentinels. Its `range` includes the `base` of the table, its `default` equals the
 `base`, and for every address in that range all elements are within the address space.
 
 Why: programs read the register, and use the addresses that follow from it. A value that is not an address leads them to

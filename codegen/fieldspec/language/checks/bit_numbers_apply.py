@@ -1,6 +1,6 @@
-"""Only a field of several bits has a sign, a scale or a unit, and then neither an enum nor an edge. Only a single
-bit has an active level and texts for 0 and 1. A signed field has fewer bits than its word. Only several bits in the
-data of a message, whose meaning is always the same, have a range.
+"""Only several bits together have a sign, a scale or a unit; such bits have neither an enum nor an edge. Only a single
+bit has an active level and texts for 0 and 1. A signed number has fewer bits than its word. Only several bits in the
+data of a message have a range, and only if their meaning is always the same.
 
 Why: a single bit is true or false, and enum members are not quantities. A word that is one number as a whole is a
 value. Codecs cannot evaluate a condition, and do not check the bits of a part of a frame.

@@ -1,9 +1,9 @@
-"""Every bit is within the type of its bit field, every value that uses the bit field holds all its bits and is not
-wider than its type, and at least one value has its full width.
+"""Every bit is within the type of its bit field. Every value that uses the bit field holds all its bits and is not
+wider than the bit field; at least one value is as wide as the bit field.
 
 Why: a bit outside of the word cannot be read: the word is too narrow or the bit number is wrong. If the bit field is
-wider than all its values, one of the types is wrong. In a wider value, the meaning of the other bits, and the half with
-the bit field, are unknown.
+wider than all its values, one of the types is wrong. In a wider value, it is unknown what the other bits mean, and
+which half is the bit field.
 
 Example: bit 16 in a bit field of type `u16`, a bit field with bit 9 in a `u8`, a bit field of type `u32` that only a
 `u16` uses, or a bit field of type `u16` in a `u32`.

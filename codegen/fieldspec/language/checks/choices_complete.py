@@ -1,7 +1,7 @@
 """The field that decides a choice comes before it in its record and is a single unsigned number with an enum; each
-member of that enum is in at most one case. A choice with several elements ends the data of a message or of an
-exception, and all before it has a fixed size. No field measures another choice, no parameter is in one, and no table
-has a choice.
+member of that enum is in at most one case. A choice with several elements ends the data of a message or of an exception
+response, and all fields before it have a fixed size. No field measures any other choice, no choice contains a
+parameter, and no table contains a choice.
 
 Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
 without a case, because the data that follow them are unknown. Only the end of the data ends the elements of a choice.

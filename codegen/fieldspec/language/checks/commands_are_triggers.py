@@ -2,7 +2,7 @@
 the role of an action, such as the start of a move, is a trigger too.
 
 Why: a value that cannot be read stores no setting, and a value with one member offers no choice. Writing it starts an
-action, and outputs warn only at triggers. Otherwise the access is misprinted.
+action, and outputs warn only at triggers. If no action starts, the access is misprinted.
 
 Example: a register without `trigger` but with `access: wo`, with `access: rw` and `const: 1`, or with `roles:
 move_start`.

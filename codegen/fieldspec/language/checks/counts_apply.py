@@ -1,13 +1,13 @@
-"""The `count_by` of a record table names a register in the space of the table: a single readable whole number without a
-scale, names or special values, whose `range` is within 0 and the `count` of the table.
+"""The `count_by` of a record table names a register in the address space of the table: a single readable whole number
+without a scale, names or sentinels, whose `range` is between 0 and the `count` of the table.
 
 Why: programs read the number of elements and request only these. Arrays have room for `count` elements, and the
 following addresses belong to other data.
 
 Example: `count: 4, count_by: module_count`, where `module_count` is a `u16` without a `range`.
 
-Fix: State the maximum number of elements under `count`, and give the register that `range`. If the number is always
-the same, state only `count`.
+Fix: State the maximum number of elements under `count`, and as the end of the register's `range`. If the number is
+always the same, state only `count`.
 """
 
 from __future__ import annotations

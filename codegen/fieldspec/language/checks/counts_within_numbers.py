@@ -3,7 +3,7 @@
 Why: if both ranges permit it, a request reaches beyond the last record, and the manual does not say how the device
 responds. A program that sends it deletes or reads the wrong data.
 
-Example: `first_point` with the range 1..31 beside `point_count` with the range 1..31: 31 points from 31 on.
+Example: `first_point` and `point_count`, each with the range 1..31: 31 points from 31 on.
 
 Fix: Narrow a range, if the manual says so. Otherwise state under `allow` what the manual leaves open, and write an
 erratum with `printed: {allow: ~}`.

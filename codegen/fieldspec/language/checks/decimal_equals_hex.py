@@ -3,7 +3,7 @@
 Why: manuals convert one column to the other by hand. If they differ, one of them leads the user to the wrong
 register.
 
-Example: 0x2011 beside 8208.
+Example: 0x2011 with the decimal address 8208.
 
 Fix: Use the neighbouring rows to decide which number is correct, and write an erratum for the other.
 """

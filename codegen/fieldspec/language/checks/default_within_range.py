@@ -5,8 +5,8 @@ Why: the factory setting of a device is a setting that it accepts. If the two di
 
 Example: a range of 1..127 with a default of -1.
 
-Fix: Correct the range or the default, and write an erratum. If the default is a special value outside the
-range, list it under `sentinels`.
+Fix: Correct the range or the default, and write an erratum. If the default outside the range represents a state, list
+it under `sentinels`.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
 """No two rows of a list, members of an enum, enums or bit fields have the same description. A repeated
 description is a warning and does not fail the check, because it does not affect the bytes.
 
-Why: a repeated description was usually copied from the row above and not changed, so that the reader takes an
-output for an input. Reserved rows may have the same description, and so may rows whose names differ only in a
-number.
+Why: a repeated description was usually copied from the row above and not changed, so the reader mistakes an output for
+an input. Reserved rows may have the same description, and so may rows whose names differ only in a number.
 
 Example: the registers inputs and outputs, both described as "The states of the inputs."
 

@@ -7,9 +7,9 @@ Example: `form: decimal` for a text, a setting that users write, or `detected_as
 `form: decimal` without `places` for the versions 1.00 and 1.20: no number means 1.20.
 
 Fix: Name a register, a parameter or a field of a response. State `form` and `places` for whole numbers only, and a
-different `detected_as` for each version. All lines with outputs state `detected_by` alike, or one of them does. Write
-the versions with `places` digits after the point. Name a value that all versions have at the same address; without such
-a value, omit `detected_by`.
+different `detected_as` for each version. All lines with outputs state the same `detected_by`, or only one line states
+it. Write the versions with `places` digits after the point. Name a value that all versions have at the same address;
+without such a value, omit `detected_by`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The printed elements of a table have the addresses and words that its base, stride and record give.
+"""The printed elements of a table have the addresses and words that follow from its base, stride and record.
 
 Why: a manual often prints the first and the last element in full. They confirm base, stride and count, or
 show that one of them is wrong.

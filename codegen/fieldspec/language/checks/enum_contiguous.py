@@ -7,7 +7,7 @@ list are not checked.
 Example: alarms 0 to 15 and 17.
 
 Fix: Transcribe the missing row, or declare the gap: `gaps: "16: the list goes from 15 to 17"`. Write an erratum if the
-manual should have the row. If the numbers are spread on purpose, write `sparse: true` instead.
+manual should have the row. If the numbers are intentionally not consecutive, write `sparse: true` instead.
 """
 
 from __future__ import annotations

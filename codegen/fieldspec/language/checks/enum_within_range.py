@@ -2,7 +2,7 @@
 
 Why: if a list of values goes beyond the printed range, one of the two was not updated.
 
-Example: a range of 0..13 beside a list of modes that goes to 16.
+Example: a range of 0..13 with a list of modes up to 16.
 
 Fix: Correct the range, and write an erratum. Members that the manual calls not available may be outside the
 range.

@@ -1,7 +1,7 @@
 """On links without codes, a constant in the data marks exception responses: a `field` of their record, at a fixed
-offset. No other response on the link has the bytes of this number there.
+offset. No other response on the link has the bytes of this number at that offset.
 
-Why: a decoder that cannot distinguish the two reads the exception as a normal response, or the reverse.
+Why: otherwise a decoder reads an exception response as a normal response, or the reverse.
 
 Example: `exception_response: {field: command, record: abort}` where `command` has the `const` 0x80, and a message whose
 response can begin with any byte.

@@ -1,7 +1,7 @@
 """A register or a field whose scale is read from the device is a whole number without a scale, offset or names of its
 own. Its `scale_by` names another register or, for a field, another field of the same record: a single readable whole
-number without a scale, whose `range` is within -22..22. The register with the exponent is in the same space as the
-scaled register, or as the tables with the scaled field.
+number without a scale, whose `range` is within -22..22. The register with the exponent is in the same address space as
+the scaled register, or as the tables with the scaled field.
 
 Why: programs read the exponent, and compute quantities with it. Beyond 10^22, a power of ten is not an exact
 floating-point

@@ -1,8 +1,8 @@
-"""A key has an effect together with the others: a constant has no default, a reserved fact has neither names nor a
-quantity, and a separator needs at least two fields.
+"""Every key of a fact has an effect: a constant has no default, a reserved fact has neither names nor a quantity, and a
+separator needs at least two fields.
 
-Why: a constant has no other initial value, and codecs do not use the names or the unit of a value that they ignore. One
-of the two keys is a mistake.
+Why: a constant is its own default, and codecs do not use the names or the unit of a value that they ignore. One of the
+two keys is a mistake.
 
 Example: a field with `const: 0xB4` and `default: 3`, or one with `reserved: true` and `unit: mm`.
 

@@ -1,4 +1,4 @@
-"""A limit with parts is their sum, and a limit with a bound does not exceed it. None is its own part or bound.
+"""A limit with parts is their sum, and a limit with a bound does not exceed it. No limit is its own part or bound.
 
 Why: a timeout of 600 ms is too short for a device that takes up to 400 ms to answer and 280 ms to send. The
 manual prints these numbers on different pages, where a wrong sum is not visible.

@@ -1,17 +1,17 @@
 """A link describes its frames completely: the byte order, one body, the code of a request, and which parts
 the length counts and the checksum covers. At most one link is the `default`.
 
-Why: the byte order is stated for each link and never assumed. A frame cannot be decoded if its message is not
-identified or its data has no place.
+Why: the byte order is stated for each link and never assumed. A frame cannot be decoded if no part identifies its
+message or carries its data.
 
 Example: a link with two messages whose requests have no part with the role `code`.
 
-Fix: Add the `byte_order` or the missing part, or list the parts in the order of the wire. Unit address, code, lengths
-and user fields come before the body; constants and reserved parts may be anywhere. A length counts adjacent parts that
-include the body. A checksum covers adjacent parts that do not include itself; an escaped one covers no length that
-counts the sent bytes. The byte that SLIP or COBS removes from frames is the delimiter. If frames really carry no code,
-name the link under `links` of each of its messages and omit their codes; the caller of the decoder then states the
-message.
+Fix: Add the `byte_order` or the missing part, or list the parts in the order of the wire. The unit address, the code,
+lengths and parts that the user supplies come before the body; constants and reserved parts can be anywhere. A length
+counts adjacent parts that include the body. A checksum covers adjacent parts that do not include itself; an escaped
+checksum covers no length that counts the sent bytes. The byte that SLIP or COBS removes from frames is the delimiter.
+If frames really carry no code, name the link under `links` of each of its messages and omit their codes; the caller of
+the decoder then states the message.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""A manual is one thing that others can find: a text, a document with pages, or a page on the web.
+"""A manual is stated in one form by which others can find it: as a text, a document with pages, or a page on the web.
 
-Why: a source is a line, a page or a section of that very text. A hash, or the day on which a page was read,
+Why: a source is a line, a page or a section of exactly this manual. A hash, or the day on which a page was read,
 distinguishes it from other editions, in which the source cannot be verified.
 
 Example: a manual with a `file` and neither `lines` nor `pages`, or with `lines` and a `url`.

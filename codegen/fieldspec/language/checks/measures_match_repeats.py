@@ -1,12 +1,12 @@
-"""The range of a field that carries the size of another field is from the least to the greatest size of that
-field. It is a whole number in a type without a sign, and only its range restricts it; it has no scale and no names.
+"""The range of a field that carries the size of another field is from the least to the greatest size of that field. The
+field is an unsigned whole number, restricted only by its range, without a scale or names.
 
 Why: the number of bytes or elements follows from the permitted repetitions, and encoders compute it. The manual prints
 both limits, so a misprint in one of them shows. A number of bytes or elements is never negative.
 
 Example: `values` has 1 to 60 words, and the byte count has the range `2..127`, but the maximum is 120 bytes.
 
-Fix: Correct the range or the repetitions, and write an erratum for the one that is misprinted.
+Fix: Correct the range or the repetitions, and write an erratum for the misprint.
 """
 
 from __future__ import annotations

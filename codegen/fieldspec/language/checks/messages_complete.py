@@ -1,17 +1,17 @@
-"""On links with codes, every message has its own code, or differs from the others with its code in a constant
-or in the range of a byte in its data. On links without codes, a message has its own number or none. A message is
+"""On links with codes, every message has a unique code, or differs from every message with the same code in a constant
+or in the range of a byte in its data. On links without codes, a message has a unique number or no number. A message is
 answered only on links on which it is sent.
 
 Why: a decoder identifies a message by its code, and people identify it by its number.
 
 Example: two commands with the code 0x44 on one link, or two telegrams with the number 111.
 
-Fix: Add the code, or correct one of them and write an erratum if the manual prints it that way. If commands share a
-code and have subcodes, give each request the field with its subcode as a `const`, at the same offset, or a byte with a
-`range` of its own numbers. Responses need no subcode: without it, the request determines the expected response. A
-message that is sent only on links without codes names these links under `links`. A message that reads has a response on
-every link on which it is sent. An unrequested message has a code that no response has, or a constant at the same
-offset.
+Fix: Add the code, or correct a code or a number, and write an erratum if the manual prints it that way. If commands
+share a code and have subcodes, give each request the field with its subcode as a `const`, at the same offset, or a byte
+with a `range` of its own numbers. Responses need no subcode: without it, the request determines the expected response.
+A message that is sent only on links without codes names these links under `links`. A message that reads has a response
+on every link on which it is sent. An unrequested message has a code that no response has, or differs from every
+response with its code in a constant at one common offset.
 """
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
-"""If registers are numbered as in another table of the manual, their addresses rise in equal steps with the numbers.
+"""If registers have the numbers of rows in another table of the manual, their addresses rise in equal steps with the
+numbers.
 
 Why: if parameter 0 is at the first address and each parameter has two words, all addresses follow. A row that
 does not follow has a misprinted address or number, or a row is missing from one of the tables.

@@ -1,7 +1,8 @@
 """All links of a device have the same byte order and the same word order. If the device has values of several words,
-such as registers or data counted in words, at least one link states the word order, and so does every link whose data
-is counted in words, and every link with values of several words if another link exchanges words. A value may override
-the order, and the order of a write only if it is writable and the order differs from the order of a read.
+such as registers or data counted in words, at least one link states the word order. Every link whose data is counted in
+words states it too, and so does every link with values of several words if another link exchanges words. A value can
+override the order. Only a writable value can override the order of a write, and only with an order that differs from
+the order of a read.
 
 Why: a value of several words needs a word order, which is stated and never assumed. One register cannot have two
 orders. A protocol with only bytes needs no word order.

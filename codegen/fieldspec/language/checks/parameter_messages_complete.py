@@ -1,5 +1,5 @@
-"""If a parameter applies to a message, it also applies to every message with at least the same signals, and
-to every message with a signal whose reference it is.
+"""If a parameter applies to a message, it also applies to every message with at least the same signals, and to every
+message with a signal that has the parameter as its reference.
 
 Why: the lists of messages next to parameters are not always updated when a message is added. A message that
 carries the same signals and more needs the same parameters.

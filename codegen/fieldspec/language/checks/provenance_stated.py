@@ -1,11 +1,11 @@
 """Every fact states exactly one origin: a computed example cites no line of the manual, a standard has a name
 and a clause, an inferred value has a reason, and a report states only what the fact does not state.
 
-Why: a line of the manual is evidence. If a computed frame cites one, or a value from a standard looks
-printed, evidence cannot be distinguished from our own work. A reported value must never look printed.
+Why: a line of the manual is evidence. If a computed frame cites a line, or a value from a standard looks printed,
+evidence cannot be distinguished from our own work. A reported value must never look printed.
 
-Example: `origin: computed` beside `source: 8.4 L1790`, or `reported: [{by: a program, how: in its code, unit: mm}]`
-on a register with `unit: mm`.
+Example: `origin: computed` with `source: 8.4 L1790`, or `reported: [{by: a program, how: in its code, unit: mm}]` on a
+register with `unit: mm`.
 
 Fix: Remove the source, the reason or the report, or add what is missing.
 """

@@ -1,4 +1,4 @@
-"""Ranges, special values and the printed range of unit addresses fit their types.
+"""Ranges, sentinels and the printed range of unit addresses fit their types.
 
 Why: a bound that does not fit its type cannot be sent. Either the type is too narrow, its sign is wrong, or a
 digit of the bound is wrong.

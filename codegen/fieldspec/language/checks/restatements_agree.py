@@ -5,8 +5,8 @@ Why: two tables of one manual that differ are a contradiction, and a reader of e
 
 Example: a speed of 0..100 in the register table, restated as 1..100 in the chapter on points.
 
-Fix: State the right value in both places, and write an erratum for the one that is misprinted. Omit from
-`restated` what that place does not print.
+Fix: State the right value in both places, and write an erratum for the misprinted place. Omit from `restated` what that
+place does not print.
 """
 
 from __future__ import annotations

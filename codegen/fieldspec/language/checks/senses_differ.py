@@ -1,6 +1,6 @@
 """A bit has different meanings at 0 and at 1.
 
-Why: if a manual prints the same text for both, a row was copied and not changed.
+Why: if a manual prints the same text for both meanings, a row was copied and not changed.
 
 Example: a bit with `zero: outside the zone` and `one: outside the zone`.
 

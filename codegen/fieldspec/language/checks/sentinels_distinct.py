@@ -1,8 +1,9 @@
-"""The sentinels of a value have names and values of their own, and none is a member of its enum with another name.
+"""The sentinels of a value have different names and values, and no sentinel is a member of the value's enum with a
+different name.
 
 Why: a value with two names is ambiguous when it is read; two values with one name are ambiguous when it is written. A
-constant has no other states. The name `out_of_range` is reserved for numbers outside of the `range`, which are
-quantities all the same.
+constant has no other states. The name `out_of_range` is reserved for numbers outside of the `range`, which are still
+quantities.
 
 Example: `sentinels: [{value: 0xFFFF, name: not_measured}, {value: 0xFFFF, name: overflow}]`.
 

@@ -1,6 +1,6 @@
-"""Fields with the same name and type have the same range, scale and unit. The rule measures_match_repeats
-covers fields that carry the size of another field, because their range follows from what they measure. The number of
-registers or bits that a message `accesses` follows from its longest frame.
+"""Fields with the same name and type have the same range, scale and unit. The rule measures_match_repeats covers fields
+that carry the size of another field, because their range follows from what they measure. The number of registers or
+bits that a message `accesses` is not compared either: it follows from the longest frame.
 
 Why: a manual describes the same quantity in many places. If one place differs from all others, it is usually
 misprinted, and a reader of only that place cannot see it.

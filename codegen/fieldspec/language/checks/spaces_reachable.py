@@ -1,16 +1,16 @@
-"""An address space with tables consists of words. If a space contains values that can be read, a message reads it,
-and if it contains values that can be written, a message writes it. If a message of the device itself writes a space,
-some value there can be written.
+"""An address space with tables consists of words. A message reads each address space with readable values, and a
+message writes each address space with writable values. If the device itself, not a protocol, states a message that
+writes an address space, that space contains a writable value.
 
-Why: a register that no message reaches has no request in any output, and a message for another space would read another
-register. If the space contains no writable value, the message accesses the wrong space, or the access of the registers
-is wrong.
+Why: a register that no message reaches has no request in any output, and a message for another address space would read
+another register. If the address space contains no writable value, the message accesses the wrong one, or the access of
+the registers is wrong.
 
 Example: a group of input registers in a device whose only reading message accesses holding registers.
 
-Fix: Add the message that reads or writes the space, with `space` under its `accesses`, or move the group to the space
-that the message accesses. Correct the access of the registers; if the manual does not list the values that the message
-writes, set `allow: {spaces_reachable: <reason>}` on the message.
+Fix: Add the message that reads or writes the address space, with `space` under its `accesses`, or move the group to the
+address space that the message accesses. Correct the access of the registers; if the manual does not list the values
+that the message writes, set `allow: {spaces_reachable: <reason>}` on the message.
 """
 
 from __future__ import annotations

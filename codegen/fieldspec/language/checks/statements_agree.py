@@ -4,7 +4,7 @@
 Why: `the device always answers` on one page and `it does not answer` on another leave the author of a driver
 with a timeout that is either a fault or normal.
 
-Example: `{subject: reply, says: always, source: 6 L10}` beside `{subject: reply, says: never, source: 7 L20}`.
+Example: `{subject: reply, says: always, source: 6 L10}` and `{subject: reply, says: never, source: 7 L20}`.
 
 Fix: State the correct fact in both places, and write an erratum for the place that prints something else.
 """

@@ -1,4 +1,4 @@
-"""A switch that accepts every number states which number reading it returns.
+"""A switch that accepts every number states which number a read returns.
 
 Why: if every value except 0 switches on, a device may return the written value, or 1. A program that compares the read
 value with the written value, or with 1, works with some devices only.

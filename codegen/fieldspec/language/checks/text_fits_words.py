@@ -1,7 +1,8 @@
-"""The permitted characters of a text fit its bytes, and so does its default. They are fewer than fit into its `length`.
+"""The permitted characters of a text, and its default, fit its bytes. `characters` is less than the number that fits
+into the `length`.
 
-Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator
-is required, because manuals rarely state whether there is one. Characters that the length allows anyway have no effect.
+Why: a text that is longer than its registers overwrites the next ones or is cut off. No room for a terminator is
+required, because manuals rarely mention terminators. If `characters` equals the length, it has no effect.
 
 Example: 31 characters in a text of two bytes, or `length: 4` with `characters: 4`.
 

@@ -3,7 +3,7 @@ has a terminator, UTF-16 and a text with `byte_order: little` have an even numbe
 for four characters and no zeros, and a default is a text that can be sent. Only fields and registers that are not
 reserved have a special text form.
 
-Why: a text that cannot be written as it is read loses or changes characters without a message.
+Why: a text that is written in a different form than it is read loses or changes characters unnoticed.
 
 Example: `{name: title, type: text, length: 7, encoding: utf_16}`, as the last character has one byte.
 

@@ -1,10 +1,10 @@
-"""In a space of bits, every register has the type `bit`, and no other value has it. Only registers of words have
-`words`.
+"""In an address space of bits, every register has the type `bit`; no other value has this type. Only registers of words
+have `words`.
 
-Why: an address of such a space is one bit, which messages pack into bytes. A number needs words, and a record or a word
-has no separate address for a bit.
+Why: each address is one bit, which messages pack into bytes. A number needs words, and a record or a word has no
+separate address for a bit.
 
-Example: a register of type `bool16` in a space of coils, or a `bit` among holding registers.
+Example: a register of type `bool16` in an address space of coils, or a `bit` among holding registers.
 
 Fix: Use the type `bit` there, without `words`. Elsewhere, use `bool8`, `bool16` or `flags`.
 """

@@ -5,8 +5,8 @@ misprinted.
 
 Example: a field with a range of 1..100 and the value 0 in a sample frame.
 
-Fix: Correct the range or the value, and write an erratum. If it is a special value outside the range, list
-it under `sentinels`.
+Fix: Correct the range or the value, and write an erratum. If a value outside the range represents a state, list it
+under `sentinels`.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
-ends with the message or before a constant of one byte that it cannot have. One field before a text may contain its
-number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text. A message
-with a value that varies in width has no list of free length, no record of no fixed size, no field of several types and
-no other field that measures that value; the fields after it have no printed offset. Such measured texts may also be
-fields of a record within messages and other records, if the other fields of that record have a fixed size.
+ends with the message or before a constant of one byte that it cannot have. One field before a text can contain the
+text's number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text. A
+message with a value that varies in width has no list of free length, no record of varying size, no choice, and no other
+field that measures that value; the fields after the value have no printed offset. Measured texts can also be fields of
+a record within messages and other records, if the other fields of that record have a fixed size.
 
 Why: the constant after such a value marks its end. If the value could contain that constant, the next value would be
 read as a part of it.

@@ -1,4 +1,4 @@
-"""A number in a register of words has a whole number of them.
+"""A number in a register of words occupies whole words.
 
 Why: an output would have to invent bytes that the manual does not print.
 

@@ -1,5 +1,5 @@
-"""The printed number of a parameter on the wire is the base of its set plus its number, and no number belongs
-to two sets of one space.
+"""The printed number of a parameter on the wire is the base of its set plus its number, and no number belongs to two
+sets of one number space.
 
 Why: a manual that prints `Pt25B` and `0x225B` states the same number twice. If the two differ, one of them leads the
 user to a wrong parameter.

@@ -1,7 +1,7 @@
-"""The `write_range` of a value is part of its `range` and contains its special values.
+"""The `write_range` of a value is part of its `range` and contains its sentinels.
 
-Why: a device returns the written value. A value that can be written but never read is a misprint. A special value that
-cannot be written contradicts the `write_range`: a value that is only read is a member of an enum.
+Why: a device returns the written value. A value that can be written but never read is a misprint. A sentinel that
+cannot be written contradicts the `write_range`: state a value that is only read as a member of an enum.
 
 Example: a parameter with `range: 0..2, 4` and `write_range: 0..3`.
 

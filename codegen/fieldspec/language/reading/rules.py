@@ -19,13 +19,13 @@ Example: a list of ten aliases, each of which is a list of ten aliases, and so o
 
 Fix: Write the data out.
 """,
-    "codec_usable": """A codec that a spec names is one of an installed package, and passes its judges.
-Its Python is run on random numbers and bytes, the same at every run: `encode` gives the bytes of its size, and
-`decode` gives the number again, or with `rounds` one that keeps its bytes. A codec that raises, or does not end, fails.
+    "codec_usable": """A codec that a spec names belongs to an installed package, and passes its tests. Its Python runs
+on random numbers and bytes, the same at every run: `encode` returns the bytes of its size, and `decode` returns the
+number again or, with `rounds`, a number with the same bytes. A codec that raises an exception, or does not end, fails.
 
-Why: without the codec, a reader does not know the bytes; with a wrong one, it reads them as something else.
+Why: without the codec, no program can interpret the bytes; a wrong codec misreads them.
 
-Example: `codec: acme_flaot` where the package has `acme_float`.
+Example: `codec: acme_flaot` if the package has `acme_float`.
 
 Fix: Correct the name, install the package, or correct its codec.
 """,
@@ -83,7 +83,7 @@ file systems of users permit.
 Why: users whose file system does not permit the name can neither check out the specs nor write the outputs. A name with
 a line break or another invisible character misleads the reader.
 
-Example: a device `aux`, a version `con`, or `Motion.yaml` beside `motion.yaml`.
+Example: a device `aux`, a version `con`, or `Motion.yaml` next to `motion.yaml`.
 
 Fix: Choose another name.
 """,
@@ -152,7 +152,7 @@ value.
 
 Example: `range: {was: 1..100, is: 1..120}` where the base has 1..90.
 
-Fix: Look at both places, decide which value is right now, and correct `was`.
+Fix: Compare the file with its base, decide which value is right now, and correct `was`.
 """,
     "overlay_changes_nothing": """Every entry in a version file changes something.
 
@@ -177,15 +177,15 @@ Why: an entry that matches nothing would silently have no effect.
 
 Example: `fact: registers/sped`, or a register that only another version line has.
 
-Fix: Correct the path, or base the version on one that has the fact.
+Fix: Correct the path, or base the version on a version that has the fact.
 """,
     "overlay_removal_incomplete": """A fact is removed with its errata, examples, notes and tasks.
 
-Why: they would be about something that the version does not have.
+Why: errata, examples, notes and tasks would refer to a fact that the version does not have.
 
 Example: `removes: [{fact: registers/speed, ...}]` where an erratum is about `registers/speed`.
 
-Fix: Remove them in the same file, or change what they are about.
+Fix: Remove them in the same file, or let them refer to a different fact.
 """,
     "overlay_name_taken": """A fact that a version file adds or renames has a name that is not in use.
 
@@ -197,7 +197,7 @@ Fix: Use another name. To change an existing fact, use `changes`.
 """,
     "section_twice": """A section that is not a list occurs in only one file of a device.
 
-Why: lists are joined, but only one of two other sections could apply.
+Why: lists are joined, but of two sections that are not lists only one could apply.
 
 Example: `device` in two files of a folder.
 
@@ -236,7 +236,7 @@ Example: a thousand opening brackets.
 
 Fix: Use fewer levels.
 """,
-    "too_many_findings": """A file has at most 200 findings, and so does a check.
+    "too_many_findings": """A file or a check has at most 200 findings.
 
 Why: more findings do not help; most of them repeat the same mistake.
 
@@ -247,8 +247,8 @@ Fix: Correct the first findings.
     "type_present": """The spec states the type of every value on the wire, once, and the keys of a value at the value
 itself.
 
-Why: width and sign are never guessed. A field with a record has no value of its own, so a unit, a range or a meaning
-there would have no effect.
+Why: width and sign are never guessed. A field with a record has no value, so a unit, a range or a meaning of this field
+would have no effect.
 
 Example: a register without `type`, a text without `length`, a field with both `type` and `record`, or with `record` and
 `unit`.
@@ -264,9 +264,9 @@ Example: `acces: rw`
 
 Fix: Correct the key; `docs/language.md` and the pages that it names list all keys.
 """,
-    "unknown_word": """A word is one of the words that its key permits.
+    "unknown_word": """A word is permitted by its key.
 
-Why: other words have no meaning there.
+Why: other words have no meaning for the key.
 
 Example: `access: readonly`
 
@@ -279,9 +279,9 @@ Why: reading a folder of specs must take a bounded time, even if its author is h
 
 Example: a chain of seventeen protocols, each of which uses the next.
 
-Fix: Combine related protocols, and let each protocol use the ones that it needs directly.
+Fix: Combine related protocols, and let each protocol use directly the protocols that it needs.
 """,
-    "version_never": """The bounds of a fact leave it at least one version.
+    "version_never": """The bounds of a fact permit at least one version.
 
 Why: outputs contain only facts of versions, so an error in an unused fact, or a missing register, would not be noticed.
 
@@ -316,7 +316,7 @@ Fix: Make a version that is in use the base, and remove the files of earlier ver
 """,
     "wrong_form": """A value has the form that its key requires.
 
-Why: a value in another form would have to be guessed.
+Why: the meaning of a value in a different form would be a guess.
 
 Example: `range: 5-10` instead of `5..10`, or a bound that is not a whole number of counts.
 

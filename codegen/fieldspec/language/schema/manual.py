@@ -66,7 +66,7 @@ def _filled(template: str) -> str:
 
 def _core_keys(name: str, keys: list[str]) -> Iterator[str]:
     """The first sentences of what some keys of a part are, with a link to its section."""
-    yield f"| [{name}](#{anchor(name)}) | what it is |"
+    yield f"| [{name}](#{anchor(name)})  | meaning |"
     yield "|---|---|"
     for key in keys:
         sentence = _SENTENCE.match(described(parts()[name]["properties"][key]))
@@ -124,7 +124,7 @@ def _section(name: str) -> Iterator[str]:
     required = part.get("required", [])
     if own:
         yield ""
-        yield "| key | form | needed | what it is |"
+        yield "| key | form | needed | meaning |"
         yield "|---|---|---|---|"
         for key, inner in own.items():
             form = form_of(key if name == ROOT else f"{name}.{key}", inner)
@@ -158,9 +158,9 @@ def _also(part: Schema, required: list[str]) -> Iterator[str]:
             continue
         left_out = [key for key in all_keys if key not in shared_keys]
         few = len(shared_keys) < len(left_out)
-        text = f"It also takes {words}"
+        text = f"It also has {words}"
         if few:
-            text = f"It also takes {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
+            text = f"It also has {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
         elif left_out:
             text += f" except {_enumeration(left_out)}"
         must = [key for key in shared_keys if key in required]
@@ -173,14 +173,14 @@ def _words(part: Schema) -> Iterator[str]:
     if "enum" in part:
         yield ""
         if "enumDescriptions" in part:
-            yield "| word | what it means |"
+            yield "| word | meaning |"
             yield "|---|---|"
             yield from (
                 f"| `{word}` | {_cell(text)} |"
                 for word, text in zip(part["enum"], part["enumDescriptions"], strict=True)
             )
             return
-        yield "Words: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
+        yield "Permitted values: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
 
 
 def form_of(path: str, part: Schema) -> str:

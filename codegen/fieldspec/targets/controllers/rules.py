@@ -19,11 +19,11 @@ Example: a link whose frames end with `algorithm: crc32_iso_hdlc`.
 
 Fix: Exclude the output for the device (`--to`).
 """,
-    "plc_spaces_supported": """The PLC functions convert the registers of spaces of words and of bits.
+    "plc_spaces_supported": """The PLC functions convert the registers of address spaces of words and of bits.
 
 Why: a program that reads bytes as words would read every second value from the wrong address.
 
-Example: the control table of a servo, in a space with `unit: byte`.
+Example: the control table of a servo, in an address space with `unit: byte`.
 
 Fix: Exclude the output for the device (`--to`).
 """,
@@ -121,7 +121,7 @@ Example: a field with `type: f64`.
 
 Fix: Do without the omitted facts, or state the number as a `u64` of bits.
 """,
-    "plc_reals_present": """No special value of a floating-point number is a NaN.
+    "plc_reals_present": """No sentinel of a floating-point number is a NaN.
 
 Why: PLCs compare NaN in different ways, so the functions reject every NaN. One missing value would then make the whole
 message invalid.

@@ -12,8 +12,8 @@ Example: `{like: "- {number} -", reason: Page numbers.}` for a manual without pa
 Fix: Correct the lines, the pattern or the paths, or remove the entry.
 """,
     "citations_hold": """The lines that a fact cites contain its address, code or identifier, and the numbers of its
-value: the ends of ranges, scales, defaults, counts. For a signed type, they print a type or a negative number, unless
-the value itself has a negative number. The lines are in the section that the fact names.
+value: the ends of ranges, scales, defaults, counts. For a signed type, the lines print a type or a negative number,
+unless the value itself has a negative number. The lines are in the section that the fact names.
 
 Why: a citation of the wrong line cannot be verified, and often the fact is wrong too.
 
@@ -37,7 +37,7 @@ Why: if a device sets a reserved bit, it reports something that the manual does 
 
 Example: bit 9 of a status word is set, but the list of its bits ends with 7.
 
-Fix: Find out what it means and transcribe it, or report it to the manufacturer.
+Fix: Find out the meaning of the bit or value and transcribe it, or report it to the manufacturer.
 """,
     "dump_value_known": """Every value in a dump is known to the spec: a member of its enum, 0 or 1, or its
 constant.
@@ -66,7 +66,7 @@ Fix: If the device is right, correct the range, and write an erratum if the manu
 """,
     "evidence_agrees": """Values from real devices agree with the spec.
 
-Why: if the wire contradicts the spec, the manual, the spec or the device is wrong, and machines move by it.
+Why: if the wire contradicts the spec, the manual, the spec or the device is wrong, and machines move by wrong values.
 
 Example: a capture in which the speed is 130, with the range 0..100.
 
@@ -108,15 +108,15 @@ Example: `manual.index` with the hash of an older edition.
 
 Fix: Run `fieldspec audit DEVICE --manual FILE --record`.
 """,
-    "statements_accounted": """Every line of the manual with words is left out with a reason, or is cited by a part of
+    "statements_accounted": """Every line of the manual with words is left out with a reason, or is cited by an entry of
 the behaviour, or states facts but no behaviour. The rule applies only to specs with `audit: without_behaviour`.
 
 Why: a sentence about behaviour contains no number, so no pattern finds it, and a simulator that does not implement it
 gives no warning.
 
-Example: a line of the manual says that an input stops the motor, and no part of `behaviour` cites it.
+Example: a line of the manual says that an input stops the motor, and no entry of `behaviour` cites it.
 
-Fix: Write the part, or `unmodelled` with its reason; or list the line under `audit: without_behaviour` if facts cover
+Fix: Write the entry, or `unmodelled` with its reason; or list the line under `audit: without_behaviour` if facts cover
 all of it, or under `left_out`.
 """,
     "reviews_sound": """Every review names sections that facts cite, a valid date, and the current state of

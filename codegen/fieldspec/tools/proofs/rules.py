@@ -29,13 +29,13 @@ Example: a packet that ends with 17h, where the sum of the bytes before it is 37
 
 Fix: State the right bytes as `frame`, and write an erratum with the printed bytes.
 """,
-    "codec_exemplified": """Three printed frames at least use each codec of a package.
+    "codec_exemplified": """At least three printed frames use each codec of a package.
 
-Why: the language does not say what its bytes are, so that no other rule proves that the codec is the one of the device.
+Why: the language does not describe the bytes, so no other rule proves that the device uses this codec.
 
 Example: a field with `codec: acme_float` in a message with one example.
 
-Fix: Add the frames that the manual prints, or a log of a device, as `examples` with their values.
+Fix: Add the frames that the manual prints, or frames from a log of a device, as `examples` with their values.
 """,
     "errata_differ": """The printed value in an erratum differs from the value in the spec.
 
@@ -68,13 +68,14 @@ Why: a frame with a wrong length is never complete, or it swallows the next fram
 
 Example: a frame of 19 bytes whose length is 14h.
 
-Fix: If the manual misprints the bytes, state the right ones as `frame`, and write an erratum with the
-printed ones. If the checksum is correct, or all examples differ in the same way, correct the `measures` of the
-link. If no `measures` can express it, remove the role `length`; users then supply the number.
+Fix: If the manual misprints the bytes, state the right bytes as `frame`, and write an erratum with the printed bytes.
+If the checksum is correct, or all examples differ in the same way, correct the `measures` of the link. If no `measures`
+can express it, remove the role `length`; users then supply the number.
 """,
-    "lines_alike": """A version of a line that is `like` another line equals a version of that line on the wire.
+    "lines_alike": """If a line is `like` a parallel line, each of its versions equals a version of the parallel line on
+the wire.
 
-Why: it uses the outputs of that version; if they differ on the wire, its users would get wrong code.
+Why: the two versions share outputs; if they differed on the wire, users would get wrong code.
 
 Example: `like: firmware_2` where 3.12.5 has a parameter that no version of line 2 has.
 

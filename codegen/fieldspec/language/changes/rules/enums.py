@@ -55,7 +55,7 @@ def member_added(comparison: Comparison) -> Iterator[Change]:
 
     Example: an alarm code that the new firmware has.
 
-    Fix: Nothing to do. If the manual announces more, write `open: true`.
+    Fix: Nothing to do. If the manual announces more members, write `open: true`.
     """
 
     for unpaired in comparison.added:
@@ -109,7 +109,7 @@ def member_removed(comparison: Comparison) -> Iterator[Change]:
 def member_renumbered(comparison: Comparison) -> Iterator[Change]:
     """The value of an enum member has changed.
 
-    Why: existing programs write the wrong member, and misread those that they receive.
+    Why: existing programs write the wrong member, and misread the members that they receive.
 
     Example: `{value: 5, name: blue}` that becomes `{value: 6, name: blue}`.
 

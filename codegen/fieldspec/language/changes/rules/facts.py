@@ -36,8 +36,8 @@ def device_removed(device: Device) -> Change:
 def fact_added(comparison: Comparison) -> Iterator[Change]:
     """A fact exists only in the new version.
 
-    Why: programs that do not use it keep working, as long as nothing else moves. A field that makes a record longer, or
-    moves other fields, breaks every program that expects the old length.
+    Why: programs that do not use the fact keep working, as long as no other fact moves. A field that makes a record
+    longer, or moves other fields, breaks every program that expects the old length.
 
     Example: a register at an address that was free.
 
@@ -69,7 +69,7 @@ def _effect(unpaired: Unpaired) -> Effect:
 def fact_removed(comparison: Comparison) -> Iterator[Change]:
     """A fact exists only in the old version, without evidence that only its name has changed.
 
-    Why: programs that use it access nothing, or different data, and generated code has no name for it any more.
+    Why: programs that use the fact access nothing, or different data, and generated code no longer contains its name.
 
     Example: a register that the new manual does not list.
 
@@ -154,7 +154,7 @@ def applicability_changed(comparison: Comparison) -> Iterator[Change]:
 
     Example: `applies_to: [rotary]` that becomes `applies_to: [rotary, linear]`.
 
-    Fix: Nothing to do if the list grows; else tell users which devices no longer have the parameter.
+    Fix: Nothing to do if the list grows; otherwise, tell users which devices no longer have the parameter.
     """
 
     for pair in comparison.of(Parameter):
@@ -174,7 +174,7 @@ def documentation_changed(comparison: Comparison) -> Iterator[Change]:
 
     Example: a `doc` with different text, or a `source` with a different line.
 
-    Fix: None is needed.
+    Fix: No action is needed.
     """
 
     for model_class, texts in TEXTS.items():

@@ -27,7 +27,8 @@ _KEYS = {
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """Frames have other delimiters, another preamble, encoding or escape, or identifiers have their parts elsewhere.
+    """Frames have different delimiters, a different preamble, encoding or escape, or the parts of identifiers have
+    different bits.
 
     Why: neither side recognises the frames of the other.
 
@@ -140,10 +141,10 @@ def _span_text(part: Part) -> str:
 
 
 def code_changed(comparison: Comparison) -> Iterator[Change]:
-    """The code of a message or of its response has changed, or its number if it carries no code, or a remote request
-    of a CAN bus is sent in place of data.
+    """The code of a message or of its response, or the number of a message without a code, has changed; or a remote
+    request of a CAN bus is sent instead of data.
 
-    Why: existing programs send the wrong message, and misread those that they receive.
+    Why: existing programs send the wrong message, and misread the messages that they receive.
 
     Example: `code: 0x2F` that becomes `code: 0x30`.
 
@@ -319,9 +320,9 @@ def _links(device: Device, message: Message) -> tuple[str, ...]:
 
 
 def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
-    """The broadcast address has changed, or whether a request may be broadcast.
+    """The broadcast address, or the permission to broadcast a request, has changed.
 
-    Why: all devices carry out a request to one device, or no device does.
+    Why: all devices carry out a request to one device, or no device carries it out.
 
     Example: `broadcast: 0` that becomes `broadcast: 255` at the `unit_addresses` of a link.
 

@@ -43,7 +43,7 @@ def range_widened(comparison: Comparison) -> Iterator[Change]:
 
     Example: `range: 0..100` that becomes `range: 0..200`.
 
-    Fix: None is needed.
+    Fix: No action is needed.
     """
 
     for bounds in bounds_pairs(comparison):
@@ -149,7 +149,7 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
 
     Why: a program that reads the value in two requests gets halves of two values, a program that reads back a trigger
     does not get the written value, and a value that is not saved is lost when the power is switched off. If two facts
-    have opposite senses, a program that ignores it does the opposite of what is intended.
+    have opposite senses, a program that ignores this does the opposite of the intended action.
 
     Example: `atomic: true` at a register without it, or `saved_by: registers/save` at a parameter.
 
@@ -175,7 +175,7 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def restart_changed(comparison: Comparison) -> Iterator[Change]:
-    """A change of a value takes effect after a restart, or no longer needs one.
+    """A change of a value takes effect only after a restart, or no longer needs a restart.
 
     Why: a program that sets the value without a restart keeps the old value in effect.
 
