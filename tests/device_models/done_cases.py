@@ -167,6 +167,12 @@ DONE_CASES = (
     Case(
         done_is_at_the_target,
         37,
+        ("", EDGE, MOVES, "stop:outside interrupted:absolute:1 n0 v0 p492", "", DONE),
+        ("", EDGE, MOVES, "stop:outside interrupted:absolute:1 n0 v0 p480", "", DONE),
+    ),
+    Case(
+        done_is_at_the_target,
+        37,
         ("p500", EDGE, "refused:absolute:0:500", "", DONE),
         ("p400", EDGE, "refused:absolute:0:500", "", DONE),
     ),

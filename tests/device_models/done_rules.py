@@ -102,7 +102,7 @@ def _done_is_reached(history: History, kinds: tuple[str, ...], rule: int) -> Ite
             reached = _place_reached(history, command, scan)
             state = history.scans[scan].state
             if reached is None:
-                if not _is_hidden(history, command, accepted, scan):
+                if not _is_hidden(history, command, accepted, scan) and not _is_near(history, command, accepted, scan):
                     text = f"Done at {state.position:g}, and {command.value:g} is not reached"
                     yield Violation(rule, scan, calls.name, text)
             elif not _was_there(history, _looks_from(history, calls, index, accepted), scan, reached):
@@ -139,6 +139,14 @@ def _place_reached(history: History, command: Event, last: int) -> float | None:
     state = history.scans[last].state
     near = command.about == "absolute" and abs(state.position - command.value) <= 0.5
     return command.value if near and not state.number else None
+
+
+def _is_near(history: History, command: Event, accepted: int, last: int) -> bool:
+    """Whether something outside has stopped a move so near its target that the window of the block holds it."""
+    origin = history.scans[max(accepted - 1, 0)].state.position if command.about == "relative" else 0.0
+    state = history.scans[last].state
+    is_move = command.about in ("absolute", "relative") and not state.velocity
+    return is_move and abs(state.position - origin - command.value) <= WINDOW
 
 
 def _is_hidden(history: History, command: Event, accepted: int, last: int) -> bool:

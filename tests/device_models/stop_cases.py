@@ -136,7 +136,7 @@ STOP_CASES = (
         a_stop_never_gives_up,
         23,
         ("word:043F", HALT, EDGE, "word:043F", "-Halt.Busy +Halt.Done -Move.Busy +Move.Error"),
-        ("word:043F", HALT, EDGE, "word:043F -Move.Busy +Move.Error", "-Halt.Busy +Halt.Done"),
+        ("word:043F", HALT, EDGE, "word:043F -Move.Busy +Move.Error x4", "-Halt.Busy +Halt.Done"),
     ),
     Case(
         a_stop_never_gives_up,
@@ -314,6 +314,20 @@ STOP_CASES = (
         30,
         ("word:053F", JOG_EDGE, JOGS, "word:043F", "", "", "-Jog.Busy +Jog.Error Jog.ErrorID=7", ""),
         ("word:053F", JOG_EDGE, JOGS, "word:043F -Jog.Busy +Jog.Error Jog.ErrorID=7", ""),
+    ),
+    Case(
+        a_jog_stops_itself,
+        30,
+        ("word:053F", JOG_EDGE, JOGS, "word:043F lost -Jog.Busy +Jog.Error Jog.ErrorID=7", "lost", "good", ""),
+        (
+            "word:053F",
+            JOG_EDGE,
+            JOGS,
+            "word:043F lost -Jog.Busy +Jog.Error Jog.ErrorID=7",
+            "word:053F lost",
+            "good",
+            "",
+        ),
     ),
     Case(
         both_directions_are_none,

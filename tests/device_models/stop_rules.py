@@ -19,6 +19,8 @@ from device_models.motion_rules import (
 JOG_BITS = 0x0300
 TRIES = 3
 LOCKED = 12
+LATELY = 3
+"""Scans in which the control word may still be that of a motion that has ended."""
 
 
 def a_stop_comes_next(history: History) -> Iterator[Violation]:
@@ -229,8 +231,18 @@ def a_jog_stops_itself(history: History) -> Iterator[Violation]:
             words = [entry.word for entry in history.scans[max(scan - TRIES + 1, 0) : scan + 1]]
             if all(word is not None and not word & JOG_BITS for word in words):
                 continue
+            if end == "Error" and _is_withdrawn(history, scan):
+                continue
             if not stopped and asked < TRIES and scan + 1 < len(history.scans):
                 yield Violation(30, scan, calls.name, f"it ends with {end or 'nothing'}, and the axis jogs on")
+
+
+def _is_withdrawn(history: History, first: int) -> bool:
+    """Whether the telegram of a scan is lost, and each from then on has no bit of a jog until the device gets one."""
+    entries = history.scans[first:]
+    is_lost = any(fate.startswith("lost") for fate in entries[0].fates)
+    lost = next((place for place, entry in enumerate(entries) if "good" in entry.fates), len(entries))
+    return is_lost and all(entry.word is not None and not entry.word & JOG_BITS for entry in entries[: lost + 1])
 
 
 def both_directions_are_none(history: History) -> Iterator[Violation]:
@@ -316,8 +328,9 @@ def _others_lock(history: History, calls: Calls, first: int, last: int) -> bool:
 
 
 def _is_succeeded(history: History, first: int, last: int) -> bool:
-    """Whether the axis stands, and a motion is Busy, or was until now, whose edge was not before a scan."""
-    motions = [calls for calls in history.of_kind(*MOTIONS) if calls.busy_at(last) or calls.busy_at(last - 1)]
+    """Whether the axis stands, and a motion is Busy, or was lately, whose edge was not before a scan."""
+    lately = range(max(first, last - LATELY), last + 1)
+    motions = [calls for calls in history.of_kind(*MOTIONS) if any(calls.busy_at(scan) for scan in lately)]
     edges = [(calls, calls.edge_before(last)) for calls in motions]
     stands = not history.scans[last].state.velocity
     return stands and any(edge >= 0 and calls.scans[edge] >= first for calls, edge in edges)
