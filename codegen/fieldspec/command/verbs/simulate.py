@@ -112,8 +112,7 @@ def _line_settings(link: Link, arguments: argparse.Namespace) -> LineSettings:
             ("data-bits", arguments.data_bits, serial.data_bits),
         ):
             if number is not None and choices and number not in choices:
-                listed = ", ".join(map(str, choices))
-                raise UsageError(f"{link.name} has no --{option} {number}; choose from {listed}")
+                raise UsageError(f"{link.name} has no --{option} {number}; choose from {', '.join(map(str, choices))}")
     return settings_of(link, arguments.baud, arguments.parity, arguments.data_bits)
 
 
