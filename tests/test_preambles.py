@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from fieldspec.codec.explain.explanation import explained
@@ -10,6 +12,10 @@ from fieldspec.codec.reference import CodecError, codec
 from fieldspec.targets import OUTPUTS
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, link_of, module_of
+from random_devices.c_judge import C
+from random_devices.javascript_judge import JavaScript
+from random_devices.python_judge import Python
+from random_devices.queries import Query
 
 PRESSURE, TARIFF = newest(TEST_SPECS, "pressure"), newest(TEST_SPECS, "tariff")
 LOOP = link_of(module_of(PRESSURE), "loop")
@@ -33,6 +39,15 @@ def test_a_receiver_refuses_fewer_and_more(count: int) -> None:
         codec(PRESSURE).links["loop"].decode(frame, "response")
     with pytest.raises(codec_error()):
         LOOP.decode_response(frame)
+
+
+def test_codecs_of_all_languages_refuse_a_preamble_with_another_byte_in_it(tmp_path: Path) -> None:
+    frame = b"\xff" * 20 + VALUE
+    damaged = [frame[:place] + b"\xfe" + frame[place + 1 :] for place in range(20)]
+    asked = [Query("frame", ("loop", "response", ""), each) for each in (frame, *damaged)]
+    compiled = C(PRESSURE, tmp_path, ["tcc", "-std=c99", "-w"])
+    for judge in (Python(PRESSURE, tmp_path, 0), JavaScript(PRESSURE, tmp_path, 0), compiled):
+        assert [bool(answer.reason) for answer in judge.answers(asked)] == [False, *[True] * 20]
 
 
 @pytest.mark.parametrize(

@@ -46,3 +46,37 @@ def test_a_frame_that_is_refused_does_not_depend_on_bytes_that_come_later(tmp_pa
     cuts = [*map(judge.python_cut, streams), *judge.javascript_cuts(streams)]
     assert {cut.all_frames for cut in cuts if cut is not None} == {(REFUSED,)}
     assert None not in cuts
+
+
+ADDRESSED = """
+device:
+  id: chance
+  name: Chance
+  vendor: Maker
+  manual: {title: Manual, file: chance.txt, sha256: "DIGEST", lines: 100}
+links:
+  - name: line
+    source: 1 L1
+    transmission: binary
+    byte_order: big
+    word_order: big
+    request: &frame
+      - {name: length, role: length, type: u8}
+      - {name: unit, role: unit_address, type: u8, digits: decimal, length: 2}
+      - {name: body, role: body}
+    response: *frame
+messages:
+  - name: move
+    links: [line]
+    source: 2 L1
+    request: [{name: speeds, type: u8, repeat: 1..20}]
+    response: []
+""".replace("DIGEST", "0" * 64)
+
+
+def test_a_frame_does_not_wait_for_one_whose_unit_address_is_not_digits(tmp_path: Path) -> None:
+    judge = Framers(layouts_of(ADDRESSED)[0], tmp_path, 1)
+    frame = b"\x04" + b"15" + b"\x07"
+    stream = Stream("line", "request", (b"\x09" + b"1x" + frame,))
+    cuts = [judge.python_cut(stream), *judge.javascript_cuts([stream])]
+    assert [cut and cut.all_frames for cut in cuts] == [(frame,)] * 2

@@ -12,6 +12,7 @@ from fieldspec.codec.layout.record import Orders, RecordLayout
 from fieldspec.codec.layout.remote_requests import with_remote_codes
 from fieldspec.codec.layout.subcodes import Subcode, subcode
 from fieldspec.foundation.classes import dataclass, field, replace
+from fieldspec.language.model.digits import digit_bounds
 from fieldspec.language.model.escape import CAN_REMOTE, Escape
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.preamble import Preamble
@@ -279,6 +280,18 @@ class LinkLayout:
         if message.message.broadcast is not False or addresses is None or part is None or not part.is_argument:
             return None
         return addresses.broadcast
+
+    def framed_addresses(self, direction: str) -> tuple[tuple[int, int], ...]:
+        """The intervals of the unit addresses that frames in one direction have: other bytes begin none of them.
+
+        They are empty where all bytes are a unit address. Where only digits are one, they have all of their numbers.
+        """
+        addresses, part = self.link.unit_addresses, self.frame(direction).role("unit_address")
+        if part is None or part.value is None:
+            return ()
+        if addresses is not None and addresses.ranges is not None:
+            return addresses.intervals(direction)
+        return (digit_bounds(part.value),) if part.form else ()
 
     @property
     def barred_messages(self) -> list[str]:

@@ -89,12 +89,12 @@ def _skip_preamble(preamble: Preamble | None) -> Body:
     """Steps over the bytes of a preamble before the least ones, which are the first of the start delimiter."""
     if preamble is None or not preamble.spare:
         return ()
-    following = add(INDEX, unsigned(preamble.least))
-    is_other = different(Element(_FRAME, following), hexadecimal(preamble.byte, 1))
+    is_other = different(Element(_FRAME, INDEX), hexadecimal(preamble.byte, 1))
+    surplus = subtract(INDEX, unsigned(preamble.least)) if preamble.least else INDEX
+    steps = (Assignment(_FRAME, surplus, "+="), Assignment(_SIZE, surplus, "-="))
     return (
-        CountUp(INDEX, unsigned(preamble.spare), (If(any_of([at_least(following, _SIZE), is_other]), (Break(),)),)),
-        Assignment(_FRAME, INDEX, "+="),
-        Assignment(_SIZE, INDEX, "-="),
+        CountUp(INDEX, unsigned(preamble.most), (If(any_of([at_least(INDEX, _SIZE), is_other]), (Break(),)),)),
+        If(greater(INDEX, unsigned(preamble.least)), steps),
     )
 
 

@@ -134,10 +134,10 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
 
 
 def _addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> str:
-    part, addresses = frame.role("unit_address"), link.link.unit_addresses
-    if part is None or addresses is None or addresses.ranges is None:
+    part, intervals = frame.role("unit_address"), link.framed_addresses(direction)
+    if part is None or not intervals:
         return "addresses: null"
-    intervals, wide = addresses.intervals(direction), is_wide_part(part)
+    wide = is_wide_part(part)
     number = f"address: {_part_number(part, wide)}"
     if wide or sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
         return f"{number}, addresses: addressIntervals({pairs_literal(intervals, wide)})"

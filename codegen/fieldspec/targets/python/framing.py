@@ -144,10 +144,9 @@ def _bounds(link: LinkLayout, frame: FrameLayout, bodies: list[RecordLayout]) ->
 
 def _unit_addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> list[str]:
     ordered = ['order="little"'] if _order(frame) == "little" else []
-    unit_address, unit_addresses = frame.role("unit_address"), link.link.unit_addresses
-    if unit_address is None or unit_addresses is None or unit_addresses.ranges is None:
+    unit_address, intervals = frame.role("unit_address"), link.framed_addresses(direction)
+    if unit_address is None or not intervals:
         return ordered
-    intervals = unit_addresses.intervals(direction)
     if sum(high - low + 1 for low, high in intervals) > LARGEST_SET:
         known = f"_Intervals({', '.join(map(str, intervals))})"
     else:
