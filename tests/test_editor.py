@@ -158,7 +158,7 @@ def test_hovering_over_a_shared_key_shows_its_description(server: LanguageServer
         ("acess: rw", "acess"),
         ("access: readonly", '"ro", "rw", "wo"'),
         ("at: 70000", "65535"),
-        ("words: two", "integer"),
+        ("checked: {words: two}", "integer"),
         ("source: page 5", "pattern"),
     ],
 )

@@ -203,12 +203,11 @@ def _lengths(message: Message, code: int | None) -> Iterator[FactRow]:
 
 def _marks(link: Link) -> Iterator[tuple[str, bytes]]:
     """The delimiters of a link with their paths in it."""
-    if link.has_common_delimiters:
-        yield from zip(("start", "end"), link.marks("request"), strict=True)
-        return
-    for direction in ("request", "response"):
-        for name, mark in zip(("start", "end"), link.marks(direction), strict=True):
-            yield f"{name}/{direction}", mark
+    for name, *marks in zip(("start", "end"), link.marks("request"), link.marks("response"), strict=True):
+        if marks[0] == marks[1]:
+            yield name, marks[0]
+        else:
+            yield from zip((f"{name}/request", f"{name}/response"), marks, strict=True)
 
 
 def _link(link: Link) -> Iterator[FactRow]:
