@@ -51,10 +51,10 @@ FILES = (
 HEAD = """\
 # Benchmarks
 
-Time, size and memory of the compiler and its outputs, compared with hand-written code and other tools for the same
-work. Each row and its peer are timed alternately, so the ratios, but not the times, carry over to other machines. The
-ratio is the value of fieldspec divided by the peer's; if the goal is *at least*, it is the reverse. See
-[benchmarks/README.md](../benchmarks/README.md) for the method.
+This page compares the time, size and memory of the compiler and its outputs with hand-written code and other tools for
+the same work. Each row and its peer are timed alternately, so the ratios, but not the times, apply to other machines.
+The ratio is the value of fieldspec divided by the peer's value; if the goal is *at least*, it is the peer's value
+divided by fieldspec's. [benchmarks/README.md](../benchmarks/README.md) describes the method.
 
     {command}
 
@@ -99,8 +99,8 @@ def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
     if busy:
         most = max(results[name]["load"] for name in busy)
         yield (
-            f"\nWhen {', '.join(f'`{name}`' for name in busy)} began, the machine had a load of up to {most}, of which "
-            "the benchmark before may have been a part: what they measure by the clock may be too long."
+            f"\nWhen {', '.join(f'`{name}`' for name in busy)} began, the machine had a load of up to {most}, in "
+            "part from the benchmark before: their times by the clock can be too long."
         )
     yield from (f"\n`{name}`: {results[name]['note']}" for name in FILES if results.get(name, {}).get("note"))
     if missing := [name for name in FILES if name not in results]:
