@@ -51,8 +51,7 @@ def _table(draw: Any, spec: dict[str, Any]) -> None:
     fields = [_register(draw, spec, False, 80 + number)[0] for number in range(draw(st.integers(1, 3)))]
     for row in fields:
         row["source"] = "1 L2"
-        row |= {"length": 2 * row["words"]} if row["type"] == "text" else {}
-        del row["words"]
+        row.pop("checked", None)
     spec["records"] = [{"name": "point", "source": "1 L5", "fields": fields}]
     place = {"base": 50000, "stride": 40, "count": draw(st.integers(2, 4)), "index_from": draw(st.integers(0, 1))}
     spec["tables"] = [{"name": "points", "record": "point", "source": "1 L5", **place}]
@@ -63,9 +62,8 @@ def _parameters(draw: Any, spec: dict[str, Any]) -> None:
     rows, number = [], draw(st.sampled_from((0, 1, 0x100, 0x2000)))
     for place in range(draw(st.integers(1, 4))):
         row = {"number": number, **_register(draw, spec, False, 90 + place)[0], "source": "1 L6"}
-        words = row.pop("words")
+        row.pop("checked", None)
         row.pop("word_order", None)
-        row |= {"length": 2 * words} if row["type"] == "text" else {}
         meaning = draw(st.sampled_from(("one", "one", "list", "object")))
         if meaning != "one" and row["type"] != "text":
             row = {key: row[key] for key in ("number", "name", "type", "access", "source")}
@@ -94,9 +92,9 @@ def _register(draw: Any, spec: dict[str, Any], in_bits: bool, number: int) -> tu
     kind = draw(st.sampled_from((*WIDTHS, "u16", "i16", "u16", "u32", "text")))
     if kind == "text":
         words = draw(st.integers(2, 8))
-        return {**row, "type": "text", "words": words}, words
+        return {**row, "type": "text", "length": 2 * words}, words
     words = WIDTHS[kind]
-    row |= {"type": kind, "words": words}
+    row |= {"type": kind, "checked": {"words": words}}
     if words > 1 and draw(st.integers(0, 3)) == 0:
         row["word_order"] = "little"
     meaning = draw(st.sampled_from(("plain", "quantity", "quantity", "quantity", "enum", "bits")))

@@ -243,7 +243,8 @@ def _bytes(
 
 
 def _json_value(cell: str) -> object:
-    return json.loads(cell) if re.fullmatch(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?", cell) else cell
+    """A number as such, unless it would lose a zero: `6.20` may be bit 20 of 6."""
+    return json.loads(cell) if re.fullmatch(r"-?(0|[1-9][0-9]*)(\.[0-9]*[1-9])?", cell) else cell
 
 
 FACTS = ("space", "address", "type", "words", "access", "unit", "scale", "offset", "min", "max", "default", "const")

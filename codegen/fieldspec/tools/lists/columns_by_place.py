@@ -13,11 +13,15 @@ _NUMBERED = re.compile(
 )
 _CELL = re.compile(r"\S+(?: \S+)*")
 _FEWEST = 3
+_QUOTED = re.compile(r'(?:^|[,;\t|])"[^"]*$')
+"""The beginning of a cell in quotes that the line does not end."""
 
 
 def numbered_sheet(text: str) -> Sheet | None:
     """The sheet of a text of lines such as `30001 - Frequency (Hz x 100)`; None for another text, and a longer one."""
     lines = text.splitlines()[: MOST_ROWS + 1]
+    if _has_cells_of_lines(lines):
+        return None
     matches = [_NUMBERED.fullmatch(line.rstrip()) for line in lines]
     filled = sum(bool(line.strip()) for line in lines)
     numbered = [match for match in matches if match and any(map(str.isdecimal, match[1]))]
@@ -31,6 +35,11 @@ def numbered_sheet(text: str) -> Sheet | None:
             texts = ((match[1], "") if not is_beneath else ("", match[1])) if match else ()
             rows.append(SheetRow(number, (*texts, match[2].strip(), match[3] or "") if match else (line.strip(),)))
     return Sheet(tuple(rows), len(lines))
+
+
+def _has_cells_of_lines(lines: list[str]) -> bool:
+    """Whether cells in quotes go over several lines, as `"1=off` and `2=on"` of a column of values do."""
+    return any('"' in line and line.count('"') % 2 and _QUOTED.search(line) is not None for line in lines)
 
 
 def placed_sheet(text: str) -> Sheet | None:
