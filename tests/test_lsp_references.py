@@ -218,6 +218,7 @@ RENAMED = (
     ("widget", "records/corner", "cornes"),
     ("mover", "enums/status/executed", "executee"),
     ("mover", "links/serial/response/host", "hosu"),
+    ("courier", "links/words/response/data", "datb"),
     ("esc11", "flags/communication_status/command_error", "command_erros"),
     ("esc11", "messages/set_motor_excitation/request/excited", "excitee"),
     ("esc11", "behaviour/alarm", "alarn"),

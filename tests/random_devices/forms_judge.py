@@ -12,7 +12,7 @@ from fieldspec.language.reading.project import read
 from fieldspec.targets import OUTPUTS, Output
 from random_devices.devices import text_of
 from random_devices.draft import Spec
-from random_devices.other_forms import DEVICE, Files, flat, overlaid, split, with_bits_from_most
+from random_devices.other_forms import DEVICE, Files, flat, overlaid, split, with_bits_from_most, with_frames
 
 MOST_OUTPUTS = 4
 """The outputs that are compared of one device; others are those of the next."""
@@ -42,6 +42,9 @@ def forms_agree(spec: Spec, layouts: list[DeviceLayout], dice: random.Random) ->
     if flat(spec) != spec:
         yield from _differences("what is listed", layouts[0], {DEVICE: flat(spec)}, chosen)
     yield from _differences("the protocol", layouts[0], split(spec, dice), chosen)
+    framed = with_frames(spec)
+    if framed is not None:
+        yield from _differences("frames that are stated once", layouts[0], {DEVICE: framed}, chosen)
     turned = with_bits_from_most(spec)
     if turned is not None:
         yield from _differences("bits counted from the other end", layouts[0], {DEVICE: turned}, silent)

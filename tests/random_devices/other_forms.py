@@ -1,7 +1,8 @@
 """The same device in other words: what a form of a spec means, as a spec that states it without that form.
 
 A version is a spec without bounds; copies and derived members are listed; bits of registers are words; an overlay has
-the differences of two versions; a protocol has what `uses` takes from it; and bits may be counted from the other end.
+the differences of two versions; a protocol has what `uses` takes from it; bits may be counted from the other end; and
+frames that are the same both ways may be stated once.
 """
 
 from __future__ import annotations
@@ -108,13 +109,25 @@ def with_bits_from_most(spec: Spec) -> Spec | None:
     return own
 
 
+def with_frames(spec: Spec) -> Spec | None:
+    """A spec whose links state equal requests and responses once; None for one without such a link."""
+    own = copy.deepcopy(spec)
+    for link in own["links"]:
+        if link["request"] == link["response"]:
+            link["frame"] = link.pop("request")
+            del link["response"]
+    return own if own != spec else None
+
+
 def split(spec: Spec, dice: random.Random) -> Files:
     """The files of a device that takes some of its links, messages, records and enums from a protocol.
 
     Of some of these, the device states keys of its own, also such as the protocol states otherwise. The protocol may
-    have a link that the device does not take, and its enums may be those of a protocol that it uses itself.
+    have a link that the device does not take, its enums may be those of a protocol that it uses itself, and frames may
+    be stated once.
     """
-    own = _bare(spec, "")  # messages share fields, of which each gets keys of its own
+    framed = with_frames(spec) if dice.random() < 0.5 else None
+    own = _bare(framed or spec, "")  # messages share fields, of which each gets keys of its own
     protocol: Spec = {"protocol": {"id": "shared", "title": "What several devices share"}}
     counts = {section: len(own.get(section, ())) for section in _OF_PROTOCOL}
     if dice.random() < 0.4:

@@ -109,6 +109,7 @@ KEYS = {
 } | {
     ("link.unit_addresses", "rule"): DOCUMENTATION,
     ("fact", "name"): "It is what the facts of the other mappings have.",
+    ("link", "frame"): "A judge states equal requests and responses so, and compares the outputs of both forms.",
     ("link", "message_name"): DOCUMENTATION,
     ("link", "direction_names"): DOCUMENTATION,
     ("member", "problem"): DOCUMENTATION,

@@ -115,6 +115,11 @@ _REPEATED = {
 
 
 def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
+    if direction not in link.place:
+        text = f"the {direction} of {link.name} has no parts"
+        help = "state them under `frame`, or under `request` and `response` where these differ"
+        yield finding(_CODE, link.place, direction, text, help)
+        return
     roles = Counter(part.role for part in parts)
     for role in (*_NUMBERS, "body"):
         if role != "length" and (roles[role] > 1 or (role == "body" and not roles[role])):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.language.reading.frames import FRAME
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, children, find, identity, mappings
 
 VALUES = ("values", "arguments")
@@ -25,8 +26,13 @@ class Meanings:
         self._roles: dict[str, list[Mapping]] | None = None
 
     def step(self, node: Node | None, step: str) -> Node | None:
-        """The node that a step of a path leads to: below a node, or in the flags or the record that it names."""
+        """The node that a step of a path leads to: below a node, or in the flags or the record that it names.
+
+        In overlays a `frame` stands for both directions; it leads to the parts of the request.
+        """
         known = find(node, step) if node is not None else None
+        if known is None and step == FRAME:
+            known = value_of(node, "request")
         if known is None:
             known = next((item for item in self.parts(node) if identity(item) == step), None)
         return known

@@ -14,6 +14,7 @@ from fieldspec.language.reading.building.context import Reused
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.expansion import expanded
 from fieldspec.language.reading.findings import MAIN, PROTOCOLS, VERSIONS, bounded, near, quoted
+from fieldspec.language.reading.frames import overlay_with_directions, with_directions
 from fieldspec.language.reading.joining import joined, merged_over
 from fieldspec.language.reading.memory import DeviceRead, Memory, file_read
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
@@ -208,7 +209,8 @@ class _Reader:
         if not usable:
             return None
         whole, findings = joined(usable)
-        self.findings += findings
+        whole, twice = with_directions(whole)
+        self.findings += findings + twice
         head = whole.values.get("device")
         if not isinstance(head, Mapping):
             text = f"no file of the folder `{folder}` has the section `device`"
@@ -243,7 +245,9 @@ class _Reader:
             base = versions.bases[version]
             tree = lines.reached(layers.get(base, whole), base, version)
             assert isinstance(tree, Mapping)
-            layers[version], findings = applied(tree, overlay)
+            own_overlay, twice = overlay_with_directions(overlay)
+            layers[version], findings = applied(tree, own_overlay)
+            findings += twice
             missing = lines.unreached(overlay, version, versions.bases)
             self.findings += bounded(findings + lines.unknown(overlay) + missing)
         whole, findings = expanded(whole)
@@ -344,6 +348,9 @@ class _Reader:
                 self.findings.append(Diagnostic("missing_key", text, Span(tree.file, 0, 1), help=help))
             elif tree is not None and isinstance(head, Mapping):
                 self._placed(tree, head, name, _NOT_OF_A_PROTOCOL)
+            if tree is not None:
+                tree, findings = with_directions(tree)
+                self.findings += findings
             self.protocols[name] = self._with_protocols(tree, (*users, name)) if tree is not None else None
             if len(self.findings) > before:
                 self.faulty.add(name)

@@ -38,7 +38,7 @@ INNER = frozenset(
 """The keys under which parts of the same fact are named: fields of a message, parts of a link, bits, members."""
 HOLDERS = frozenset(("enums", "flags", "links", "messages", "records", "tables"))
 """The sections of facts that have such parts."""
-ASKED = ("request", "fields", "bits", "members", "response")
+ASKED = ("frame", "request", "fields", "bits", "members", "response")
 """Their lists, in the order of the search for a name: a response repeats values of the request."""
 
 Keys: TypeAlias = tuple[str | int, ...]
