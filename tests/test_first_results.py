@@ -132,7 +132,7 @@ changes:
     reason: Line 10 of edition 4 prints 1 to 80 %.
 adds:
   - in: registers/control
-    item: {at: 0x0204, name: current, type: u16, words: 1, access: ro, scale: 0.1, unit: A}
+    item: {at: 0x0204, name: current, type: u16, checked: {words: 1}, access: ro, scale: 0.1, unit: A}
     reason: Line 12 of edition 4 prints it.
 renames:
   - {fact: enums/mode/find_lower_end, to: reference, reason: Line 11 of edition 4 calls it so.}

@@ -186,6 +186,6 @@ def restart_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.any_of(Register, Field, Parameter):
         old, new = pair.old.restart, pair.new.restart
-        if old != new:
+        if old != new and not pair.new.reserved:
             text = f"{named(pair.new)}: {difference_text('whether a restart is needed', old, new)}"
             yield change("restart_changed", Effect.BEHAVIOUR, pair, "restart", text, old, new)
