@@ -8,7 +8,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import Span
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.memory import FileRead
-from fieldspec.language.reading.nodes import LISTS, Mapping, Node, Scalar, children, keys, node_at, schema_path
+from fieldspec.language.reading.nodes import CHECKED, LISTS, Mapping, Node, Scalar, children, keys, node_at, schema_path
 from fieldspec.language.reading.scalars import part_at
 from fieldspec.language.reading.yaml_reader import key_spans
 from fieldspec.language.schema import Schema, resolved
@@ -47,8 +47,19 @@ class Cursor:
 
     def part(self) -> Schema | None:
         """The part of the language that describes the last node; None where the language leaves it open."""
-        parts = (*(_part(_within_fact(spec, self)) for spec in self.specs), _part([*self.keys]))
+        steps_within_facts = [_within_fact(spec, self) for spec in self.specs]
+        parts = (*map(self._part_of_fact, steps_within_facts), _part([*self.keys]))
         return next((part for part in parts if part is not None), None)
+
+    def _part_of_fact(self, steps: list[str | int] | None) -> Schema | None:
+        """The part of a fact that an entry refers to. A printed value of an erratum may be one that the fact checks."""
+        part = _part(steps)
+        if steps is None or self.keys[2] != "printed":
+            return part
+        if len(self.keys) > 3:
+            return part or _part([*steps[:-1], CHECKED, steps[-1]])
+        checked = (_part([*steps, CHECKED]) or {}).get("properties", {})
+        return {**part, "properties": {**part.get("properties", {}), **checked}} if part is not None else None
 
 
 def cursor(project: EditedProject, read: FileRead, offset: int) -> Cursor | None:
