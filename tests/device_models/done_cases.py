@@ -10,6 +10,8 @@ from device_models.done_rules import (
 )
 from device_models.monitor_cases import DONE, EDGE, HOME, HOMED, MOVES, POINT, STANDS, STOP, Case
 
+POINT_REACHED = "accepted:point:1 reached:point:1 n0 p0"
+
 DONE_CASES = (
     Case(
         home_is_done_by_this_run,
@@ -164,6 +166,18 @@ DONE_CASES = (
     ),
     Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, MOVES, DONE)),
     Case(done_is_at_the_target, 37, ("", EDGE, MOVES, STANDS, DONE), ("", EDGE, DONE)),
+    Case(
+        done_is_at_the_target,
+        37,
+        ("", POINT, POINT_REACHED, "accepted:outside:2 n2", "n0 p900", "x9", "-Point.Busy +Point.Done"),
+        ("", POINT, POINT_REACHED, "p900", "x9", "-Point.Busy +Point.Done"),
+    ),
+    Case(
+        home_is_done_by_this_run,
+        34,
+        ("n1", HOME, "accepted:home:2 n1 w2", "reached:home:1 n0 w2", "-Home.Busy +Home.Done"),
+        ("n1", HOME, "reached:home:1 n0", "accepted:home:2 w2", "-Home.Busy +Home.Done"),
+    ),
     Case(
         done_is_at_the_target,
         37,
