@@ -22,7 +22,7 @@ from random_values import values_of
 
 GLIDER = module_of(newest(TEST_SPECS, "glider-x"))
 CodecError = codec_error()
-BODY = "      - {name: body, role: body}\n    response: *head"
+BODY = "      - {name: body, role: body}\n    exception_response"
 WIDE = ("{name: axis, type: u8, const: 0}", "{name: axis, type: u16, const: 0x1234}")
 CHANGES: dict[str, tuple[tuple[str, str], ...]] = {
     "no_check": (),

@@ -235,6 +235,12 @@ MOTION_CASES = (
     Case(
         an_alarm_ends_a_motion,
         33,
+        ("", EDGE, MOVES, "alarm:3 alarm n0 v0", f"{STOP} -Move.Busy +Move.Error Move.ErrorID=12"),
+        ("", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.Error Move.ErrorID=12"),
+    ),
+    Case(
+        an_alarm_ends_a_motion,
+        33,
         ("", EDGE, MOVES, "alarm:3 alarm n0 v0", f"{STOP} -Move.Busy +Move.CommandAborted"),
         ("", f"{STOP} -Stop.Execute", EDGE, MOVES, "alarm:3 alarm n0 v0", "-Move.Busy +Move.CommandAborted"),
     ),

@@ -8,6 +8,7 @@ from device_models.axis import Event
 from device_models.history import JOGS, MOTIONS, MOVES, SLOW, STOPPING, STOPS, Calls, History, Violation, starts
 
 ALARM = 8
+LOCKED = 12
 LOST = ("lost request", "lost answer", "late")
 LOST_ANSWER = "lost answer"
 START_BITS = 0x0B40
@@ -226,11 +227,9 @@ def an_alarm_ends_a_motion(history: History) -> Iterator[Violation]:
                     yield Violation(33, scan, calls.name, "an alarm, and it stays Busy")
             elif ending[1] == "Done" and not _was_reached(history, number, ending[0]):
                 yield Violation(33, ending[0], calls.name, f"Done after the alarm of scan {scan}")
-            elif (
-                ending[1] == "CommandAborted"
-                and not _has_successor(history, number, ending[0])
-                and not _is_stopped(history, scan, ending[0])
-            ):
+            elif ending[1:] in (("CommandAborted", 0), ("Error", LOCKED)) and _is_stopped(history, scan, ending[0]):
+                continue
+            elif ending[1] == "CommandAborted" and not _has_successor(history, number, ending[0]):
                 yield Violation(33, ending[0], calls.name, f"CommandAborted after the alarm of scan {scan}")
             elif ending[0] > history.after(scan) and _is_clear(history, scan + 1):
                 yield Violation(33, ending[0], calls.name, f"the alarm of scan {scan} ends it so late")

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from device_models.history import JOGS, LOCKS, MOTIONS, STOPPING, STOPS, Calls, History, Violation, starts
 from device_models.motion_rules import (
+    LOCKED,
     LOST_ANSWER,
     START_BITS,
     _asks_to_stop,
@@ -18,7 +19,6 @@ from device_models.motion_rules import (
 
 JOG_BITS = 0x0300
 TRIES = 3
-LOCKED = 12
 LATELY = 3
 """Scans in which the control word may still be that of a motion that has ended."""
 
