@@ -157,9 +157,9 @@ def test_the_cache_of_an_earlier_fieldspec_goes_on(tmp_path: Path, monkeypatch: 
 @pytest.mark.parametrize(
     ("platform", "variables", "place"),
     [
-        ("linux", {}, "/home/a/.cache/fieldspec"),
+        ("linux", {}, "/people/a/.cache/fieldspec"),
         ("linux", {"XDG_CACHE_HOME": "/caches"}, "/caches/fieldspec"),
-        ("win32", {}, "/home/a/AppData/Local/fieldspec/cache"),
+        ("win32", {}, "/people/a/AppData/Local/fieldspec/cache"),
         ("win32", {"LOCALAPPDATA": "/local"}, "/local/fieldspec/cache"),
         ("win32", {"FIELDSPEC_CACHE": "/cache/"}, "/cache"),
     ],
@@ -170,7 +170,7 @@ def test_the_folder_is_where_the_system_keeps_caches(
     monkeypatch.setattr("sys.platform", platform)
     for variable in ("FIELDSPEC_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
         monkeypatch.delenv(variable, raising=False)
-    for variable, text in {"HOME": "/home/a", "USERPROFILE": "/home/a", **variables}.items():
+    for variable, text in {"HOME": "/people/a", "USERPROFILE": "/people/a", **variables}.items():
         monkeypatch.setenv(variable, text)
     assert Path(cache_folder.folder()) == Path(place)
 
