@@ -124,7 +124,7 @@ WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
         (["audit", "tc100", "--record"], "--record needs the text of the manual: --manual FILE --record"),
         (["audit", "tc100", "--baseline", "none.json"], "--baseline goes with --evidence FOLDER"),
         (["simulate", "tc100", "--port", "usb=pty"], "there is no link usb"),
-        (["simulate", "tc100", "--baud", "1234"], "ascii has no --baud 1234; choose from 9600, 19200, "),
+        (["simulate", "tc100", "--baud", "1234"], "rtu has no --baud 1234; choose from 9600, 19200, "),
         (["simulate", "esc11", "--data-bits", "5"], "has no --data-bits 5; choose from 8"),
         (["simulate", "tc100", "--unit", "500"], "unit address"),
         (["simulate", "tc100", "--fault", "no_answr=0.1"], "there is no fault `no_answr`; choose from no_answer, "),
