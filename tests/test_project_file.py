@@ -119,7 +119,7 @@ def test_a_named_version_is_built_in_addition_to_the_chosen_ones(bench: Bench) -
         "manifest.json",
     }
     header = (bench.folder / "generated/c/glider_x.h").read_text("utf-8")
-    assert header.index(f"glider_x_{OLD}.h") != header.index(f"glider_x_{NEW}.h")
+    assert [version for version in (OLD, NEW) if f"glider_x_{version}.h" not in header] == []
     assert build(bench) == 0
     assert not [path for path in paths(bench.folder / "generated") if OLD in path]
 

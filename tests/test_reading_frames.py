@@ -43,6 +43,7 @@ def names(model: Device) -> tuple[list[str], list[str]]:
 
 
 WHOLE, SHORT = ["station", "code", "body"], ["code", "body"]
+MARKED = [*SHORT, "mark"]
 
 
 def test_a_device_is_the_same_with_both_directions_and_with_one_frame() -> None:
@@ -65,16 +66,16 @@ def test_parts_have_their_place_at_the_frame() -> None:
     ("of_protocol", "of_device", "expected"),
     [
         (f"frame: {PARTS}", "doc: A line.", (WHOLE, WHOLE)),
-        (f"request: {OTHER}, response: {OTHER}", "frame: [{name: code}, {name: mark, type: u8}]", None),
+        (f"request: {OTHER}, response: {OTHER}", "frame: [{name: code}, {name: mark, type: u8}]", (MARKED, MARKED)),
         (f"request: {PARTS}", f"frame: {OTHER}", (WHOLE, SHORT)),
         (f"frame: {OTHER}", "request: [{name: code, doc: Of requests.}]", (SHORT, SHORT)),
     ],
 )
 def test_a_frame_and_the_directions_of_a_protocol_are_merged(
-    of_protocol: str, of_device: str, expected: tuple[list[str], list[str]] | None
+    of_protocol: str, of_device: str, expected: tuple[list[str], list[str]]
 ) -> None:
     text = "uses: [{protocol: wire}]\n" + link(of_device)
-    assert names(device(text, **protocol(of_protocol))) == (expected or ([*SHORT, "mark"], [*SHORT, "mark"]))
+    assert names(device(text, **protocol(of_protocol))) == expected
 
 
 @pytest.mark.parametrize(

@@ -56,7 +56,8 @@ def run(arguments: argparse.Namespace) -> int:
         return 0
     if not layout.links:
         raise UsageError(f"{arguments.device} has no link, so there is nothing to serve")
-    settings = {name: _line_settings(link.link, arguments) for name, link in layout.links.items()}
+    places = list(_places(layout, arguments.port)) if arguments.port or arguments.websocket is None else []
+    settings = {link: _line_settings(layout.links[link].link, arguments) for link, _ in places}
     simulation = Simulation(
         layout,
         behaviour,
@@ -69,7 +70,6 @@ def run(arguments: argparse.Namespace) -> int:
     report_silence(simulation.server)
     if arguments.dump:
         _seed(simulation, arguments.dump)
-    places = list(_places(layout, arguments.port)) if arguments.port or arguments.websocket is None else []
     recording: TextIO | None = None
     try:
         if arguments.record:
