@@ -60,12 +60,8 @@ def _facts(context: Context) -> Iterator[tuple[str, tuple[Line, ...]]]:
 
 
 def version_title(device: Device) -> str:
-    """`firmware 2.0`, or the version alone where the device declares no versions."""
-    for line in device.lines:
-        for version in line.versions:
-            if version.id == device.version:
-                return f"{' '.join(line.name.split('_'))} {version.id}"
-    return device.version
+    """`version 2.0`, or the version alone where the device declares no versions."""
+    return f"version {device.version}" if device.lines else device.version
 
 
 def _versions(line: VersionLine, present: str) -> DocumentTable:
