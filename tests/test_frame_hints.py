@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,30 @@ def test_bytes_that_are_not_a_frame_have_a_reason(
     capsys: pytest.CaptureFixture[str], device: str, frame: str, expected: str
 ) -> None:
     assert expected in decoded(capsys, device, frame)
+
+
+def test_a_frame_among_other_bytes_is_explained_and_the_other_bytes_are_not(capsys: pytest.CaptureFixture[str]) -> None:
+    frame = decoded(capsys, "tc100", READ).splitlines()
+    lines = decoded(capsys, "tc100", f"FF 00 {READ} 00").splitlines()
+    assert [line for line in lines if not line.startswith("bytes 2..9")] == frame
+
+
+def test_each_of_two_joined_frames_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
+    text = decoded(capsys, "tc100", f"{READ} {READ}")
+    assert text.count("read_registers request, rtu, ") == 2
+
+
+def test_bytes_around_a_frame_are_a_finding() -> None:
+    assert main(["decode", "tc100", f"{READ} 00", "--specs", SPECS]) == 1
+
+
+def test_a_response_among_other_bytes_of_a_log_answers_the_request_before_it(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    log = f"FF {READ}\nFF 01 03 02 12 34 B5 33\n"
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(log.encode())))
+    assert main(["decode", "tc100", "--specs", SPECS]) == 1
+    assert "this answers the request in line 1" in capsys.readouterr().out
 
 
 def test_errata_about_another_link_are_not_printed_with_a_frame(capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,7 +14,7 @@ import pytest
 
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.command.frames.frame_hints import FrameHints
+from fieldspec.command.frames.frame_hints import FrameHints, HintedReading, ReadFrame
 from fieldspec.command.rendering.explanation_text import as_data
 from fieldspec.command.verbs.decode import FramePrinter, Log
 from fieldspec.language.model.texts import Example
@@ -94,9 +94,9 @@ def test_frames_of_a_link_that_only_the_device_uses_are_explained_as_by_the_comm
 class NoHints(FrameHints):
     """Says nothing: hints are read with other versions, which a page does not have."""
 
-    def of(self, reading: ChosenReading) -> Iterator[str]:
-        """Nothing."""
-        yield from ()
+    def readings(self, frame: bytes, read_frame: ReadFrame) -> list[HintedReading]:
+        """The reading of the bytes alone."""
+        return [HintedReading(*read_frame(frame), ())]
 
 
 class CollectingPrinter(FramePrinter):

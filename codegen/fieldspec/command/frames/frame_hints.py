@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, read
 from fieldspec.codec.explain.recognition import Reading, recognised
@@ -13,9 +13,23 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.frames.frame_options import frame_options
 from fieldspec.command.sources import specs
+from fieldspec.foundation.classes import dataclass
 
 _LONGEST = 1024
 """The size up to which bytes are searched for a frame."""
+
+
+ReadFrame = Callable[[bytes], tuple[ChosenReading, int]]
+"""Reads a frame. The number is the line of the request that it answers, 0 where there is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class HintedReading:
+    """A reading to explain, the line of its request (0 where there is none), and why the bytes are not a frame."""
+
+    reading: ChosenReading
+    asked_in: int
+    hints: tuple[str, ...]
 
 
 class FrameHints:
@@ -25,16 +39,19 @@ class FrameHints:
         self.layout, self.options, self.arguments = layout, options, arguments
         self._versions: list[tuple[DeviceLayout, FrameOptions]] | None = None
 
-    def of(self, reading: ChosenReading) -> Iterator[str]:
-        """The first reason that explains the bytes of a wrong reading; nothing for a right one."""
-        frame = reading.explanation.frame
+    def readings(self, frame: bytes, read_frame: ReadFrame) -> list[HintedReading]:
+        """The readings that explain the bytes, each with the first reason why they are not a valid frame.
+
+        Valid frames among the bytes are explained instead of the bytes as a whole. `read_frame` reads a frame.
+        """
+        reading, asked_in = read_frame(frame)
         if not reading.wrong or len(frame) > _LONGEST:
-            return
-        for reason in (self._missing_checksum, self._surrounded, self._of_another_version):
-            texts = list(reason(frame))
-            if texts:
-                yield from texts
-                return
+            return [HintedReading(reading, asked_in, ())]
+        texts = tuple(self._missing_checksum(frame))
+        if texts:
+            return [HintedReading(reading, asked_in, texts)]
+        inner = [HintedReading(*read_frame(inner_frame), (text,)) for inner_frame, text in self._surrounded(frame)]
+        return inner or [HintedReading(reading, asked_in, tuple(self._of_another_version(frame)))]
 
     def _places(self) -> Iterator[tuple[LinkLayout, str]]:
         for link in self.layout.links.values():
@@ -70,26 +87,29 @@ class FrameHints:
                 names = " and ".join(check.name for check in checks)
                 yield f"the checksum is missing: with {names} {added}, this is {_text(reading)}: {_hex(completed)}"
 
-    def _surrounded(self, frame: bytes) -> Iterator[str]:
-        """The valid frames among the bytes, with their positions."""
+    def _surrounded(self, frame: bytes) -> Iterator[tuple[bytes, str]]:
+        """The valid frames among the bytes, each with its position and what is around it."""
         from fieldspec.tools.simulator import codecs
 
         module = codecs.device_module(self.layout)
-        visited = set()
+        inner_frames: dict[int, tuple[bytes, str]] = {}
         for link, direction in self._places():
             framer = codecs.framer(module, link.name, direction)
             has_evidence = link.frame(direction).checksums or any(link.link.delimiters(direction))
+            end = 0
             for inner in [*framer.feed(frame), *framer.idle()] if framer is not None and has_evidence else ():
-                start = frame.find(inner)
-                if inner == frame or start < 0 or inner in visited:
+                start = frame.find(inner, end)
+                if inner == frame or start < 0:
                     continue
-                reading = self._valid(inner, link, direction)
+                end = start + len(inner)
+                reading = None if start in inner_frames else self._valid(inner, link, direction)
                 if reading is not None:
-                    visited.add(inner)
-                    end = start + len(inner) - 1
-                    surplus = [f"{start} before" if start else "", f"{len(frame) - 1 - end} after"]
+                    surplus = [f"{start} before" if start else "", f"{len(frame) - end} after"]
                     surplus_text = " and ".join(side for side in surplus if side and not side.startswith("0 "))
-                    yield f"bytes {start}..{end} are {_text(reading)}, with {surplus_text} it: {_hex(inner)}"
+                    text = f"bytes {start}..{end - 1} are {_text(reading)}, with {surplus_text} it: {_hex(inner)}"
+                    inner_frames[start] = inner, text
+        for start in sorted(inner_frames):
+            yield inner_frames[start]
 
     def _of_another_version(self, frame: bytes) -> Iterator[str]:
         """The other versions that read the frame without a fault."""

@@ -17,7 +17,7 @@ from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.command.console.streams import print_error, print_json, print_line, print_note
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError
-from fieldspec.command.frames.frame_hints import FrameHints
+from fieldspec.command.frames.frame_hints import FrameHints, HintedReading
 from fieldspec.command.frames.frame_options import frame_options
 from fieldspec.command.rendering import explanation_text as texts
 from fieldspec.command.rendering.blocks import Block, Line
@@ -136,14 +136,23 @@ def run(arguments: argparse.Namespace) -> int:
         gc.enable()  # a log may be long
         return Log(layout, options, open_request, printer, hints, arguments.strict).explain(sys.stdin.buffer)
     line = _frame(layout, text, arguments.device)
-    reading = read(layout, line.frame, options, line.direction, open_request)
-    printer.explain(reading, [*line.remarks, *remarks(layout, reading, 0, options), *hints.of(reading)])
-    return int(_fails(reading, arguments.strict))
+
+    def read_frame(frame: bytes) -> tuple[ChosenReading, int]:
+        return read(layout, frame, options, line.direction, open_request), 0
+
+    hinted_readings = hints.readings(line.frame, read_frame)
+    for hinted in hinted_readings:
+        frame_remarks = remarks(layout, hinted.reading, 0, options)
+        printer.explain(hinted.reading, [*line.remarks, *frame_remarks, *hinted.hints])
+    return int(_fail(hinted_readings, arguments.strict))
 
 
-def _fails(reading: ChosenReading, strict: bool) -> bool:
-    """Whether the exit code is 1: the frame is wrong or, with `--strict`, has a doubtful value."""
-    return reading.wrong or (strict and any(faults(reading.explanation)))
+def _fail(hinted_readings: Sequence[HintedReading], strict: bool) -> bool:
+    """Whether the exit code is 1: the bytes are not a valid frame or, with `--strict`, have a doubtful value."""
+    return any(
+        hinted.hints or hinted.reading.wrong or (strict and any(faults(hinted.reading.explanation)))
+        for hinted in hinted_readings
+    )
 
 
 def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None) -> OpenRequest | None:
@@ -243,11 +252,16 @@ class Log:
         self.mark = line.direction or self.mark
         if not line.frame:
             return
-        reading, asked_in = self._read(line.frame)
-        own_remarks = remarks(self.layout, reading, asked_in, self.said)
-        self.printer.explain(reading, [*line.remarks, *own_remarks, *self.hints.of(reading)], number)
-        self.wrong = self.wrong or _fails(reading, self.strict)
+        hinted_readings = self.hints.readings(line.frame, self._read)
+        for hinted in hinted_readings:
+            frame_remarks = remarks(self.layout, hinted.reading, hinted.asked_in, self.said)
+            self.printer.explain(hinted.reading, [*line.remarks, *frame_remarks, *hinted.hints], number)
+            self._remember(hinted.reading, number)
+        self.wrong = self.wrong or _fail(hinted_readings, self.strict)
         self.mark = ""
+
+    def _remember(self, reading: ChosenReading, number: int) -> None:
+        """Keeps the requests that may still be answered after a frame of line `number`."""
         if self.asked is None:
             self._close(reading.explanation)
             request = self._request(reading)
