@@ -123,8 +123,14 @@ def example_proven(layout: DeviceLayout, reference: DeviceCodec, example: Exampl
     except MeaningError as error:
         yield Diagnostic("meaning_matches_bytes", str(error), example.place["values"], help="see the message's fields")
         return
-    yield from _compare_meaning(layout, example, decoded, expected)
-    yield from _bytes(reference, example, decoded, expected)
+    yield from _compare_meaning(example, decoded, expected)
+    missing = {name: value for name, value in _stated(layout, decoded).items() if name not in expected}
+    if missing:
+        text = f"the values do not contain {', '.join(missing)}"
+        help = f"add `{spec_text(missing)[1:-1]}` if the manual means that"
+        yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)
+    else:
+        yield from _bytes(reference, example, decoded, expected)
 
 
 def _mend(code: str) -> str:
@@ -173,28 +179,26 @@ def _refused(reference: DeviceCodec, example: Example) -> Iterator[Diagnostic]:
     yield Diagnostic("meaning_matches_bytes", text, example.place["refused"], help="state its meaning instead")
 
 
-def _compare_meaning(
-    layout: DeviceLayout, example: Example, decoded: Decoded, expected: dict[str, Raw]
-) -> Iterator[Diagnostic]:
-    """The values in the spec against the values of the bytes. Values that follow from others may be left out."""
+def _compare_meaning(example: Example, decoded: Decoded, expected: dict[str, Raw]) -> Iterator[Diagnostic]:
+    """The values in the spec against the values of the bytes."""
     for name, value in {**decoded.head, **decoded.values}.items():
-        if name in expected:
-            if not _is_same_value(expected[name], value):
-                path, want, decoded_value = _difference(name, expected[name], value)
-                text = f"{path} is {spec_text(decoded_value)} in the bytes, but {spec_text(want)} in the values"
-                span = example.place["values"]
-                label = Label(example.place["frame"], "these bytes")
-                yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
-        elif not _implied(layout, decoded, name):
-            text = f"the values do not contain {name}"
-            help = f"add `{name}: {spec_text(value)}` if the manual means that"
-            yield Diagnostic("meaning_matches_bytes", text, example.place["values"], help=help)
+        if name in expected and not _is_same_value(expected[name], value):
+            path, want, decoded_value = _difference(name, expected[name], value)
+            text = f"{path} is {spec_text(decoded_value)} in the bytes, but {spec_text(want)} in the values"
+            span = example.place["values"]
+            label = Label(example.place["frame"], "these bytes")
+            yield Diagnostic("meaning_matches_bytes", text, span, (label,), "correct one of them")
 
 
 def stated_values(layout: DeviceLayout, decoded: Decoded) -> str:
     """The values of a frame as an example states them, without those that follow from others."""
+    return spec_text(_stated(layout, decoded))
+
+
+def _stated(layout: DeviceLayout, decoded: Decoded) -> dict[str, Raw]:
+    """The values that an example states: those that do not follow from others."""
     values = {**decoded.head, **decoded.values}
-    return spec_text({name: value for name, value in values.items() if not _implied(layout, decoded, name)})
+    return {name: value for name, value in values.items() if not _implied(layout, decoded, name)}
 
 
 def _implied(layout: DeviceLayout, decoded: Decoded, name: str) -> bool:
