@@ -242,6 +242,7 @@ def test_value(
             Variable(Type("uint8_t"), "other", (None,), other_data, "static const"),
             expect_equal(label, Call(encode, (_BYTES,)), ok),
             expect_bytes(f"{label} bytes", _BYTES, data),
+            *_answer(value, order, value.const),
             expect_equal(label, Call(decode, (_BYTES, _OUT_POINTER)), ok),
             expect_equal(label, _OUT, literal(value.encoding, value.const)),
             expect_equal(f"{label} {other}", Call(decode, (_OTHER, _OUT_POINTER)), ok),
@@ -258,14 +259,13 @@ def test_value(
     body += [Variable(out_type, "out", value=out_start), Variable(in_type, "in", value=in_start, storage="volatile")]
     encoded, decoded = Call(encode, (_IN, _BYTES)), Call(decode, (_BYTES, _OUT_POINTER))
     for number in numbers:
-        data, answer = _write_bytes(value, order, number, size), value_bytes(value, *order, number)
-        answer_bytes = enumerate(answer if value.write_word_order else b"")
+        data = _write_bytes(value, order, number, size)
         description = f"{label} {number}"
         body += [
             assign(_IN, encoded_constants[number]),
             expect_equal(description, encoded, ok),
             expect_bytes(f"{description} bytes", _BYTES, data),
-            *(assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1)) for place, byte in answer_bytes),
+            *_answer(value, order, number),
             expect_equal(description, decoded, ok),
             expect_equal(description, _OUT, decoded_constants[number]),
         ]
@@ -276,6 +276,13 @@ def _write_bytes(value: Value, order: tuple[str, bool], number: int, size: int) 
     """The bytes of a number in a write, whose word order may differ from the word order of a read."""
     byte_order, swapped = order
     return value_bytes(value, byte_order, value.write_swapped(swapped), number).ljust(size, b"\0")
+
+
+def _answer(value: Value, order: tuple[str, bool], number: int) -> Iterator[Statement]:
+    """Writes the bytes of a read in place of those of a write, where their word order differs."""
+    if value.write_word_order:
+        for place, byte in enumerate(value_bytes(value, *order, number)):
+            yield assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1))
 
 
 def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:
