@@ -180,14 +180,18 @@ def _disagreements(
 
 
 def _may_move(layout: DeviceLayout, query: Query, wanted: Answer) -> bool:
-    """Whether codecs read digits of a trailer at the end of a frame, which the explainer has where the data ends.
+    """Whether codecs read a trailer at the end of a frame, which the explainer has where the data ends.
 
-    Where a frame has a wrong length, only codecs take other bytes for these digits.
+    Where a frame has a wrong length, only codecs take other bytes for the digits of a trailer, or for a checksum after
+    escaped bytes.
     """
-    if wanted.reason != "unknown_value" or query.kind != "frame":
+    if query.kind != "frame":
         return False
     link, direction, _ = query.path
-    return any(part.form for part in layout.links[link].frame(direction).trailer)
+    shape = layout.links[link].frame(direction)
+    if wanted.reason == "wrong_checksum":
+        return shape.escape is not None and bool(shape.escape.last)
+    return wanted.reason == "unknown_value" and any(part.form for part in shape.trailer)
 
 
 def _has_no_constant(wanted: Answer, answer: Answer) -> bool:

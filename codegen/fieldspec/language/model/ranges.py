@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Ranges:
-    """Intervals with both ends, in the order of the spec.
+    """Intervals with both ends, in ascending order.
 
     The ends are whole numbers. Those of a floating-point value may have a fraction; they are then the floats that the
     value can be exactly.

@@ -180,7 +180,7 @@ class Entry:
             return None
         numbers = whole_intervals(node.text)
         if numbers is not None and all(low <= high for low, high in numbers):
-            return Ranges(numbers)
+            return Ranges(tuple(sorted(numbers)))
         whole = tuple((int(low), int(high)) for low, high in intervals(node.text))
         if numbers is None:
             # A bound such as 3000.0 is a quantity, even where it is a whole number.
@@ -189,14 +189,14 @@ class Entry:
             )
         elif any(low > high for low, high in whole):
             self.refuse("wrong_form", key, "an interval ends before it starts", "write the lower bound first")
-        return Ranges(whole)
+        return Ranges(tuple(sorted(whole)))
 
     def real_ranges(self, key: str) -> Ranges | None:
         """The intervals under a key of a floating-point value, whose bounds may have a fraction."""
         node = self.get(key)
         if not isinstance(node, Scalar):
             return None
-        bounds = tuple((_real(low), _real(high)) for low, high in intervals(node.text))
+        bounds = tuple(sorted((_real(low), _real(high)) for low, high in intervals(node.text)))
         if any(low > high for low, high in bounds):
             self.refuse("wrong_form", key, "an interval ends before it starts", "write the lower bound first")
         return Ranges(cast("tuple[tuple[int, int], ...]", bounds))

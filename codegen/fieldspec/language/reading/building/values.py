@@ -192,7 +192,7 @@ def counts_of(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> Range
                 entry.refuse("wrong_form", "unit_range", text, _nearest("unit_range", count, scale, offset))
         low, high = sorted(raw)
         counts.append((int(low), int(high)))
-    return Ranges(tuple(counts))
+    return Ranges(tuple(sorted(counts)))
 
 
 def default_of(entry: Entry, scale: Decimal | Fraction, offset: Decimal) -> int | str | None:
