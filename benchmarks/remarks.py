@@ -40,14 +40,14 @@ ALL = (
 TURNS = (
     "pymodbus, the baseline, takes 3.7 times as long as a loop over the 256-entry CRC table; when the goal was set, "
     "it took 4.7 times as long. Even the shortest hand-written code that creates the same objects, for one message "
-    "and without a link, reaches only the ratio 8.0. The generated code also calls the link in each direction, and looks "
-    "up the class by the code. The ratio to construct is 29 to 31, depending on the run."
+    "and without a link, reaches only the ratio 8.0. The generated code also calls the link in each direction, and "
+    "looks up the class by the code. The ratio to construct is 29 to 31, depending on the run."
 )
 TESTS = (
     "Eighteen fields have ranges, and a comparison takes 9 ns, so range checks take half of the time. Without range "
-    "checks, a hand-written class with the same fields is 23 times as fast as construct, and 39 times as fast as Kaitai. "
-    "No faster method of checking ranges was found: comparing the packed bytes as one large number takes as long even "
-    "if every field has a single interval; a regular expression, `min` and `max`, sets, and `map` take longer. "
+    "checks, a hand-written class with the same fields is 23 times as fast as construct, and 39 times as fast as "
+    "Kaitai. No faster method of checking ranges was found: comparing the packed bytes as one large number takes as long "
+    "even if every field has a single interval; a regular expression, `min` and `max`, sets, and `map` take longer. "
     "`struct` checks the limits of the type."
 )
 SUMS = (
