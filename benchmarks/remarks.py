@@ -47,8 +47,8 @@ TESTS = (
     "Eighteen fields have ranges, and a comparison takes 9 ns, so range checks take half of the time. Without range "
     "checks, a hand-written class with the same fields is 23 times as fast as construct, and 39 times as fast as "
     "Kaitai. No faster method of checking ranges was found: comparing the packed bytes as one large number takes as "
-    "long even if every field has a single interval; a regular expression, `min` and `max`, sets, and `map` take longer. "
-    "`struct` checks the limits of the type."
+    "long even if every field has a single interval; a regular expression, `min` and `max`, sets, and `map` take "
+    "longer. `struct` checks the limits of the type."
 )
 SUMS = (
     "Hand-written code with the same checks is 30 times as fast as construct, without checks 34 times; the goal "
