@@ -5,27 +5,27 @@ from __future__ import annotations
 RICHER = (
     "The hand-written program handles one device in one format. Reading and checking take 2.5 to 3 times as long as "
     "that program, because every value carries its source position and seventy rules check it. The outputs are eight "
-    "times as large: tests of every constant and example next to the C header, Python codecs, HTML and Markdown "
-    "pages, and an audit."
+    "times as large: they also contain tests of every constant and example, Python codecs, HTML and Markdown pages, "
+    "and an audit."
 )
 START = (
-    "Of the 130 ms for reading and checking, 60 are imports: the YAML and schema libraries take 17, and the 160 "
-    "modules of fieldspec 20. The peer's imports take a tenth of that time."
+    "Reading and checking take 130 ms; 60 ms of these are for imports. The YAML and schema libraries take 17 ms, and "
+    "the 160 modules of fieldspec 20 ms. The peer's imports take a tenth of the 60 ms."
 )
 READS = (
-    "The device is already compiled; only 300 of its 10,000 objects are created. Half of the remaining time is the "
-    "import of sixty small modules for the parts of a device and the explanation of a frame, and a fifth is the import "
-    "of argparse; the check that specs and compiler are unchanged takes 3 ms."
+    "The device is already compiled, and only 300 of its 10,000 objects are created. Half of the remaining time is the "
+    "import of sixty small modules for the parts of a device and the explanation of a frame. A fifth is the import of "
+    "argparse. The check that specs and compiler are unchanged takes 3 ms."
 )
 MODEL = "The parsed files and their model take 0.8 GB; the text of an output is added to that."
 WATCH = (
-    "Reading, seventy checks, and the audit, which checks the device with each misprint again, take a third of the "
-    "time. The texts of single facts are kept for Python, C, JavaScript and dissectors; documentation, vectors, "
-    "queries and blocks for controllers are built as a whole, since what they print of a fact depends on many others."
+    "Reading, seventy checks, and the audit, which checks the device again with each misprint, take a third of the "
+    "time. For Python, C, JavaScript and dissectors, the texts of unchanged facts are kept. Documentation, vectors, "
+    "queries and blocks for controllers are built as a whole, because their text for a fact depends on many facts."
 )
 LARGE_SAVE = (
-    "Checks of single values and words run again only where something has changed, but those that compare facts read "
-    "every register, which takes a fifth of the time; joining the parts of the C files takes a third."
+    "Checks of single values and bit fields run again only for changed facts. Checks that compare facts read every "
+    "register, which takes a fifth of the time; joining the parts of the C files takes a third."
 )
 MANY_VERSIONS = (
     "All versions are read, laid out and joined again; only shared parts are printed once. Checks that compare facts, "
@@ -33,40 +33,40 @@ MANY_VERSIONS = (
     "another third."
 )
 ALL = (
-    "Two processors share nearly 4 s of work, but not evenly: one builds the largest device, the other the remaining "
-    "three, which take a fifth longer. Splitting a device created more work than it saved. Before the two processors "
-    "start, imports and reading all specs take 0.3 s."
+    "Two processors share nearly 4 s of work, but not evenly: one builds the largest device, the other builds the "
+    "remaining three devices, which takes a fifth longer. Splitting a device created more work than it saved. Before "
+    "both processors start, imports and the reading of all specs take 0.3 s."
 )
 TURNS = (
     "pymodbus, the baseline, takes 3.7 times as long as a loop over the 256-entry CRC table; when the goal was set, "
     "it took 4.7 times as long. Even the shortest hand-written code that creates the same objects, for one message "
-    "and without a link, reaches only 8.0. The generated code also calls the link in each direction, and looks up the "
-    "class by the code. The ratio to construct is 29 to 31, depending on the run."
+    "and without a link, reaches only the ratio 8.0. The generated code also calls the link in each direction, and "
+    "looks up the class by the code. The ratio to construct is 29 to 31, depending on the run."
 )
 TESTS = (
-    "Eighteen fields have ranges, and a comparison takes 9 ns: the range checks are half of the time. Without range "
-    "checks, the same hand-written class is 23 times as fast as construct, and 39 times as fast as Kaitai. No faster "
-    "method of checking ranges was found: comparing the packed bytes as one large number takes as long even if every "
-    "field has a single interval; a regular expression, `min` and `max`, sets, and `map` take longer. `struct` checks "
-    "the limits of the type."
+    "Eighteen fields have ranges, and a comparison takes 9 ns, so range checks take half of the time. Without range "
+    "checks, a hand-written class with the same fields is 23 times as fast as construct, and 39 times as fast as "
+    "Kaitai. No faster method of checking ranges was found: comparing the packed bytes as one large number takes as "
+    "long even if every field has a single interval; a regular expression, `min` and `max`, sets, and `map` take "
+    "longer. `struct` checks the limits of the type."
 )
 SUMS = (
     "Hand-written code with the same checks is 30 times as fast as construct, without checks 34 times; the goal "
     "assumed no checks."
 )
 CLASSES = (
-    "One file of such hand-written classes takes 3.1 ms, most of it to create 100 classes with 21 slots. The rest is "
-    "nine modules instead of one, so that devices share code (1.3 ms), and the code that names a rejected field and "
-    "decodes many records at once (0.6 ms)."
+    "One file of such hand-written classes takes 3.1 ms, mostly to create 100 classes with 21 slots. fieldspec imports "
+    "nine modules instead of one, so that devices share code: this takes 1.3 ms. The code that names a rejected field "
+    "and decodes many records at once takes 0.6 ms."
 )
 SHIFTS = (
     "Compared with hand-written shifts, the ratio is 1.05. A DataView tests one bound per number, shifts test one per "
-    "byte; creating a DataView for every frame takes five times as long as decoding it, and frames seldom share a "
-    "buffer."
+    "byte. But creating a DataView for every frame takes five times as long as decoding the frame, and frames seldom "
+    "share a buffer."
 )
 INLINED = (
-    "V8 inlines functions of up to 460 bytes of bytecode; with nine checks and their errors, the writer has 770. With "
-    "a higher limit, the ratio is 1.06 for writing into bytes, and 1.28 for encoding into new bytes. Separate "
+    "V8 inlines functions of up to 460 bytes of bytecode; with nine checks and their errors, the writer has 770 bytes. "
+    "With a higher limit, the ratio is 1.06 for writing into bytes, and 1.28 for encoding into new bytes. Separate "
     "functions for checks and stores would be short enough, but would state every check twice."
 )
 

@@ -20,23 +20,22 @@ _INTRODUCTION = """\
 
 # What the outputs express
 
-The [first table](#constructs) lists the constructs that outputs for
-engineering tools express, adapt or refuse. The [second table](#keys) lists the outputs that each key of the language
-changes.
+The [first table](#constructs) shows for each construct whether the outputs for engineering tools express, adapt or
+refuse it. The [tables of keys](#keys) list the outputs that each key of the language changes.
 
 ## Constructs
 
-**exact**: the output expresses the construct completely. **adapted**: in a different form; the number refers to the
-explanation below. **refused**: the output omits the construct; if a rule is named, the build reports it: see
-[below](#what-is-left-out).
+**exact**: the output expresses the construct completely. **adapted**: the output expresses the construct in a
+different form. **refused**: the output omits the construct. The number in brackets refers to a reason
+[below](#why). If the reason ends with the name of a rule, the build reports the [omission](#what-is-left-out).
 """
 
 _KEYS = """\
 ## Keys
 
-The tables list the outputs that change if a key changes in a spec, apart from the identity, which every output
-contains. Outputs that a row does not list do not use the key: the lists for operator panels contain no registers, and
-codecs do not need the line of a manual. A key with only `docs` is documentation. `export` is the list of
+The tables list the outputs that change if a key changes in a spec. The identity is not counted, because every output
+contains it. Outputs that a row does not list do not use the key. For example, the lists for operator panels contain no
+registers, and codecs do not need the line of a manual. A key with only `docs` is documentation. `export` is the list of
 `fieldspec export`, `audit` the report of `fieldspec audit`, and `simulate` the behaviour of `fieldspec simulate`.
 `check` means that only findings use the key. `none` means that no output uses the key; it only informs readers of the
 spec. Tests verify the rows: they change a key in sample devices and compare all outputs.
