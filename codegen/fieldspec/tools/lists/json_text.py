@@ -13,13 +13,20 @@ DEEPEST = 16
 MOST_VALUES = 2_000_000
 
 _SIGN = re.compile(r'["\\\[\]{},]')
+_COMMENT = re.compile(r'("(?:[^"\\\n]|\\.)*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_LAST_COMMA = re.compile(r'("(?:[^"\\\n]|\\.)*")|,(?=\s*[\]}])')
 
 
 def json_data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = None) -> Any:
-    """The data of a JSON text. `pairs` builds an object from its pairs. Raises ListError."""
+    """The data of a JSON text, which may have comments and commas before closing brackets. `pairs` builds an object
+    from its pairs. Raises ListError."""
+    text = _COMMENT.sub(lambda match: match[1] or re.sub(r"[^\n]", " ", match[0]), text)
+    text = _LAST_COMMA.sub(lambda match: match[1] or " ", text)
     _count(text)
     try:
         return json.loads(text, object_pairs_hook=pairs)
+    except json.JSONDecodeError as error:
+        raise ListError(f"begins like JSON but is not JSON: line {error.lineno}, {error.msg}") from None
     except (ValueError, RecursionError):
         raise ListError("begins like JSON but is not JSON") from None
 

@@ -151,6 +151,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         }
         if "readable" in columns_of_sheet.places and "writable" in texts:
             texts.setdefault("readable", "no")
+        if text := texts.get("read_only", ""):
+            texts.setdefault("writable", {True: "no", False: "yes"}.get(cells.answer(text), f"read only {text}"))
         if "function_write" in texts:
             texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
         row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, order)

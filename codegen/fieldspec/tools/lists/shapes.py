@@ -10,6 +10,7 @@ from fieldspec.tools.lists.type_words import Loose
 BIT = "bit"
 
 _BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
+_WORD_BITS = 16
 _WHOLE_WORDS = {"u8": "u16", "i8": "i16"}
 
 
@@ -26,6 +27,9 @@ class Shape:
 
 def shape(row: ListRow, in_bits: bool) -> Shape:
     """The shape of a row's register. Where two of three agree, they win; else the length does. The rest is a doubt."""
+    last_bit = max((bit.high for bit in row.meanings.bits), default=0)
+    if row.type is None and row.words is None and last_bit >= _WORD_BITS:
+        row = replace(row, words=2 if last_bit < 2 * _WORD_BITS else 4)
     own_type = row.type
     type_text = row.texts.get("type", "")
     if in_bits:

@@ -34,6 +34,10 @@ _ORDER_WORD = re.compile(
     r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
 )
 
+_STRUCT = re.compile(r"([<>!=@])([bBhHiIlLqQfd])")
+_OF_STRUCT = {"b": "i8", "h": "i16", "i": "i32", "l": "i32", "q": "i64", "f": "f32", "d": "f64"}
+"""The types of the letters that Python packs numbers by: `>H`. A capital letter has no sign."""
+
 _ORDER_PHRASE = re.compile(
     r"\b(?:low|high|least significant|most significant) word first|\b[lm]sw first|\bwords? swap(?:ped)?"
     r"|\bCDAB\b|\bBADC\b|\bDCBA\b",
@@ -117,6 +121,10 @@ def typed(text: str) -> Typed | None:
         return None
     if known := _known(text):
         return known
+    if packed := _STRUCT.fullmatch(text):
+        name = _OF_STRUCT[packed[2].lower()]
+        order = {"<": "DCBA", ">": "ABCD", "!": "ABCD"}.get(packed[1], "")
+        return Typed(f"u{name[1:]}" if packed[2].isupper() else name, order=order)
     if order := _ORDER_WORD.search(text):
         inner = typed(text[: order.start()])
         return replace(inner, order=meaning("orders", order[1])) if inner else None
