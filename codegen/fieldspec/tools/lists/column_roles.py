@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache
 from itertools import product
 
 from fieldspec.foundation.classes import dataclass, field
@@ -29,7 +28,7 @@ from fieldspec.tools.lists.row_quantity import FACTORS
 from fieldspec.tools.lists.sheet import SheetRow, letters
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
-from fieldspec.tools.lists.words import folded, meaning, words
+from fieldspec.tools.lists.words import folded, meaning, whole_words, words
 
 _SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc\b", "function code"))
 """Patterns of words that headings shorten, and the whole words."""
@@ -322,17 +321,6 @@ def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_co
             ):
                 ranked_columns.setdefault(column)
     return list(ranked_columns)
-
-
-@cache
-def whole_words() -> Mapping[str, str]:
-    """The headings that are whole words of a role, with the first such role."""
-    return {
-        word: role
-        for role, role_words in reversed([*words("headings").items()])
-        for word in role_words
-        if not word.startswith("*")
-    }
 
 
 def _fits(head: str, word: str) -> bool:

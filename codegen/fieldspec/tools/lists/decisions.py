@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -49,7 +50,7 @@ def decided(
     measured = [decision for row in bare_rows if (decision := _measured(row, row.factor)) is not None]
     factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
     direction, gain_assumption = directions.gain_direction(
-        factor_heading, role, factors, measured, _coarse(bare_rows), options.gain
+        factor_heading, role, factors, measured, _coarse(bare_rows), _fraction(decided, role), options.gain
     )
     if not direction and gain_assumption is not None:
         undecided.append(gain_assumption)
@@ -94,13 +95,15 @@ def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, state
 def _with_elements(rows: list[ListRow], columns_of_sheet: Columns, assumptions: list[Assumption]) -> list[ListRow]:
     """The rows, with counts as their lengths where each is the number of words of its type, or that of a text without
     a length: no value is repeated."""
-    counted = [row for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name]
-    sized = [row for row in counted if row.type is not None and row.type.size]
-    if all(row.count == 1 for row in counted) or any(row.type and row.count != row.type.size for row in sized):
+    rows_with_counts = [
+        row for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
+    ]
+    sized = [row for row in rows_with_counts if row.type is not None and row.type.size]
+    if all(row.count == 1 for row in rows_with_counts) or any(row.type and row.count != row.type.size for row in sized):
         return rows
     heading = columns_of_sheet.heading("count")
     assumptions.append(Assumption(heading, "lengths in words", "each is that of the type", "--column words"))
-    numbers = {row.row for row in counted}
+    numbers = {row.row for row in rows_with_counts}
     return [replace(row, words=row.count, count=1) if row.row in numbers else row for row in rows]
 
 
@@ -126,6 +129,11 @@ def _scaled(row: ListRow, direction: str) -> ListRow:
         text = row.scaled_by or next(row.texts[role] for role in FACTORS if role in row.texts)
         return replace(row, doubts=(*row.doubts, f"Scale in the list: {text}."))
     return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
+
+
+def _fraction(rows: Sequence[ListRow], role: str) -> str:
+    """A cell of a column of factors that is a fraction: `1/10`; empty if it has none."""
+    return next((text for row in rows if re.fullmatch(r"1\s*/\s*[0-9]+", text := row.texts.get(role, ""))), "")
 
 
 def _coarse(rows: Sequence[ListRow]) -> int:

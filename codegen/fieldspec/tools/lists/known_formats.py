@@ -16,6 +16,7 @@ _FORMATS = (
     (r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
     (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
     (r"\A(?:[ \t]*(?:[#;][^\n]*)?\n)*[ \t]*\[{1,2}[A-Za-z][\w. -]*\]{1,2}[ \t\r]*$", "a configuration in TOML or INI"),
+    (r"^\s*Bridge\s+\w+(?::[\w-]+){1,3}\s.*[\[{]", "a file of things of openHAB"),
     (r"^#\s*type \(r\[1-9\]", "a configuration of messages of an eBUS"),
     (r"^\s*#\s*(?:define|ifndef|include)\s|^\s*(?:typedef\s+)?enum\s+(?:class\s+)?\w*\s*\{", "source code in C"),
     (r"^(?:import \w|from \S+ import |class \w+.*:\s*$|def \w+\()|^\w+ = [\[{(]\s*$", "source code in Python"),

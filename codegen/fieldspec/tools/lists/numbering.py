@@ -25,6 +25,7 @@ from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
 
 _NEAR = 100
 _FAR = 1000
+_LAST_WORD = 0xFFFF
 _MOST_EXAMPLES = 3
 _FEWEST = 3
 """The rows that show a difference of two columns of addresses, which is more than that of counting from 1."""
@@ -284,6 +285,8 @@ def _between(wire: Reading, references: Reading, first: AddressText) -> tuple[st
 def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Mapping[int, str]) -> Iterator[str]:
     references = [reference for end in ends if (reference := end.reference())]
     lowest = min(references, key=lambda reference: reference[1])
+    if any(_is_beyond(end) for end in ends):
+        yield f"some numbers are greater than {_LAST_WORD}"
     if lowest[1] < _NEAR:
         yield f"the numbers begin {lowest[1] + 1} above the numbers of a table"
     agreeing = [row.number for row, row_place in placed_rows.rows if _table(row_place) == spaces.get(row.number)]
@@ -299,7 +302,7 @@ def _for_wire(
 ) -> Iterator[str]:
     references = [reference for end in ends if (reference := end.reference())]
     lowest = min((reference[1] for reference in references), default=0)
-    if lowest >= _FAR:
+    if lowest >= _FAR and not any(_is_beyond(end) for end in ends):
         yield f"no number is less than {lowest} above the first of a table"
         if len({reference[0] for reference in references}) > 1:
             yield "and so in each of several tables"
@@ -314,6 +317,11 @@ def _for_wire(
 def _contradicting(placed_rows: Placed, spaces: Mapping[int, str]) -> int:
     """How many rows name another kind of registers than the first digit of their number would."""
     return sum(spaces.get(row.number, "") not in ("", _table(row_place)) for row, row_place in placed_rows.rows)
+
+
+def _is_beyond(end: AddressText) -> bool:
+    """Whether a number is greater than any address of a table is."""
+    return (end.number(DECIMAL) or 0) > _LAST_WORD
 
 
 def _table(row_place: Place) -> str:

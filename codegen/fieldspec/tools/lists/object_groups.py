@@ -11,7 +11,7 @@ from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.cells import whole
 from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
-from fieldspec.tools.lists.words import folded, meaning, words
+from fieldspec.tools.lists.words import folded, meaning, whole_words, words
 
 GROUP = "group"
 """The heading of the names of groups, which say nothing of what is in them."""
@@ -51,18 +51,19 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
     for n, item in enumerate(objects, 2):
         resolved = {head: definitions.get(str(item.get(head)), item.get(head)) for head in values}
         rows.append(SheetRow(n, tuple(_cell(resolved.get(head, item.get(head))) for head in heads)))
-    beside = tuple(dict.fromkeys(_beside(groups, used, data)))
-    return Sheet(tuple(row for row in rows if any(row.cells)), len(objects) + 1, beside=beside)
+    further = tuple(dict.fromkeys(_beside(groups, used, data)))
+    return Sheet(tuple(row for row in rows if any(row.cells)), len(objects) + 1, beside=further)
 
 
 def _beside(groups: list[_Group], used: list[_Group], data: object) -> Iterator[str]:
-    """What a file has beside the objects of its list: other groups of objects, and what it says of addresses."""
+    """The contents of a file beside its list: other groups of objects, and settings about addresses."""
     inner = {place for group in used for place in _places(group.value)}
     definitions = {place for group in groups if _pairs(group.value) for place in _places(group.value)}
+    lists = {id(group.value) for group in used}
     yield from (
         f"{group.name or 'a list'}: {len(group.objects)} objects without addresses"
         for group in groups
-        if id(group.value) not in inner | definitions
+        if id(group.value) not in inner | definitions and lists.isdisjoint(_places(group.value))
     )
     yield from _addressing(data, inner)
 
@@ -106,17 +107,19 @@ def _has_address(item: dict[str, Any], unless: tuple[str, ...] = _NO_ADDRESSES) 
 
 
 def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
-    """An object whose lists of bits are texts of their names: `0..7 data; 16 error`. What else a bit has stays apart."""
+    """An object whose lists of bits are texts of their names: `0..7 data; 16 error`. Other facts of bits stay apart."""
     result: dict[str, Any] = {}
     for key, value in item.items():
         parts = [_bit_parts(bit) for bit in value] if isinstance(value, list) else []
-        names = [f"{part['low']}{'..' + part['high'] if 'high' in part else ''} {part['name']}" for part in parts if part]
+        names = [
+            f"{part['low']}{'..' + part['high'] if 'high' in part else ''} {part['name']}" for part in parts if part
+        ]
         if not parts or len(names) < len(parts):
             result[key] = value
             continue
         result[key] = "; ".join(names)
-        others = {inner: [bit.get(inner) for bit in value] for bit in value for inner in bit}
-        result |= {f"{key} {inner}": texts for inner, texts in others.items() if not meaning("bit_parts", inner)}
+        facts = {inner: [bit.get(inner) for bit in value] for bit in value for inner in bit}
+        result |= {f"{key} {inner}": texts for inner, texts in facts.items() if not meaning("bit_parts", inner)}
     return result
 
 
@@ -169,11 +172,25 @@ def _group(value: Any) -> list[dict[str, Any]]:
     inner = list(value.values()) if isinstance(value, dict) else value
     if not isinstance(inner, list) or not inner or not all(isinstance(item, dict) for item in inner):
         return []
+    inner = [_flat(item) for item in inner]
     if not isinstance(value, dict):
         return inner
     is_name = len(value) == 1 and str(next(iter(value)))[:1].isalpha()
     key = "address" if not is_name and all(address_text(str(text)) for text in value) else "name"
-    return [{key: str(text), **item} for text, item in value.items()]
+    return [{key: str(text), **item} for text, item in zip(value, inner, strict=True)]
+
+
+def _flat(item: dict[str, Any]) -> dict[str, Any]:
+    """An object with the facts of the objects in it, which group them: `properties: {valueType: Bool}`."""
+    result: dict[str, Any] = {}
+    if all(isinstance(value, dict) for value in item.values()):
+        return item
+    for key, value in item.items():
+        facts = _flat(value) if isinstance(value, dict) else {}
+        are_facts = any(folded(str(fact)) in whole_words() for fact in facts) and meaning("headings", key) != "values"
+        is_apart = facts.keys().isdisjoint(item) and facts.keys().isdisjoint(result)
+        result |= facts if are_facts and is_apart else {key: value}
+    return result
 
 
 def _named_values(data: object) -> Iterator[tuple[str, dict[str, str]]]:

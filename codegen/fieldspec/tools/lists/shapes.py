@@ -11,7 +11,7 @@ BIT = "bit"
 
 _BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
 _WORD_BITS = 16
-_WHOLE_WORDS = {"u8": "u16", "i8": "i16"}
+_WHOLE_WORDS = {"u8": "u16", "i8": "i16", "u24": "u32", "i24": "i32"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +46,8 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
     if not size:
         return _of_text(row, name, length)
     if name in _WHOLE_WORDS:
-        return Shape(
-            _WHOLE_WORDS[name], row.words or 1, row.count, (f"The list says {type_text}, which fills half a word.",)
-        )
+        doubt = f"The list says {type_text}, which fills no whole number of words."
+        return Shape(_WHOLE_WORDS[name], row.words or size, row.count, (doubt,))
     if row.words in (None, size):
         return Shape(name, size, row.count)
     doubt = f"The list says {type_text or name}, and {row.words} words."

@@ -38,8 +38,8 @@ class Sheet:
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
     names of further sheets with cells, `joined` the names of the sheets that form this sheet, `encoding` that of a text
     where it was guessed, `shifted` the rows whose cells do not stand under the headings, `heads` the rows that the file
-    marks as headings. `format` is that of another program, empty for a table, `beside` what the file has beside the
-    list.
+    marks as headings. `format` is that of another program, empty for a table, `beside` the contents of the
+    file that are not part of the list.
     """
 
     rows: tuple[SheetRow, ...]
