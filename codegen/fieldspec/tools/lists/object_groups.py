@@ -61,7 +61,7 @@ def _beside(groups: list[_Group], used: list[_Group], data: object) -> Iterator[
     definitions = {place for group in groups if _pairs(group.value) for place in _places(group.value)}
     lists = {id(group.value) for group in used}
     yield from (
-        f"{group.name or 'a list'}: {len(group.objects)} objects without addresses"
+        f"{group.name or 'a list'} without addresses: {len(group.objects)}"
         for group in groups
         if id(group.value) not in inner | definitions and lists.isdisjoint(_places(group.value))
     )
