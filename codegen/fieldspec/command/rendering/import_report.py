@@ -55,6 +55,7 @@ def lacking(result: Imported, noted: Sequence[int]) -> str:
     unused = _unused(result)
     if unused:
         parts.append("columns not used: " + ", ".join(unused))
+    parts += [f"beside the list: {text}" for text in result.sheet.beside]
     if noted:
         parts.append("cells only noted in rows " + ", ".join(map(str, noted[:_MOST])))
     return "; ".join(parts)
@@ -98,6 +99,8 @@ def _columns(result: Imported) -> Iterator[str]:
         yield f"sheets used: {', '.join(result.sheet.joined)}; their rows count on from one to the next"
     if result.sheet.others:
         yield f"sheets not used beside {result.sheet.name}: {', '.join(result.sheet.others)}; --sheet names one"
+    if result.sheet.beside:
+        yield f"not used beside the list: {'; '.join(_cut(result.sheet.beside))}"
 
 
 def _unused(result: Imported) -> Sequence[str]:
@@ -112,6 +115,10 @@ def _skipped(numbers: Sequence[int]) -> str:
         return ""
     rest = f" and {len(numbers) - _MOST} more" if len(numbers) > _MOST else ""
     return f"; without an address: {', '.join(map(str, numbers[:_MOST]))}{rest}"
+
+
+def _cut(texts: Sequence[str]) -> Sequence[str]:
+    return texts if len(texts) <= _MOST else [*texts[:_MOST], f"{len(texts) - _MOST} more"]
 
 
 def _limited(texts: Sequence[str]) -> Iterator[str]:

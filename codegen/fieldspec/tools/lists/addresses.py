@@ -105,7 +105,8 @@ class Place:
     """The address in a cell: one, or the first and the last of several, and its bits.
 
     `other` is a second notation of the first address, `bits` the lowest and the highest bit. `pointless`
-    says that `.0` may as well be what a spreadsheet adds to a number, `pointed` that the cell is one with a fraction.
+    says that `.0` may as well be what a spreadsheet adds to a number, `pointed` that the cell is one with a fraction,
+    `bracketed` that the number of the bit is in brackets, as that of elements may be.
     """
 
     first: AddressText
@@ -114,6 +115,7 @@ class Place:
     other: AddressText | None = None
     pointless: bool = False
     pointed: bool = False
+    bracketed: bool = False
 
 
 def address_text(text: str) -> AddressText | None:
@@ -156,7 +158,8 @@ def place(text: str) -> Place | None:
             high = low + max(high, 1) - 1
         pointless = _POINTLESS.fullmatch(normalized) is not None
         pointed = _POINTED.fullmatch(normalized) is not None
-        return Place(address, bits=(min(low, high), max(low, high)), pointless=pointless, pointed=pointed)
+        bits_place = (min(low, high), max(low, high))
+        return Place(address, None, bits_place, None, pointless, pointed, normalized.endswith("]"))
     if (half := _HALF.fullmatch(normalized)) and (address := address_text(half[1])):
         return Place(address, bits=(0, 7) if half[half.lastindex or 2][0] in "lL" else (8, 15))
     if _NUMBERED_BYTE.fullmatch(normalized):

@@ -36,6 +36,12 @@ def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
     return are_marked or (len(rising) == len(texts) > 2 and rising == sorted(set(rising)))
 
 
+def are_ranks(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column, whose heading is that of orders of bytes, has numbers of rows, as in `order: 12`."""
+    texts = [text for row in rows if (text := row.cell(column))]
+    return any((cells.whole(text) or 0) > 1 and not stated_order(text) for text in texts)
+
+
 def are_exponents(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column of scales has powers of ten: small whole numbers, some of them no factors of anything."""
     numbers = [cells.whole(text) for row in rows if (text := row.cell(column))]
@@ -66,6 +72,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "last": address_text,
     "access": cells.access,
     "readable": lambda text: cells.answer(text) is not None,
+    "read_only": lambda text: cells.answer(text) is not None,
     "writable": lambda text: cells.answer(text) is not None or cells.access(text),
     "function": cells.functions,
     "function_write": cells.functions,

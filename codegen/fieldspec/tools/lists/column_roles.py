@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache
 from itertools import product
 
 from fieldspec.foundation.classes import dataclass, field
@@ -15,6 +14,7 @@ from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.column_contents import (
     NOTED,
     are_exponents,
+    are_ranks,
     are_spaces,
     counts_on,
     has_role,
@@ -28,7 +28,7 @@ from fieldspec.tools.lists.row_quantity import FACTORS
 from fieldspec.tools.lists.sheet import SheetRow, letters
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
-from fieldspec.tools.lists.words import folded, meaning, words
+from fieldspec.tools.lists.words import folded, meaning, whole_words, words
 
 _SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc\b", "function code"))
 """Patterns of words that headings shorten, and the whole words."""
@@ -45,7 +45,9 @@ _NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start"
 _ANNOTATIONS = {NOTE, "label", "values"}
 """The roles of the second word of a heading such as `Values / Notes`."""
 
-_SHORTEST_SPACE = 4
+_SHORTEST_SPACE, _SHORT_SPACES = 4, ("hr", "ir", "3x", "4x")
+"""The fewest letters of an address space that heads its addresses, and the shorter names that nothing else has."""
+
 LOOKED_AT = 200
 """The number of rows whose cells show what a column has_role."""
 
@@ -117,6 +119,8 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         fits = _ranked(heads, role_words, used_columns)
         if role in ("type", "space"):
             fits = [column for column in fits if column not in of_spaces] + (of_spaces if role == "space" else [])
+        if role in ("word_order", "byte_order"):
+            fits = [column for column in fits if not are_ranks(sample, column)]
         is_fallback = not fits
         if is_fallback:
             fits = _ranked(heads, words("fallbacks").get(role, ()), used_columns)
@@ -235,12 +239,14 @@ def address_rank(heading: str) -> int:
     """How clearly a heading is that of addresses: 2 for one that says so, 1 for a notation of any numbers, else 0."""
     heads = tuple(map(folded, _variants([heading])))
     is_address = _space_of_heading(heading) or _ranked([heads], words("headings")["address"], set())
-    return 0 if not is_address else 2 if set(_NOTATIONS).isdisjoint(heads) else 1
+    is_clear = set(_NOTATIONS).isdisjoint(heads) or _space_of_heading(without_brackets(heading))
+    return 0 if not is_address else 2 if is_clear else 1
 
 
 def _space_of_heading(heading: str) -> str:
     """The address space that a heading of addresses names: `Discrete input`; empty for `Register`."""
-    is_general = meaning("headings", heading) == "address" or len(folded(heading)) < _SHORTEST_SPACE
+    is_short = len(folded(heading)) < _SHORTEST_SPACE and folded(heading) not in _SHORT_SPACES
+    is_general = meaning("headings", heading) == "address" or is_short
     return "" if is_general else cells.space(heading)
 
 
@@ -315,17 +321,6 @@ def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_co
             ):
                 ranked_columns.setdefault(column)
     return list(ranked_columns)
-
-
-@cache
-def whole_words() -> Mapping[str, str]:
-    """The headings that are whole words of a role, with the first such role."""
-    return {
-        word: role
-        for role, role_words in reversed([*words("headings").items()])
-        for word in role_words
-        if not word.startswith("*")
-    }
 
 
 def _fits(head: str, word: str) -> bool:

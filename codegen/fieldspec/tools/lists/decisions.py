@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -49,7 +50,7 @@ def decided(
     measured = [decision for row in bare_rows if (decision := _measured(row, row.factor)) is not None]
     factor_heading = columns_of_sheet.heading(role) if role in columns_of_sheet.places else ""
     direction, gain_assumption = directions.gain_direction(
-        factor_heading, role, factors, measured, _coarse(bare_rows), options.gain
+        factor_heading, role, factors, measured, _coarse(bare_rows), _fraction(decided, role), options.gain
     )
     if not direction and gain_assumption is not None:
         undecided.append(gain_assumption)
@@ -92,20 +93,26 @@ def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, state
 
 
 def _with_elements(rows: list[ListRow], columns_of_sheet: Columns, assumptions: list[Assumption]) -> list[ListRow]:
-    """The rows, with counts as their lengths where each is the number of words of its type: no value is repeated."""
-    rows_with_counts = [row for row in rows if "count" in row.texts and row.type is not None and row.type.size]
-    are_lengths = "words" not in columns_of_sheet.places and any(row.count > 1 for row in rows_with_counts)
-    if not are_lengths or any(row.type is not None and row.count != row.type.size for row in rows_with_counts):
+    """The rows, with counts as their lengths where each is the number of words of its type, or that of a text without
+    a length: no value is repeated."""
+    rows_with_counts = [
+        row for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
+    ]
+    sized = [row for row in rows_with_counts if row.type is not None and row.type.size]
+    if all(row.count == 1 for row in rows_with_counts) or any(row.type and row.count != row.type.size for row in sized):
         return rows
     heading = columns_of_sheet.heading("count")
     assumptions.append(Assumption(heading, "lengths in words", "each is that of the type", "--column words"))
-    return [replace(row, words=row.count, count=1) if "count" in row.texts else row for row in rows]
+    numbers = {row.row for row in rows_with_counts}
+    return [replace(row, words=row.count, count=1) if row.row in numbers else row for row in rows]
 
 
 def _with_length(row: ListRow, unit: str) -> ListRow:
     """A row with its words, by the unit of its length; a length that is not a whole number of words is a doubt."""
     text = row.texts.get("words", "")
     factor = LENGTHS[unit]
+    if unit == "bits" and row.bits is not None and row.length and row.length % factor:
+        return replace(row, bits=(row.bits[0], row.bits[0] + row.length - 1))
     if not text or (row.length is not None and row.length > 0 and (row.length < factor or row.length % factor == 0)):
         return replace(row, words=max(row.length // factor, 1)) if row.length else row
     return replace(row, doubts=(*row.doubts, f"Length in the list: {text}."))
@@ -122,6 +129,11 @@ def _scaled(row: ListRow, direction: str) -> ListRow:
         text = row.scaled_by or next(row.texts[role] for role in FACTORS if role in row.texts)
         return replace(row, doubts=(*row.doubts, f"Scale in the list: {text}."))
     return replace(row, scale=scale if row.scale in (None, 1) else row.scale)
+
+
+def _fraction(rows: Sequence[ListRow], role: str) -> str:
+    """A cell of a column of factors that is a fraction: `1/10`; empty if it has none."""
+    return next((text for row in rows if re.fullmatch(r"1\s*/\s*[0-9]+", text := row.texts.get(role, ""))), "")
 
 
 def _coarse(rows: Sequence[ListRow]) -> int:

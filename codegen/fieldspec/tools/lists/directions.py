@@ -59,11 +59,18 @@ class Measured:
 
 
 def gain_direction(
-    heading: str, role: str, factors: Sequence[Fraction], measured: Sequence[Measured], coarse: int, stated: str
+    heading: str,
+    role: str,
+    factors: Sequence[Fraction],
+    measured: Sequence[Measured],
+    coarse: int,
+    fraction: str,
+    stated: str,
 ) -> tuple[str, Assumption | None]:
     """Whether factors multiply or divide counts, and what was assumed; empty where the evidence is equal.
 
-    `coarse` is the number of rows that would count in steps of ten volts, or the like, if their factors multiplied.
+    `coarse` is the number of rows that would count in steps of ten volts, or the like, if their factors multiplied,
+    `fraction` a cell such as `1/10` of the same column, which multiplies.
     """
     if stated or role == "divisor":
         return stated or DIVIDE, None
@@ -76,6 +83,8 @@ def gain_direction(
         if proofs[direction] and not proofs[other]:
             evidence = f"the bounds of {proofs[direction]} rows are whole counts that their types have in no other way"
             return direction, Assumption(heading, _direction(direction), evidence, option)
+    if fraction:
+        return MULTIPLY, Assumption(heading, _direction(MULTIPLY), f"`{fraction}` in the same column", option)
     if coarse and not proofs:
         evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
         return DIVIDE, Assumption(heading, _direction(DIVIDE), evidence, option)

@@ -13,13 +13,35 @@ DEEPEST = 16
 MOST_VALUES = 2_000_000
 
 _SIGN = re.compile(r'["\\\[\]{},]')
+_LONGEST_BY_HAND = 1 << 22
+"""The characters of a text that people write, with comments and with commas before closing brackets."""
+
+_COMMENT = re.compile(r'("(?:[^"\\]|\\.)*"?)|//[^\n]*|/\*.*?(?:\*/|\Z)', re.DOTALL)
+_LAST_COMMA = re.compile(r'("(?:[^"\\]|\\.)*"?)|,(?=\s*[\]}])', re.DOTALL)
 
 
 def json_data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = None) -> Any:
-    """The data of a JSON text. `pairs` builds an object from its pairs. Raises ListError."""
+    """The data of a JSON text, which may have comments, and commas before closing brackets. `pairs` builds an object
+    from its pairs. Raises ListError."""
+    try:
+        return _data(text, pairs)
+    except ListError:
+        if len(text) > _LONGEST_BY_HAND:
+            raise
+        return _data(_LAST_COMMA.sub(_in_text, _COMMENT.sub(_in_text, text)), pairs)
+
+
+def _in_text(match: re.Match[str]) -> str:
+    """A text in quotes as it is; blanks for anything else, with its lines."""
+    return match[1] or re.sub(r"[^\n]", " ", match[0])
+
+
+def _data(text: str, pairs: Callable[[list[tuple[str, Any]]], Any] | None) -> Any:
     _count(text)
     try:
-        return json.loads(text, object_pairs_hook=pairs)
+        return json.loads(text, object_pairs_hook=pairs, strict=False)
+    except json.JSONDecodeError as error:
+        raise ListError(f"begins like JSON but is not JSON: line {error.lineno}, {error.msg}") from None
     except (ValueError, RecursionError):
         raise ListError("begins like JSON but is not JSON") from None
 

@@ -16,10 +16,21 @@ _FORMATS = (
     (r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
     (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
     (r"\A(?:[ \t]*(?:[#;][^\n]*)?\n)*[ \t]*\[{1,2}[A-Za-z][\w. -]*\]{1,2}[ \t\r]*$", "a configuration in TOML or INI"),
+    (r"^[ \t]*Bridge +\w+(?::[\w-]+){1,3} .*[\[{]", "a file of things of openHAB"),
+    (r"^#\s*type \(r\[1-9\]", "a configuration of messages of an eBUS"),
+    (r"^[ \t]*#[ \t]*(?:define|ifndef|include)[ \t]|^[ \t]*(?:typedef )?enum (?:class )?\w* ?\{", "source code in C"),
+    (
+        r"^(?:import [\w.]+(?: as \w+)?$|from \S+ import |class \w+[(:]|def \w+\()|^\w+ = [\[{(][ \t]*$",
+        "source code in Python",
+    ),
+    (
+        r"^(?:module\.exports|export (?:default|const|class|enum|type) |(?:const|let|var) \w+ =)",
+        "source code in JavaScript",
+    ),
     (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
 )
-_KEY = re.compile(r"[A-Za-z_]\w*:(?: |$)")
-_SECTION = re.compile(r"[A-Za-z_]\w*:\s*$|- [A-Za-z_]\w*:(?: |$)")
+_KEY = re.compile(r"[A-Za-z_][\w/]*:(?: |$)")
+_SECTION = re.compile(r"[A-Za-z_][\w/]*:\s*$|- [A-Za-z_]\w*:(?: |$)")
 _REFUSED = "which is not read as a list; write its registers as CSV, XLSX or JSON, a row for each"
 
 

@@ -142,6 +142,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
     order = options.order or _titled_order(sheet, assumptions)
+    further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
         texts = {
@@ -151,12 +152,20 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         }
         if "readable" in columns_of_sheet.places and "writable" in texts:
             texts.setdefault("readable", "no")
+        if text := texts.get("read_only", ""):
+            answers = {True: "no", False: "yes", None: f"read only: {text}"}
+            texts.setdefault("writable", answers[cells.answer(text)])
         if "function_write" in texts:
             texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
         row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, order)
+        if row_place.bits is not None and row_place.bracketed and "array" in texts.get("type", "").casefold():
+            row = replace(row, count=max(row_place.bits[1], 1))  # `100 [4]` has four elements
+            row_place = replace(row_place, bits=None)
         area = row_place.first.space
         if area and row.space not in ("", area):
             row = replace(row, doubts=(*row.doubts, f"The list says {row.space}, and {row_place.first.area}."))
+        if texts_beyond := further.get(sheet_row.number):
+            row = replace(row, doubts=(*row.doubts, f"Cells beyond the headings in the list: {texts_beyond}."))
         space = area or row.space or cells.space(sheet.name)
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
     read = _by_functions(_beneath_titles(read, sheet, assumptions))
@@ -240,6 +249,21 @@ def _formulas(sheet: Sheet, columns_of_sheet: Columns) -> Iterator[Refusal]:
         if column in used and row >= first:
             heading = columns_of_sheet.heading(used[column])
             yield Refusal(row, heading, f"{letters(column)}{row}", "is a formula whose value the file does not have")
+
+
+def _further_cells(columns_of_sheet: Columns, places: Placed, assumptions: list[Assumption]) -> dict[int, str]:
+    """The cells to the right of all headings by row, where few rows have some: their other cells may be shifted."""
+    width = max((n for n, heading in enumerate(columns_of_sheet.headings, 1) if heading), default=0)
+    further = {row.number: ", ".join(filter(None, row.cells[width:])) for row, _ in places.rows if width}
+    further = {number: text for number, text in further.items() if text}
+    if not 0 < 2 * len(further) < len(places.rows):
+        return {}
+    example = ", ".join(map(str, [*further][:3]))
+    evidence = (
+        f"{len(further)} rows have cells beyond them, as row {example}; a separator that is not quoted shifts cells"
+    )
+    assumptions.append(Assumption("cells", "each under its heading", evidence))
+    return further
 
 
 def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:

@@ -25,6 +25,7 @@ from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
 
 _NEAR = 100
 _FAR = 1000
+_LAST_WORD = 0xFFFF
 _MOST_EXAMPLES = 3
 _FEWEST = 3
 """The rows that show a difference of two columns of addresses, which is more than that of counting from 1."""
@@ -284,12 +285,15 @@ def _between(wire: Reading, references: Reading, first: AddressText) -> tuple[st
 def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Mapping[int, str]) -> Iterator[str]:
     references = [reference for end in ends if (reference := end.reference())]
     lowest = min(references, key=lambda reference: reference[1])
+    if any(_is_beyond(end) for end in ends):
+        yield f"some numbers are greater than {_LAST_WORD}"
     if lowest[1] < _NEAR:
         yield f"the numbers begin {lowest[1] + 1} above the numbers of a table"
-    if len({reference[0] for reference in references}) > 1:
-        yield "several tables"
     agreeing = [row.number for row, row_place in placed_rows.rows if _table(row_place) == spaces.get(row.number)]
-    if agreeing:
+    contradicting = _contradicting(placed_rows, spaces)
+    if len({reference[0] for reference in references}) > 1 and contradicting <= len(agreeing):
+        yield "several tables"
+    if len(agreeing) > contradicting:
         yield f"the kinds of registers of {len(agreeing)} rows agree with the first digits"
 
 
@@ -298,19 +302,26 @@ def _for_wire(
 ) -> Iterator[str]:
     references = [reference for end in ends if (reference := end.reference())]
     lowest = min((reference[1] for reference in references), default=0)
-    if lowest >= _FAR:
+    if lowest >= _FAR and not any(_is_beyond(end) for end in ends):
         yield f"no number is less than {lowest} above the first of a table"
         if len({reference[0] for reference in references}) > 1:
             yield "and so in each of several tables"
-    other = [
-        row.number for row, row_place in placed_rows.rows if spaces.get(row.number, "") not in ("", _table(row_place))
-    ]
-    if other:
-        yield f"the kinds of registers of {len(other)} rows contradict the first digits"
+    if contradicting := _contradicting(placed_rows, spaces):
+        yield f"the kinds of registers of {contradicting} rows contradict the first digits"
     for column in columns.more.get("address", ()):
         differences = {_difference(row, row_place, column, columns) for row, row_place in placed_rows.rows}
         if differences == {0}:
             yield f"{columns.heading_at(column)} has the same numbers"
+
+
+def _contradicting(placed_rows: Placed, spaces: Mapping[int, str]) -> int:
+    """How many rows name another kind of registers than the first digit of their number would."""
+    return sum(spaces.get(row.number, "") not in ("", _table(row_place)) for row, row_place in placed_rows.rows)
+
+
+def _is_beyond(end: AddressText) -> bool:
+    """Whether a number is greater than any address of a table is."""
+    return (end.number(DECIMAL) or 0) > _LAST_WORD
 
 
 def _table(row_place: Place) -> str:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.cells import whole
 from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
-from fieldspec.tools.lists.words import folded, meaning, words
+from fieldspec.tools.lists.words import folded, meaning, whole_words, words
 
 GROUP = "group"
 """The heading of the names of groups, which say nothing of what is in them."""
@@ -20,14 +20,24 @@ _NO_ADDRESSES = ("index", "offset", "dec", "decimal", "start", "registers")
 """Keys that only are addresses where no others are."""
 
 
+class _Group(NamedTuple):
+    """A group of objects under a key, each with the facts outside it that hold for it; `value` is the group itself."""
+
+    name: str
+    objects: list[dict[str, Any]]
+    value: Any
+
+
 def objects_sheet(data: object, format_name: str, only_with_addresses: bool = False) -> Sheet:
     """The sheet of all objects with addresses in some data, else perhaps of those that are most alike.
 
     Raises ListError.
     """
     groups = list(_groups("", data, {})) if isinstance(data, list | dict) else []
-    with_addresses = [(name, objects) for name, objects in groups if any(map(_has_address, objects))]
-    objects = _joined(with_addresses if with_addresses or only_with_addresses else _alike(groups))
+    used = [group for group in groups if any(_has_address(item) for item in group.objects)]
+    if not used and not only_with_addresses:
+        used = [group for group in groups if any(_has_address(item, ()) for item in group.objects)] or _alike(groups)
+    objects = [_with_named_bits(item) for item in _joined(used)]
     if not objects:
         raise ListError(f"is {format_name} but not a list of objects; give each register one, or a row of a table")
     if len(objects) > MOST_ROWS:
@@ -41,36 +51,95 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
     for n, item in enumerate(objects, 2):
         resolved = {head: definitions.get(str(item.get(head)), item.get(head)) for head in values}
         rows.append(SheetRow(n, tuple(_cell(resolved.get(head, item.get(head))) for head in heads)))
-    return Sheet(tuple(row for row in rows if any(row.cells)), len(objects) + 1)
+    further = tuple(dict.fromkeys(_beside(groups, used, data)))
+    return Sheet(tuple(row for row in rows if any(row.cells)), len(objects) + 1, beside=further)
 
 
-def _alike(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[tuple[str, list[dict[str, Any]]]]:
+def _beside(groups: list[_Group], used: list[_Group], data: object) -> Iterator[str]:
+    """The contents of a file beside its list: other groups of objects, and settings about addresses."""
+    inner = {place for group in used for place in _places(group.value)}
+    definitions = {place for group in groups if _pairs(group.value) for place in _places(group.value)}
+    lists = {id(group.value) for group in used}
+    yield from (
+        f"{group.name or 'a list'} without addresses: {len(group.objects)}"
+        for group in groups
+        if id(group.value) not in inner | definitions and lists.isdisjoint(_places(group.value))
+    )
+    yield from _addressing(data, inner)
+
+
+def _places(value: object) -> Iterator[int]:
+    """The identities of a value and of all lists and objects in it."""
+    yield id(value)
+    for inner in value.values() if isinstance(value, dict) else value if isinstance(value, list) else ():
+        if isinstance(inner, list | dict):
+            yield from _places(inner)
+
+
+def _addressing(value: object, inner: set[int]) -> Iterator[str]:
+    """The settings about the addresses of a whole file, which are not in an object of its list."""
+    if id(value) in inner or not isinstance(value, list | dict):
+        return
+    for key, setting in value.items() if isinstance(value, dict) else enumerate(value):
+        if not isinstance(setting, list | dict) and meaning("settings", str(key)):
+            yield f"{key}: {setting}"
+        yield from _addressing(setting, inner)
+
+
+def _alike(groups: list[_Group]) -> list[_Group]:
     """The groups that have half of the keys of the longest one."""
-    longest = max((objects for _, objects in groups), key=len, default=[])
+    longest = max((group.objects for group in groups), key=len, default=[])
     keys = {key for item in longest for key in item}
-    return [pair for pair in groups if 2 * len(keys & {key for item in pair[1] for key in item}) >= len(keys)]
+    return [group for group in groups if 2 * len(keys & {key for item in group.objects for key in item}) >= len(keys)]
 
 
-def _joined(groups: list[tuple[str, list[dict[str, Any]]]]) -> list[dict[str, Any]]:
+def _joined(groups: list[_Group]) -> list[dict[str, Any]]:
     """The objects of some groups; if there are several groups, with the names of their groups."""
-    if len({name for name, _ in groups}) == 1:
-        return [item for _, objects in groups for item in objects]
-    head = "space" if all(meaning("spaces", name) for name, _ in groups) else GROUP
-    return [{head: name, **item} for name, objects in groups for item in objects]
+    if len({group.name for group in groups}) == 1:
+        return [item for group in groups for item in group.objects]
+    head = "space" if all(meaning("spaces", group.name) for group in groups) else GROUP
+    return [{head: group.name, **item} for group in groups for item in group.objects]
 
 
-def _has_address(item: dict[str, Any]) -> bool:
-    addresses = {word for word in words("headings")["address"] if word not in _NO_ADDRESSES}
+def _has_address(item: dict[str, Any], unless: tuple[str, ...] = _NO_ADDRESSES) -> bool:
+    addresses = {word for word in words("headings")["address"] if word not in unless}
     return any(folded(str(key)) in addresses and not isinstance(value, list | dict) for key, value in item.items())
 
 
-def _groups(name: str, value: Any, outer_facts: dict[str, Any]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
+def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
+    """An object whose lists of bits are texts of their names: `0..7 data; 16 error`. Other facts of bits stay apart."""
+    result: dict[str, Any] = {}
+    for key, value in item.items():
+        parts = [_bit_parts(bit) for bit in value] if isinstance(value, list) else []
+        names = [
+            f"{part['low']}{'..' + part['high'] if 'high' in part else ''} {part['name']}" for part in parts if part
+        ]
+        if not parts or len(names) < len(parts):
+            result[key] = value
+            continue
+        result[key] = "; ".join(names)
+        facts = {inner: [bit.get(inner) for bit in value] for bit in value for inner in bit}
+        result |= {f"{key} {inner}": texts for inner, texts in facts.items() if not meaning("bit_parts", inner)}
+    return result
+
+
+def _bit_parts(bit: object) -> dict[str, str]:
+    """The number of a bit, or of the first and the last one, and its name; empty for anything else."""
+    facts = {meaning("bit_parts", str(key)): value for key, value in bit.items()} if isinstance(bit, dict) else {}
+    low, width = whole(str(facts.get("low"))), whole(str(facts.get("width", 1)))
+    name = facts.get("name")
+    if low is None or width is None or width < 1 or not isinstance(name, str) or not name:
+        return {}
+    return {"low": str(low), "name": name.replace(";", ",")} | ({"high": str(low + width - 1)} if width > 1 else {})
+
+
+def _groups(name: str, value: Any, outer_facts: dict[str, Any]) -> Iterator[_Group]:
     """The groups of objects in some data, each with the key that it stands under.
 
     `outer_facts` are the functions, spaces and orders at the level of the groups, or farther out.
     """
     if objects := _group(value):
-        yield name, [{**outer_facts, **item} for item in objects]
+        yield _Group(name, [{**outer_facts, **item} for item in objects], value)
     if isinstance(value, dict):
         roles = ("function", "space", "word_order")
         stated = {word for role in roles for word in words("headings")[role]} - {"object", "kind"}
@@ -103,10 +172,25 @@ def _group(value: Any) -> list[dict[str, Any]]:
     inner = list(value.values()) if isinstance(value, dict) else value
     if not isinstance(inner, list) or not inner or not all(isinstance(item, dict) for item in inner):
         return []
+    inner = [_flat(item) for item in inner]
     if not isinstance(value, dict):
         return inner
-    key = "address" if all(address_text(str(text)) for text in value) else "name"
-    return [{key: str(text), **item} for text, item in value.items()]
+    is_name = len(value) == 1 and str(next(iter(value)))[:1].isalpha()
+    key = "address" if not is_name and all(address_text(str(text)) for text in value) else "name"
+    return [{key: str(text), **item} for text, item in zip(value, inner, strict=True)]
+
+
+def _flat(item: dict[str, Any]) -> dict[str, Any]:
+    """An object with the facts of the objects in it, which group them: `properties: {valueType: Bool}`."""
+    result: dict[str, Any] = {}
+    if all(isinstance(value, dict) for value in item.values()):
+        return item
+    for key, value in item.items():
+        facts = _flat(value) if isinstance(value, dict) else {}
+        are_facts = any(folded(str(fact)) in whole_words() for fact in facts) and meaning("headings", key) != "values"
+        is_apart = facts.keys().isdisjoint(item) and facts.keys().isdisjoint(result)
+        result |= facts if are_facts and is_apart else {key: value}
+    return result
 
 
 def _named_values(data: object) -> Iterator[tuple[str, dict[str, str]]]:

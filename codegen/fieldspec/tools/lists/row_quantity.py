@@ -39,7 +39,7 @@ _STEP = re.compile(
     r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})",
     re.IGNORECASE,
 )
-_FACTOR_AND_UNIT = re.compile(r"[x\u00d7*]\s*(10{1,5})\s*(\S{1,6})", re.IGNORECASE)
+_FACTOR_AND_UNIT = re.compile(r"[x\u00d7*]\s*(10{1,5})(?:\s*(\S{1,6}))?", re.IGNORECASE)
 _DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
 _PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
 _EXAMPLE = re.compile(
@@ -58,7 +58,7 @@ _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
 """The places after the point of formats that have names beside `FIX2`."""
 
-_NO_FORMULAS = ("none", "value", "raw", "rawvalue", "x", "val", "y", "keine", "无")
+_NO_FORMULAS = ("none", "v", "value", "raw", "rawvalue", "x", "val", "y", "keine", "无")
 _HIGHEST_EXPONENT = 9
 
 
@@ -190,8 +190,8 @@ def _described(text: str, decimal: str) -> Quantity | None:
     for aside in _ASIDES.findall(text):
         if (digits := _PLACES.fullmatch(aside)) and (unit := known_unit(digits[2])):
             return Quantity(Fraction(1, 10 ** len(digits[1])), unit)
-        if (parts := _FACTOR_AND_UNIT.fullmatch(aside)) and (unit := known_unit(parts[2])):
-            return Quantity(unit=unit, times=Fraction(int(parts[1])), evidence=text)
+        if (parts := _FACTOR_AND_UNIT.fullmatch(aside)) and (known_unit(parts[2] or "") or not parts[2]):
+            return Quantity(unit=known_unit(parts[2] or ""), times=Fraction(int(parts[1])), evidence=text)
         if parts := _DIVIDED.fullmatch(aside):
             unit = known_unit(parts[2] or "")
             return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None

@@ -10,7 +10,8 @@ from fieldspec.tools.lists.type_words import Loose
 BIT = "bit"
 
 _BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
-_WHOLE_WORDS = {"u8": "u16", "i8": "i16"}
+_WORD_BITS = 16
+_WHOLE_WORDS = {"u8": "u16", "i8": "i16", "u24": "u32", "i24": "i32"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +27,9 @@ class Shape:
 
 def shape(row: ListRow, in_bits: bool) -> Shape:
     """The shape of a row's register. Where two of three agree, they win; else the length does. The rest is a doubt."""
+    last_bit = max((bit.high for bit in row.meanings.bits), default=0)
+    if row.type is None and row.words is None and last_bit >= _WORD_BITS:
+        row = replace(row, words=2 if last_bit < 2 * _WORD_BITS else 4)
     own_type = row.type
     type_text = row.texts.get("type", "")
     if in_bits:
@@ -42,9 +46,8 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
     if not size:
         return _of_text(row, name, length)
     if name in _WHOLE_WORDS:
-        return Shape(
-            _WHOLE_WORDS[name], row.words or 1, row.count, (f"The list says {type_text}, which fills half a word.",)
-        )
+        doubt = f"The list says {type_text}, which fills no whole number of words."
+        return Shape(_WHOLE_WORDS[name], row.words or size, row.count, (doubt,))
     if row.words in (None, size):
         return Shape(name, size, row.count)
     doubt = f"The list says {type_text or name}, and {row.words} words."

@@ -38,7 +38,8 @@ class Sheet:
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
     names of further sheets with cells, `joined` the names of the sheets that form this sheet, `encoding` that of a text
     where it was guessed, `shifted` the rows whose cells do not stand under the headings, `heads` the rows that the file
-    marks as headings. `format` is that of another program, empty for a table.
+    marks as headings. `format` is that of another program, empty for a table, `beside` the contents of the
+    file that are not part of the list.
     """
 
     rows: tuple[SheetRow, ...]
@@ -51,6 +52,7 @@ class Sheet:
     shifted: frozenset[int] = frozenset()
     heads: frozenset[int] = frozenset()
     format: str = ""
+    beside: tuple[str, ...] = ()
 
 
 def letters(column: int) -> str:

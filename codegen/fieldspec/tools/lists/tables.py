@@ -17,10 +17,9 @@ from fieldspec.tools.lists.column_roles import (
     column_number,
     guessed_columns,
     headings_text,
-    whole_words,
 )
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, whole_words
 
 _HEADED_BY = 40
 """The number of rows among which the heading is searched."""
@@ -42,11 +41,13 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     best: Columns | None = None
     earlier: list[Columns] = []
     for index, row in enumerate(sheet.rows[:_HEADED_BY]):
-        if not _is_heading(row):
+        is_comment = _is_comment(row) and not all(map(_is_comment, sheet.rows[:index]))
+        if not _is_heading(row) or is_comment:
             continue
         for last in range(index, min(index + _MOST_HEADING_ROWS, len(sheet.rows))):
             below = sheet.rows[index : last + 1]
-            if not all(_is_heading(row_below) for row_below in below) or (last - index and not _continues(below)):
+            is_whole = all(_is_heading(row_below) for row_below in below) and not any(map(_is_comment, below[1:]))
+            if not is_whole or (last - index and not _continues(below)):
                 break
             parts = _heading_parts(below)
             candidate = guessed_columns(parts, names, sheet.rows[last + 1 :])
@@ -149,6 +150,11 @@ def _is_heading(row: SheetRow) -> bool:
     filled = [cell for cell in row.cells if cell]
     numbers = sum(cell[:1].isdigit() and address_text(cell) is not None for cell in filled)
     return bool(filled) and not numbers and max(map(len, filled)) <= _LONGEST_HEADING
+
+
+def _is_comment(row: SheetRow) -> bool:
+    """Whether a row may be a comment of a file of text, as one after other rows is."""
+    return row.cell(0).startswith("# ") or row.cell(0) == "#"
 
 
 def _continues(rows: Sequence[SheetRow]) -> bool:

@@ -21,7 +21,7 @@ _COMPOSED = re.compile(
     r"(?P<sign>unsigned|uns|usigned|ui|u|signed|sgn|si|s|)(?P<base>integer|int|word|float|real|double|bcd|bitfield|bitmap|bits?|enum|hex|)"
     r"(?P<bits>8|16|24|32|48|64)(?P<late>u|s|i|)(?:bits?|flags?|t|)(?P<order>|abcd|cdab|dcba|badc|be|le|sw|swapped|msw|lsw|big|little|bigendian|littleendian)"
 )
-_EARLY_BITS = re.compile(r"(8|16|32|64)(?:bits(?!igned)|bit)(.*)")
+_EARLY_BITS = re.compile(r"(8|16|32|64)(?:bits(?!igned)|bit|(?=u?int|float))(.*)")
 _LENGTH = re.compile(
     r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*\u00d7]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
 )
@@ -34,6 +34,11 @@ _ORDER_WORD = re.compile(
     r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
 )
 
+_STRUCT = re.compile(r"([<>!=@])([bBhHiIlLqQfd])")
+_OF_STRUCT = {"b": "i8", "h": "i16", "i": "i32", "l": "i32", "q": "i64", "f": "f32", "d": "f64"}
+"""The types of the letters that Python packs numbers by: `>H`. A capital letter has no sign."""
+
+_ARRAY = re.compile(r"\s+array$", re.IGNORECASE)
 _ORDER_PHRASE = re.compile(
     r"\b(?:low|high|least significant|most significant) word first|\b[lm]sw first|\bwords? swap(?:ped)?"
     r"|\bCDAB\b|\bBADC\b|\bDCBA\b",
@@ -115,8 +120,13 @@ def typed(text: str) -> Typed | None:
     text = unicodedata.normalize("NFKC", text).strip().strip("`*").strip()
     if not text or len(text) > _LONGEST:
         return None
+    text = _ARRAY.sub("", text)
     if known := _known(text):
         return known
+    if letter := _STRUCT.fullmatch(text):
+        name = _OF_STRUCT[letter[2].lower()]
+        byte_order = {"<": "DCBA", ">": "ABCD", "!": "ABCD"}.get(letter[1], "")
+        return Typed(f"u{name[1:]}" if letter[2].isupper() else name, order=byte_order)
     if order := _ORDER_WORD.search(text):
         inner = typed(text[: order.start()])
         return replace(inner, order=meaning("orders", order[1])) if inner else None

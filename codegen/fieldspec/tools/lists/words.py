@@ -35,3 +35,14 @@ def folded(text: str) -> str:
 def meaning(table: str, text: str) -> str:
     """The meaning of a text in a table; empty if it is not there."""
     return meanings(table).get(folded(text) or text.strip(), "")
+
+
+@cache
+def whole_words() -> Mapping[str, str]:
+    """The headings that are whole words of a role, with the first such role."""
+    return {
+        word: role
+        for role, role_words in reversed([*words("headings").items()])
+        for word in role_words
+        if not word.startswith("*")
+    }

@@ -37,7 +37,8 @@ def used_area(content: bytes) -> tuple[int, int]:
             if sum(part.file_size for part in parts) > _MOST_UNPACKED:
                 raise ListError("unpacks to more than a list of registers holds")
             if "xl/workbook.xml" not in packed.namelist():
-                raise ListError("is an archive and not a workbook; use a CSV or XLSX file")
+                kind = "an OpenDocument file" if "content.xml" in packed.namelist() else "an archive and not a workbook"
+                raise ListError(f"is {kind}; save its table as CSV or XLSX")
             counts = _Counts()
             for part in parts:
                 if part.filename.lower().endswith((".xml", ".rels", ".vml")):
