@@ -185,7 +185,8 @@ def accept(pytestconfig: pytest.Config) -> bool:
 
 @pytest.fixture(scope="session", autouse=True)
 def _cache_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """A folder for what verbs keep, so that no test sees what another run has left."""
+    """A folder for what verbs keep, which all workers share, so that no test sees what another run has left."""
+    folder = FOLDERS[0] / "cache" if FOLDERS else tmp_path_factory.mktemp("cache")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("FIELDSPEC_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("FIELDSPEC_CACHE", str(folder))
         yield

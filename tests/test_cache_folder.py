@@ -18,7 +18,7 @@ from fieldspec.command.files import cache_folder
 from fieldspec.command.packages import plugins
 from fieldspec.command.sources import layout_cache
 
-KINDS = ("builds", "devices", "plugins", "spellings", "templates")
+KINDS = ("builds", "devices", "plugins", "sound", "spellings", "templates")
 SIGNATURE = "Signature: 8a477f597d28d172789f06886806bc55"
 """As https://bford.info/cachedir/ prints it."""
 
