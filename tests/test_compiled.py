@@ -82,7 +82,7 @@ def alike(left: Any, other: Any, met: set[tuple[int, int]]) -> bool:
     return type(left) is type(other) and bool(left == other)
 
 
-@pytest.mark.proof(12)
+@pytest.mark.proof(6)
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
 def test_a_layout_read_from_the_cache_is_equal_to_the_original(folder: Path, device: str) -> None:
     files = spec_files.files(SPECS, frozenset([device])) | spec_files.files(folder, frozenset([device]))

@@ -72,6 +72,7 @@ EXAMPLES = [
 ]
 
 
+@pytest.mark.proof(200)
 @pytest.mark.parametrize(("layout", "example_id"), EXAMPLES)
 def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayout, example_id: str) -> None:
     example = layout.device.examples[example_id]

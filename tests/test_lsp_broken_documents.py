@@ -11,11 +11,13 @@ from lsprotocol import types
 
 from bounded import HANGING
 from editing import Editor, copied, editor, place_of
+from proofs import IS_WHOLE
 
-CUTS = 40
+CUTS = 40 if IS_WHOLE else 15
 
 
 @pytest.mark.asyncio
+@pytest.mark.proof
 async def test_every_request_on_a_document_that_is_cut_has_an_answer(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:

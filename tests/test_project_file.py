@@ -229,6 +229,7 @@ def test_registers_and_messages_have_their_blocks(motor: Bench, blocks: str, exp
     assert set(re.findall(r"FUNCTION_BLOCK FB_Tc100_(\w+)", text)) == expected
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(
     ("device", "blocks", "expected"),
     [

@@ -17,7 +17,7 @@ def test_the_device_does_what_the_scene_says(device: str, scene: dict[str, objec
     Stage(device, scene).play(scene)
 
 
-@pytest.mark.proof(80)
+@pytest.mark.proof(40)
 @pytest.mark.parametrize(
     ("device", "scene", "part"),
     [(device, scene, part) for device, scene in SCENES for part in scene["shows"]],

@@ -36,7 +36,7 @@ def flowing(tokens: list[Token]) -> str:
     )
 
 
-@pytest.mark.proof(30)
+@pytest.mark.proof(15)
 @pytest.mark.parametrize("path", PAGES, scope="module")
 def test_a_page_has_no_html_but_its_own(path: str) -> None:
     every = [*tokens(path), *inline(tokens(path))]

@@ -92,6 +92,7 @@ def search_again(browser: webdriver.Chrome, text: str) -> list[str]:
     return links(browser)
 
 
+@pytest.mark.proof(10)
 @pytest.mark.parametrize(("path", "text", "link"), sorted(FACTS))
 def test_a_fact_is_the_first_result_of_its_names_and_numbers(
     browser: webdriver.Chrome, folder: Path, path: str, text: str, link: str
@@ -101,7 +102,7 @@ def test_a_fact_is_the_first_result_of_its_names_and_numbers(
     assert (search_again(browser, text) if is_open else search(browser, page, text))[:1] == [link]
 
 
-@pytest.mark.proof(3)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("text", ["e", "0x3067", "the position of the motor", "no such thing at all"])
 @pytest.mark.parametrize("path", ["hiwin-e/2.14.4.html", "index.html"])
 def test_results_are_there_before_anybody_notices(

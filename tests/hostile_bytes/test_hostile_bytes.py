@@ -80,6 +80,7 @@ def test_the_documentation_counts_what_checksums_cannot_notice() -> None:
     assert missing == []
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_frame_behind_a_damaged_one_and_silence_is_returned(device: str) -> None:
     framed = noise.framed_flips(device)
@@ -99,6 +100,7 @@ def test_random_bytes_take_no_more_memory_than_a_frame_and_a_piece(device: str) 
     assert [name for name, peak in peaks.items() if peak >= 8 * noise.PIECE] == []
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_javascript_gives_values_or_the_documented_error(device: str) -> None:
     script = Path(__file__).with_name("noise.mjs")

@@ -162,7 +162,7 @@ ARGUMENTS = (
 )
 
 
-@pytest.mark.proof(23)
+@pytest.mark.proof(12)
 @pytest.mark.parametrize("words", ARGUMENTS, ids=" ".join)
 def test_a_name_in_an_argument_is_only_read(words: tuple[str, ...], run: Any, tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(b"")
@@ -189,7 +189,7 @@ FILES = (
 LOG = b"01 03 10 00 00 01 80 CA\n01 03 02 00 05 78 47\n"
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("words", FILES, ids=" ".join)
 @pytest.mark.parametrize("content", [b"", b"\xff\xfe\x00", b"Address,Name\n0x10,speed\n0x10,torque\n", LOG], ids=len)
 def test_the_name_of_a_file_that_is_read_is_only_read(

@@ -164,7 +164,7 @@ def client(request: pytest.FixtureRequest, folder: Path) -> Client:
     return Client(*request.param, folder)
 
 
-@pytest.mark.proof(6)
+@pytest.mark.proof(3)
 def test_a_client_gives_the_answer_of_its_device(client: Client) -> None:
     for write, words in requests(client).values():
         client.answer(client.answered(client.ask(write, words)))

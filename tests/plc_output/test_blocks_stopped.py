@@ -133,7 +133,7 @@ def test_a_jog_that_has_reached_the_end_of_the_stroke_is_busy_until_its_input_fa
     assert broken(rig, 30) == []
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("kind", ["absolute", "home", "relative"])
 def test_what_is_stopped_from_outside_is_not_done(name: str, kind: str, make: Callable[..., Any]) -> None:

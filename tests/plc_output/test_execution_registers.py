@@ -167,7 +167,7 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
                 assert read_out(prover, group, register, copy) == wanted, (register.name, address)
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(4)
 def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Proof) -> None:
     layout = prover.world.layout
     for read in idle_vectors([layout]):
@@ -288,7 +288,7 @@ def prefix(prover: Proof, name: str) -> str:
     )
 
 
-@pytest.mark.proof(16)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_counts_become_quantities_and_quantities_the_nearest_counts(
@@ -320,6 +320,7 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
                 assert counts(prover, name, quantity)[0] == "out_of_range"
 
 
+@pytest.mark.proof(13)
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_special_values_and_values_out_of_range_are_told_from_others(

@@ -49,7 +49,7 @@ def translated(content: str, folder: Path) -> None:
     assert (ran.returncode, ran.stderr) == (0, "")
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_a_program_in_a_configuration_uses_every_constant(root: Path, device: str, tmp_path: Path) -> None:
     source_text = source(newest(root, device))
