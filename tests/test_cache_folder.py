@@ -94,6 +94,7 @@ def test_the_tag_of_another_program_is_not_that_of_the_cache(cache: Path, tmp_pa
     assert files(cache) == before
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("kind", KINDS)
 def test_files_with_other_names_stay_where_they_are(kind: str, cache: Path, tmp_path: Path) -> None:
     run_verbs(tmp_path / "out")

@@ -180,6 +180,7 @@ def test_without_the_cache_nothing_is_read_from_it_or_stored(cache: Path, monkey
         show(TEST_SPECS, "--no-cache")
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(
     "spoilt",
     [
@@ -251,6 +252,7 @@ def test_a_compiled_device_is_loaded_without_the_modules_that_read_specs(cache: 
     assert second.stdout.splitlines()[-1] == "set()"
 
 
+@pytest.mark.proof(18)
 @pytest.mark.parametrize("case", BROKEN, ids=[f"{case.parent.name}/{case.name}" for case in BROKEN])
 def test_a_device_with_errors_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
     match = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)

@@ -194,6 +194,7 @@ def motor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bench:
     return bench
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("output", ["scl", "st", "twincat", "plcopen", "iec"])
 def test_a_program_has_the_chosen_blocks_and_what_they_need(motor: Bench, output: str) -> None:
     state(motor, FIVE.replace("OUTPUT", output))

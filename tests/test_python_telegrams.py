@@ -162,6 +162,7 @@ WORDS = [
 ]
 
 
+@pytest.mark.proof(27)
 @pytest.mark.parametrize(("layout", "flags"), WORDS)
 @examples(30)
 @given(data=st.data())

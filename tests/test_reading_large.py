@@ -70,7 +70,7 @@ def test_a_device_with_a_register_at_every_address_is_read(tmp_path: Path) -> No
     row = (
         "    - {at: %d, name: r%d, doc: Value %d of all., type: u16, access: rw, range: 0..9, default: 0, source: 1 L1}"
     )
-    every = "\n".join(row % (at, at, at) + " # as the manual has it" for at in range(0, 0x10000, 1 if IS_WHOLE else 5))
+    every = "\n".join(row % (at, at, at) + " # as the manual has it" for at in range(0x10000 if IS_WHOLE else 0x4000))
     (tmp_path / "gadget").mkdir()
     (tmp_path / "gadget" / "device.yaml").write_text(f"{DEVICE}registers:\n  - group: a\n    rows:\n{every}\n", "utf-8")
     check = [sys.executable, "-m", "fieldspec", "check", "--specs", str(tmp_path)]

@@ -224,6 +224,7 @@ def test_a_capture_damaged_anywhere_never_ends_in_another_error(form: str) -> No
                     assert all(len(batch.frames.number) for batch in batches)
 
 
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("network", NETWORKS)
 def test_packets_damaged_anywhere_lose_only_what_is_damaged(network: str) -> None:
     """The bits of one packet are changed; all frames but those in it and in what it seems to repeat stay."""

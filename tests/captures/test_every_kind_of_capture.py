@@ -175,6 +175,7 @@ OF_TSHARK = streams(8)
 """tshark takes a segment for no frame of Modbus TCP where it has fewer than the first eight bytes of one."""
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("name", STREAMS)
 def test_a_stream_cut_anywhere_has_every_frame_and_value(tmp_path: Path, name: str) -> None:
     decoded(tmp_path, capture(STREAMS[name]))

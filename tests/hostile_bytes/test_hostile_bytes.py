@@ -39,6 +39,7 @@ def damaged(chance: random.Random, frame: bytes) -> bytes:
     return bytes(data)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_damaged_frames_give_values_or_the_documented_error(device: str) -> None:
     chance = random.Random(device)
@@ -90,6 +91,7 @@ def test_a_frame_behind_a_damaged_one_and_silence_is_returned(device: str) -> No
         assert framed.delayed == 0
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_random_bytes_take_no_more_memory_than_a_frame_and_a_piece(device: str) -> None:
     # A process of its own: what other threads of the tests allocate counts too.

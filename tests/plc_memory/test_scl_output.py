@@ -274,6 +274,7 @@ def test_labels_that_end_comments_are_labels(tmp_path: Path) -> None:
     assert member.comment.startswith("ends ( * and * ) here ) ( * / / /")
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_only_what_the_rules_name_is_refused(layout: DeviceLayout) -> None:
     real = layout.device.id in layouts(SPECS)

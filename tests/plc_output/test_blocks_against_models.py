@@ -85,6 +85,7 @@ def test_an_answer_to_the_request_before_is_never_a_position(name: str, make: Ca
 # A jog stops itself.
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", FRAMED)
 @pytest.mark.parametrize("abort", [False, True], ids=["", "aborted"])
 def test_a_jog_does_not_run_away_when_its_successor_is_refused(
@@ -133,6 +134,7 @@ def test_an_invalid_telegram_swallows_no_stop(name: str, kind: str, scans: int, 
     assert broken(rig, 15, 23) == []
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", SPEEDS)
 @pytest.mark.parametrize("kind", ["quick_stop", "power_off"])
 def test_an_invalid_telegram_swallows_no_quick_stop_of_a_speed(name: str, kind: str, make: Callable[..., Any]) -> None:
@@ -184,6 +186,7 @@ def test_a_gripper_is_not_done_at_a_place_that_it_cannot_reach(refusal: str, mak
     assert rig.finish(rig.block("absolute"), Position=900.0).startswith("Error")
 
 
+@pytest.mark.proof(11)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("delay", [0.38, 1.0])
 @pytest.mark.parametrize("kind", ["absolute", "relative", "home"])
@@ -293,6 +296,7 @@ def test_a_jog_has_two_directions_and_is_busy_until_it_stands(name: str, make: C
 # An edge is never lost.
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_an_edge_while_it_is_busy_is_taken_or_refused(name: str, make: Callable[..., Any]) -> None:
     rig = make(name)

@@ -66,6 +66,7 @@ def test_a_jog_is_asked_to_stop_three_times_where_nothing_answers(name: str, mak
     assert broken(rig, 15, 29, 30) == []
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("kind", ["stop", "halt"])
 def test_a_motion_that_begins_after_its_stop_has_somebody_responsible(

@@ -44,6 +44,7 @@ def to_a_point(rig: Any) -> str:
     return block
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("kind", ["point", "home"])
 @pytest.mark.parametrize("reset", [False, True], ids=["that stands", "that is reset"])
 def test_an_emergency_stop_that_is_shown_is_an_error(kind: str, reset: bool, make: Callable[..., Any]) -> None:

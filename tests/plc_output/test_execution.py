@@ -87,10 +87,12 @@ def test_every_telegram_of_an_example_is_unpacked_and_packed_again(prover: Proof
         there_and_back(prover, message.data(example.direction), example.frame)
 
 
+@pytest.mark.proof(7)
 def test_telegrams_agree_with_the_reference_on_random_bytes_and_values(prover: Proof) -> None:
     compare_telegrams(prover, random.Random(prover.world.layout.device.id), TRIES)
 
 
+@pytest.mark.proof(7)
 def test_messages_agree_with_the_reference_on_random_values(prover: Proof) -> None:
     compare_requests(prover, random.Random(prover.world.layout.device.id), TRIES)
 

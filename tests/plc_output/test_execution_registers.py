@@ -140,6 +140,7 @@ def read_of(prover: Proof, register_layout: RegisterLayout, words: dict[int, int
     return result
 
 
+@pytest.mark.proof(7)
 def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof) -> None:
     dice, most = random.Random(1), prover.world.words.high + 1
     for group in prover.world.layout.device.word_groups():
@@ -213,6 +214,7 @@ def member(prover: Proof, group: RegisterGroup, register: RegisterLayout) -> str
     return prover.world.member(group.name, register.name).lower()
 
 
+@pytest.mark.proof(7)
 def test_groups_of_registers_are_written_as_the_reference_writes_them(prover: Proof) -> None:
     dice, most, device = random.Random(2), prover.world.words.high + 1, prover.world.layout.device
     for group in device.word_groups():

@@ -166,6 +166,7 @@ def test_hostile_labels_stay_within_comments_and_texts() -> None:
         assert line.isprintable(), line
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", ["plain", "hostile", *REAL])
 def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) -> None:
     layout = (
@@ -203,6 +204,7 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
         assert schema.validate(renamed), schema.error_log.last_error
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", REAL)
 def test_each_object_of_plcopen_xml_is_in_one_folder_by_its_identifier(name: str) -> None:
     for place, text in plcopen_files([newest(SPECS, name)]).items():
@@ -222,6 +224,7 @@ def test_each_object_of_plcopen_xml_is_in_one_folder_by_its_identifier(name: str
         assert len(set(placed.values())) == len(placed)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", ["hostile", *REAL])
 def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
     layout = hostile() if name == "hostile" else newest(SPECS, name)
@@ -249,6 +252,7 @@ def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
     assert len(seen) > 10
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", REAL)
 def test_the_project_for_twincat_includes_each_file_and_calls_programs_that_are_there(name: str) -> None:
     outputs = twincat_files([newest(SPECS, name)])

@@ -20,6 +20,7 @@ from layouts import newest
 from matiec import matiec
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_functions_have_the_statements_of_the_other_dialects_with_numbers_for_members(root: Path, device: str) -> None:
     other = program_of(root, device)
