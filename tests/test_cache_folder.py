@@ -14,7 +14,7 @@ import pytest
 from command_line import TEST_SPECS
 from fieldspec.cli import main
 from fieldspec.command.builds import freshness
-from fieldspec.command.files import cache_folder
+from fieldspec.command.files import cache_folder, storage
 from fieldspec.command.packages import plugins
 from fieldspec.command.sources import layout_cache
 from proofs import share
@@ -92,6 +92,23 @@ def test_the_tag_of_another_program_is_not_that_of_the_cache(cache: Path, tmp_pa
     before = letters(cache / "devices") | files(cache)
     run_verbs(tmp_path / "out")
     assert files(cache) == before
+
+
+def test_a_folder_that_another_process_begins_at_the_same_time_is_used(
+    cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lock = storage.lock
+
+    def begun_by_another(path: str, patient: bool = True) -> int:
+        if path == str(cache):
+            monkeypatch.setattr(storage, "lock", lock)
+            cache_folder.store("devices", "a", b"x")
+        return lock(path, patient=patient)
+
+    monkeypatch.setattr(storage, "lock", begun_by_another)
+    cache_folder.store("devices", "b", b"y")
+    assert capsys.readouterr().err == ""
+    assert [cache_folder.cached("devices", name) for name in "ab"] == [b"x", b"y"]
 
 
 @pytest.mark.proof(3)
