@@ -57,7 +57,7 @@ def facts(text: str) -> dict[tuple[str, int, str], dict[str, Any]]:
     }
 
 
-@pytest.mark.proof(19)
+@pytest.mark.proof(13)
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
 @pytest.mark.parametrize("form", ["json", "csv", "xlsx"])
 def test_an_export_comes_back_with_the_same_facts(

@@ -65,7 +65,7 @@ SLIPS = {
 }
 
 
-@pytest.mark.proof(12)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("ends", ["\n", "\r\n"], ids=["LF", "CRLF"])
 @pytest.mark.parametrize("case", SLIPS)
 async def test_the_help_of_a_finding_is_done_where_it_is_mechanical(tmp_path: Path, case: str, ends: str) -> None:

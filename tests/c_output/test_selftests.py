@@ -43,7 +43,7 @@ def write_selftest(folder: Path, header: str) -> Path:
     return folder / source
 
 
-@pytest.mark.proof(14)
+@pytest.mark.proof(10)
 @pytest.mark.parametrize(
     ("header", "compiler"),
     [(header, compiler) for header in HEADERS for compiler in compilers_of(header)],

@@ -92,7 +92,7 @@ def search_again(browser: webdriver.Chrome, text: str) -> list[str]:
     return links(browser)
 
 
-@pytest.mark.proof(10)
+@pytest.mark.proof(7)
 @pytest.mark.parametrize(("path", "text", "link"), sorted(FACTS))
 def test_a_fact_is_the_first_result_of_its_names_and_numbers(
     browser: webdriver.Chrome, folder: Path, path: str, text: str, link: str

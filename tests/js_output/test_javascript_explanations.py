@@ -49,7 +49,7 @@ def jobs_of(layout: DeviceLayout, example: Example) -> Iterator[dict[str, Any]]:
             yield {"module": module, "frame": frame.hex(), "options": {}, "request": ""}
 
 
-@pytest.mark.proof(6)
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_frames_are_explained_as_by_the_command_line(name: str) -> None:
     layout = LAYOUTS[name]

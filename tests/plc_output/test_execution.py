@@ -48,7 +48,7 @@ def test_every_request_of_an_example_is_built_byte_for_byte(prover: Proof) -> No
         assert (status, frame.hex()) == ("ok", example.frame.hex()), example.id
 
 
-@pytest.mark.proof(7)
+@pytest.mark.proof(5)
 def test_every_response_of_an_example_is_parsed_to_its_values(prover: Proof) -> None:
     layout = prover.world.layout
     reference = codec(layout)

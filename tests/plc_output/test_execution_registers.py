@@ -290,7 +290,7 @@ def prefix(prover: Proof, name: str) -> str:
     )
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_counts_become_quantities_and_quantities_the_nearest_counts(
@@ -322,7 +322,7 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
                 assert counts(prover, name, quantity)[0] == "out_of_range"
 
 
-@pytest.mark.proof(13)
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_special_values_and_values_out_of_range_are_told_from_others(

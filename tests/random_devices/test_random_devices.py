@@ -49,7 +49,7 @@ def judges_of(text: str) -> tuple[Judge, ...]:
     return tuple(judge for judge in judges if judge.every <= CHEAP)
 
 
-@pytest.mark.proof(12)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("case", sorted(CASES.glob("*.yaml")), ids=lambda path: path.stem)
 def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
     text = case.read_text(encoding="utf-8")
