@@ -19,7 +19,7 @@ from random_devices.queries import Answer, Query
 from random_devices.schema_keys import KEYS, MAPPINGS, key_path, known_keys
 
 SEEDS = (1, 2, 3)
-COUNT = 12 if IS_WHOLE else 5
+COUNT = 12
 CHEAP = 8 if IS_WHOLE else 1
 """Judges that are asked about each device, or about one of so few, cost less than the others."""
 MOST = 2000
@@ -30,7 +30,7 @@ changed, the others follow after them, which takes minutes.
 """
 
 
-@pytest.mark.proof
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("number", SEEDS)
 def test_all_codecs_agree_on_random_devices(number: int) -> None:
     tally = batch(number, COUNT, frames=60)
