@@ -105,7 +105,7 @@ soak: $(INSTALLED)
 	FIELDSPEC_PROOFS=all $(BIN)/pytest tests/test_faults.py tests/test_interruptions.py
 
 soak-device: $(INSTALLED)
-	FIELDSPEC_SOAK_HOURS=24 $(BIN)/pytest tests/device/test_soak.py
+	FIELDSPEC_PROOFS=all FIELDSPEC_SOAK_HOURS=24 $(BIN)/pytest tests/device/test_soak.py
 
 dist: $(INSTALLED)
 	rm -rf dist
@@ -128,10 +128,10 @@ queries: $(INSTALLED)
 	FIELDSPEC_TELEGRAMS=1000000 $(BIN)/pytest -n 2 tests/queries_output/test_queries_of_records.py -k telegrams
 
 edits: $(INSTALLED)
-	FIELDSPEC_EXAMPLES=250 $(BIN)/pytest -n 2 tests/test_builds_with_memory.py
+	FIELDSPEC_PROOFS=all FIELDSPEC_EXAMPLES=250 $(BIN)/pytest -n 2 tests/test_builds_with_memory.py
 
 plants: $(INSTALLED)
-	FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py tests/plc_output/test_blocks_at_random.py -k whatever_happens
+	FIELDSPEC_PROOFS=all FIELDSPEC_RANDOM_STEPS=1000000 $(BIN)/pytest -n 3 tests/plc_output/test_device_blocks.py tests/plc_output/test_simulated_blocks.py tests/plc_output/test_blocks_at_random.py -k whatever_happens
 
 # Needs matiec, gcc-arm-none-eabi and libnewlib-arm-none-eabi.
 plc-sizes: $(INSTALLED)

@@ -21,7 +21,7 @@ from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
 
-from compiler_mutants import Mutant, mutants, sample
+from compiler_mutants import Mutant, changeable, sample
 
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
@@ -43,6 +43,7 @@ class Unfit(Exception):
     """A command that fails without a mutant too, and so would notice every mutant."""
 
 
+@cache
 @cache
 def rows(text: str) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
     """The rows of the table of tests: the folders, which end with a slash, and modules; and the commands for them."""
@@ -69,7 +70,7 @@ def commands(path: str, text: str | None = None) -> list[str]:
 def folders(package: Path = PACKAGE) -> list[str]:
     """All folders of the compiler with code that can be changed; `.` is the package itself."""
     names = sorted({path.relative_to(package).parent.as_posix() for path in package.rglob("*.py")})
-    return [name for name in names if mutants(package, name)]
+    return [name for name in names if any(True for _ in changeable(package, name))]
 
 
 @dataclass(frozen=True)

@@ -150,6 +150,14 @@ def mutants(package: Path, folder: str) -> tuple[Mutant, ...]:
     return tuple(result)
 
 
+def changeable(package: Path, folder: str) -> Iterator[str]:
+    """The modules in a folder of the compiler that have a mutant."""
+    for path in sorted((package / folder).glob("*.py")):
+        name = path.relative_to(package).as_posix()
+        if any(True for _ in Source(name, path.read_bytes()).mutants()):
+            yield name
+
+
 def sample(package: Path, folder: str, count: int, seed: int) -> list[Mutant]:
     """So many mutants of a folder at random, the same for the same seed and the same source."""
     every = mutants(package, folder)

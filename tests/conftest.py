@@ -9,6 +9,7 @@ import signal
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,10 @@ from hypothesis.internal.conjecture import providers
 from xdist.workermanage import WorkerController
 
 from fieldspec import command
+from fieldspec.foundation.source import Refused
 from fieldspec.language.model.codecs import provide
+from fieldspec.language.reading import project, yaml_reader
+from fieldspec.language.reading.memory import FileRead, file_read
 from package_site import example_codecs
 from proofs import IS_WHOLE, share
 from shared_results import FOLDERS
@@ -103,6 +107,24 @@ NO_CONSTANTS = providers.Constants()
 providers._get_local_constants = lambda: NO_CONSTANTS
 
 
+# Tests read the same specs again and again, most of them through verbs. As for an editor, a large file is parsed once.
+LARGE = 4000
+"""Bytes of a file that takes longer to parse than to find again."""
+
+
+def _file_read(path: str, data: bytes, earlier: FileRead | None) -> FileRead:
+    if earlier is not None or len(data) < LARGE or isinstance(data, Refused):
+        return file_read(path, data, earlier)
+    return _parsed_once(path, bytes(data), yaml_reader._Parser)
+
+
+@lru_cache(maxsize=200)
+def _parsed_once(path: str, data: bytes, parser: object) -> FileRead:
+    return file_read(path, data, None)
+
+
+project.file_read = _file_read
+
 # A shell that starts the tests in the background has them ignore interrupts, which the commands under test would
 # inherit.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -142,9 +164,9 @@ def pytest_configure_node(node: WorkerController) -> None:
 
 
 def pytest_xdist_auto_num_workers() -> int:
-    """Half as many workers again as processors: tests that talk to devices and browsers wait for most of their time."""
+    """Up to two workers more than processors: tests that talk to devices and browsers wait for most of their time."""
     processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return processors + processors // 2
+    return processors + min(processors, 2)
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
@@ -185,7 +207,8 @@ def accept(pytestconfig: pytest.Config) -> bool:
 
 @pytest.fixture(scope="session", autouse=True)
 def _cache_of_its_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """A folder for what verbs keep, so that no test sees what another run has left."""
+    """A folder for what verbs keep, which all workers share, so that no test sees what another run has left."""
+    folder = FOLDERS[0] / "cache" if FOLDERS else tmp_path_factory.mktemp("cache")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("FIELDSPEC_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("FIELDSPEC_CACHE", str(folder))
         yield

@@ -136,6 +136,7 @@ def test_most_facts_would_be_missed(device: str) -> None:
     assert len(needed & numbered.keys()) >= LEAST_NEEDED[device] * len(numbered)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_fact_that_is_gone_is_noticed(device: str) -> None:
     known = planned(device)[1]

@@ -141,7 +141,7 @@ BROKEN = {
 }
 
 
-@pytest.mark.proof(14)
+@pytest.mark.proof(7)
 @pytest.mark.parametrize("case", BROKEN)
 def test_a_broken_entry_point_is_one_line_that_names_the_package(tmp_path: Path, case: str) -> None:
     group, name, value, code, reason = BROKEN[case]

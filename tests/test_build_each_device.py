@@ -77,6 +77,7 @@ def bench(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
     return Bench(tmp_path, "gadget", "gizmo")
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("error", ERRORS)
 def test_a_device_with_an_error_keeps_its_files_and_the_others_are_written(
     bench: Bench, error: str, capsys: pytest.CaptureFixture[str]

@@ -209,6 +209,7 @@ def test_the_compiler_is_every_file_of_it_and_its_libraries(monkeypatch: pytest.
     assert cache_folder.identity() != first
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(
     "spoilt",
     [

@@ -64,6 +64,7 @@ def sound_files() -> Files:
     return {path.relative_to(SPECS).as_posix(): path.read_text("utf-8") for path in paths}
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("seed", range(2))
 def test_after_random_edits_memory_changes_neither_outputs_nor_findings(
     seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

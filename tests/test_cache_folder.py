@@ -14,11 +14,12 @@ import pytest
 from command_line import TEST_SPECS
 from fieldspec.cli import main
 from fieldspec.command.builds import freshness
-from fieldspec.command.files import cache_folder
+from fieldspec.command.files import cache_folder, storage
 from fieldspec.command.packages import plugins
 from fieldspec.command.sources import layout_cache
+from proofs import share
 
-KINDS = ("builds", "devices", "plugins", "spellings", "templates")
+KINDS = ("builds", "devices", "plugins", "sound", "spellings", "templates")
 SIGNATURE = "Signature: 8a477f597d28d172789f06886806bc55"
 """As https://bford.info/cachedir/ prints it."""
 
@@ -93,6 +94,24 @@ def test_the_tag_of_another_program_is_not_that_of_the_cache(cache: Path, tmp_pa
     assert files(cache) == before
 
 
+def test_a_folder_that_another_process_begins_at_the_same_time_is_used(
+    cache: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lock = storage.lock
+
+    def begun_by_another(path: str, patient: bool = True) -> int:
+        if path == str(cache):
+            monkeypatch.setattr(storage, "lock", lock)
+            cache_folder.store("devices", "a", b"x")
+        return lock(path, patient=patient)
+
+    monkeypatch.setattr(storage, "lock", begun_by_another)
+    cache_folder.store("devices", "b", b"y")
+    assert capsys.readouterr().err == ""
+    assert [cache_folder.cached("devices", name) for name in "ab"] == [b"x", b"y"]
+
+
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("kind", KINDS)
 def test_files_with_other_names_stay_where_they_are(kind: str, cache: Path, tmp_path: Path) -> None:
     run_verbs(tmp_path / "out")
@@ -215,6 +234,7 @@ def spoil(cache: Path, kind: str, spoilt: Callable[[bytes], bytes]) -> dict[Path
     return before
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize(
     ("kind", "verb"), [("builds", build), ("devices", lambda out: show()), ("plugins", build)], ids=["b", "d", "p"]
 )
@@ -222,7 +242,7 @@ def test_an_entry_of_the_wrong_shape_is_made_again(
     kind: str, verb: Callable[[Path], None], cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any
 ) -> None:
     verb(tmp_path / "out")
-    for shape in SHAPES:
+    for shape in share(SHAPES, 3):
         before = spoil(cache, kind, lambda content, shape=shape: shape)  # type: ignore[misc]
         monkeypatch.setattr(plugins, "_known", {})
         verb(tmp_path / "out")

@@ -39,6 +39,7 @@ def ask(bus: Bus, request: Any) -> Any:
     return MODULE.sdo.decode_response(bus.receive(MODULE.sdo), request)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("size", KINDS)
 def test_an_object_of_any_size_is_read_and_written(bus: Bus, size: int) -> None:
     node = bus.network.create_node(NODE, objects())
@@ -60,6 +61,7 @@ def test_the_abort_codes_are_those_of_canopen() -> None:
     assert {int(code) for code in MODULE.AbortCode} == set(canopen.SdoAbortedError.CODES)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("state", ["OPERATIONAL", "STOPPED", "PRE-OPERATIONAL", "RESET", "RESET COMMUNICATION"])
 def test_network_management_is_what_canopen_sends(bus: Bus, state: str) -> None:
     bus.network.add_node(NODE, objects()).nmt.state = state

@@ -17,7 +17,7 @@ from test_checks_never_raise import changed, every, trees
 ROUNDS = 8
 
 
-@pytest.mark.proof(10)
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("seed", range(32))
 def test_broken_devices_are_compared(seed: int) -> None:
     chance = random.Random(seed)

@@ -102,7 +102,7 @@ def every(node: Node) -> list[Node]:
     return nodes
 
 
-@pytest.mark.proof(20)
+@pytest.mark.proof(10)
 @pytest.mark.parametrize("seed", range(64))
 def test_checks_never_raise_and_what_passes_has_a_layout(seed: int) -> None:
     chance = random.Random(seed)

@@ -138,6 +138,7 @@ def test_a_gripper_is_not_done_at_a_place_that_it_cannot_reach(refusal: str) -> 
     assert outcome(client.move_absolute, **arguments(client.move_absolute, 90000)) != "done"
 
 
+@pytest.mark.proof(7)
 @pytest.mark.parametrize("name", [*FRAMED, *TELEGRAMS])
 @pytest.mark.parametrize("task", TASKS)
 def test_what_is_stopped_from_outside_is_not_done(name: str, task: str) -> None:

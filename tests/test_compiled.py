@@ -82,7 +82,7 @@ def alike(left: Any, other: Any, met: set[tuple[int, int]]) -> bool:
     return type(left) is type(other) and bool(left == other)
 
 
-@pytest.mark.proof(12)
+@pytest.mark.proof(6)
 @pytest.mark.parametrize(("folder", "device"), DEVICES, ids=[device for _, device in DEVICES])
 def test_a_layout_read_from_the_cache_is_equal_to_the_original(folder: Path, device: str) -> None:
     files = spec_files.files(SPECS, frozenset([device])) | spec_files.files(folder, frozenset([device]))
@@ -180,6 +180,7 @@ def test_without_the_cache_nothing_is_read_from_it_or_stored(cache: Path, monkey
         show(TEST_SPECS, "--no-cache")
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(
     "spoilt",
     [
@@ -251,6 +252,7 @@ def test_a_compiled_device_is_loaded_without_the_modules_that_read_specs(cache: 
     assert second.stdout.splitlines()[-1] == "set()"
 
 
+@pytest.mark.proof(18)
 @pytest.mark.parametrize("case", BROKEN, ids=[f"{case.parent.name}/{case.name}" for case in BROKEN])
 def test_a_device_with_errors_is_wrong_use(cache: Path, tmp_path: Path, case: Path, capsys: Any) -> None:
     match = re.search(r"^ *(?:device: \{)? *id: ([a-z0-9_-]+)", (case / "device.yaml").read_text("utf-8"), re.MULTILINE)

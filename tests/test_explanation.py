@@ -99,6 +99,7 @@ def test_there_are_examples() -> None:
     assert len(EXAMPLES) > 100
 
 
+@pytest.mark.proof(250)
 @pytest.mark.parametrize(("layout", "example"), EXAMPLES)
 def test_an_example_and_its_beginnings_and_what_trails_it_are_explained_as_the_reference_decodes_them(
     layout: DeviceLayout, example: Example

@@ -51,6 +51,7 @@ def test_all_frames_come_out_of_a_stream_with_garbage() -> None:
     assert lost_frames(linker(), linker_module()) == []
 
 
+@pytest.mark.proof(14)
 @pytest.mark.parametrize("layout", NEWEST, ids=lambda layout: layout.device.id)
 def test_all_frames_of_made_up_devices_come_out(layout: DeviceLayout) -> None:
     assert lost_frames(layout, module_of(layout)) == []

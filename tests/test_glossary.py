@@ -135,12 +135,8 @@ def code_names() -> set[str]:
 def test_names_of_code_are_in_the_compiler() -> None:
     expected = code_names()
     assert {"DeviceLayout", "FrameLayout", "Register"} <= expected
-    compiler = {
-        token.string
-        for path in PACKAGE.rglob("*.py")
-        for token in tokenize.generate_tokens(io.StringIO(path.read_text("utf-8")).readline)
-        if token.type == tokenize.NAME
-    }
+    nodes = (node for path in PACKAGE.rglob("*.py") for node in nodes_of(path))
+    compiler = {getattr(node, name, None) for node in nodes for name in ("id", "attr", "name", "arg")}
     assert expected - compiler == set()
 
 

@@ -52,7 +52,7 @@ def calls_of(output: str, layout: DeviceLayout) -> int:
     return count
 
 
-@pytest.mark.proof(14)
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("with_messages", [False, True], ids=["alone", "with messages"])
 @pytest.mark.parametrize("output", OUTPUTS)
 def test_four_times_the_registers_take_four_times_the_work(output: str, with_messages: bool) -> None:

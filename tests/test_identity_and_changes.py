@@ -129,7 +129,7 @@ def affect_programs(old: Device, new: Device) -> list[str]:
     return [f"{change.rule}: {change.message}" for change in both if change.effect is not Effect.DOCS]
 
 
-@pytest.mark.proof(18)
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("name", SPECS)
 def test_an_identity_differs_where_programs_must_be_told_of_a_change(name: str) -> None:
     old = device_of(SPECS[name])

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from interruptions import Place, soak
+from proofs import IS_WHOLE
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="builds in processes on Linux alone")
 
@@ -16,8 +17,10 @@ LARGEST = ("hiwin-e",)
 """Building it takes as long as building the three others, and its outputs are placed as theirs are."""
 
 
+@pytest.mark.proof
 def test_a_build_that_is_killed_at_a_random_moment_is_repaired_by_the_next() -> None:
-    assert sum(soak(3, 1, LARGEST).values()) == 3
+    builds = 3 if IS_WHOLE else 1
+    assert sum(soak(builds, 1, LARGEST).values()) == builds
 
 
 def test_builds_at_the_same_time_leave_the_outputs_of_one_of_them(tmp_path: Path) -> None:

@@ -72,6 +72,7 @@ EXAMPLES = [
 ]
 
 
+@pytest.mark.proof(200)
 @pytest.mark.parametrize(("layout", "example_id"), EXAMPLES)
 def test_the_bits_of_the_map_hold_the_values_of_every_example(layout: DeviceLayout, example_id: str) -> None:
     example = layout.device.examples[example_id]
@@ -111,6 +112,7 @@ def chosen(layout: DeviceLayout, message: str, direction: str, values: Any, sele
     return member is not None and member.name in cases
 
 
+@pytest.mark.proof(14)
 @pytest.mark.parametrize("layout", VERSIONS)
 def test_the_bits_of_the_map_are_those_that_the_reference_writes(layout: DeviceLayout) -> None:
     chance = random.Random(layout.identity)
@@ -268,6 +270,7 @@ def test_the_map_bears_the_identity() -> None:
     assert layout.identity in text.splitlines()[1]
 
 
+@pytest.mark.proof(13)
 @pytest.mark.parametrize("device", ROOTS)
 def test_versions_that_share_areas_have_the_files_that_each_has_alone(device: str) -> None:
     versions = layouts(ROOTS[device])[device]

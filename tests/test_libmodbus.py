@@ -104,6 +104,7 @@ def exchange(values: dict[str, Any], length: int, response: bytes, seconds: floa
     return sent, results[0]
 
 
+@pytest.mark.proof(40)
 @pytest.mark.parametrize(("device", "request_vector"), [case for device in DEVICES for case in requests(device)])
 def test_libmodbus_builds_the_same_request(device: str, request_vector: dict[str, Any]) -> None:
     frame = rtu(request_vector)

@@ -65,6 +65,7 @@ SLIPS = {
 }
 
 
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("ends", ["\n", "\r\n"], ids=["LF", "CRLF"])
 @pytest.mark.parametrize("case", SLIPS)
 async def test_the_help_of_a_finding_is_done_where_it_is_mechanical(tmp_path: Path, case: str, ends: str) -> None:
@@ -94,6 +95,7 @@ ROWS = {
 }
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("row", ROWS.values(), ids=ROWS)
 async def test_what_is_allowed_asks_for_the_reason_and_is_no_finding_with_it(tmp_path: Path, row: str) -> None:
     specs = copied(tmp_path, "gizmo")

@@ -10,18 +10,20 @@ import pytest
 from lsprotocol import types
 
 from bounded import HANGING
-from editing import Editor, copied, editor, place_of
+from editing import Editor, copied, editor_of_the_verb, place_of
+from proofs import IS_WHOLE
 
-CUTS = 40
+CUTS = 40 if IS_WHOLE else 15
 
 
 @pytest.mark.asyncio
+@pytest.mark.proof
 async def test_every_request_on_a_document_that_is_cut_has_an_answer(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     specs = copied(tmp_path, "glider-x", "wattmeter")
     chance = random.Random(37)
-    async with editor(specs) as session:
+    async with editor_of_the_verb(specs) as session:
         names = ["glider-x/device.yaml", "wattmeter/device.yaml", "wattmeter/versions/2.yaml"]
         for name in names:
             await session.opened(name)

@@ -19,7 +19,7 @@ PLACES = 12
 """Places of each device, in files that are drawn."""
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.asyncio
 @pytest.mark.parametrize("device", DEVICES)
 async def test_each_request_has_an_answer_on_a_device_and_no_finding_is_left(

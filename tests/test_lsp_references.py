@@ -195,7 +195,7 @@ def unresolved() -> list[tuple[str, Reference]]:
     return [*matches.values()]
 
 
-@pytest.mark.proof(32)
+@pytest.mark.proof(16)
 @pytest.mark.parametrize(("device", "reference"), unresolved(), ids=lambda part: getattr(part, "holder", part))
 def test_what_the_index_takes_for_a_reference_is_one_to_the_checks(
     tmp_path: Path, device: str, reference: Reference
@@ -225,7 +225,7 @@ RENAMED = (
 )
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.asyncio
 @pytest.mark.parametrize(("device", "path", "new_name"), RENAMED, ids=lambda part: part)
 async def test_a_rename_changes_no_frame_and_in_the_outputs_the_name_alone(

@@ -18,7 +18,7 @@ def sample(device: str) -> list[Slip]:
     return [slip for slip in slips(right(device), 1) if slip.kind in ALWAYS_NOTICED]
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("device", DEVICES)
 def test_slips_in_facts_that_are_printed_twice_or_proven_are_noticed(device: str) -> None:
     verdicts = [judged(device, slip) for slip in sample(device)]

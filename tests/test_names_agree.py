@@ -64,7 +64,7 @@ def facts(layout: DeviceLayout) -> Iterator[str]:
         yield from (f"{name}_from_raw", f"{name}_to_raw")
 
 
-@pytest.mark.proof(11)
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_outputs_name_a_fact_alike(name: str) -> None:
     for fact in facts(LAYOUTS[name]):
@@ -102,7 +102,7 @@ LINKS = [
 ]
 
 
-@pytest.mark.proof(21)
+@pytest.mark.proof(11)
 @pytest.mark.parametrize(("name", "link"), LINKS)
 def test_encoders_of_requests_take_parts_of_the_same_names(name: str, link: str) -> None:
     layout = LAYOUTS[name]

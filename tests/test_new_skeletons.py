@@ -44,6 +44,7 @@ def kind(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mon
     return str(request.param)
 
 
+@pytest.mark.proof(4)
 def test_a_new_device_is_built(kind: str) -> None:
     assert main(["build", f"my-{kind}"]) == 0
     assert Path(f"generated/python/fieldspec_devices/my_{kind}").is_dir()

@@ -194,6 +194,7 @@ def motor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bench:
     return bench
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("output", ["scl", "st", "twincat", "plcopen", "iec"])
 def test_a_program_has_the_chosen_blocks_and_what_they_need(motor: Bench, output: str) -> None:
     state(motor, FIVE.replace("OUTPUT", output))
@@ -229,6 +230,7 @@ def test_registers_and_messages_have_their_blocks(motor: Bench, blocks: str, exp
     assert set(re.findall(r"FUNCTION_BLOCK FB_Tc100_(\w+)", text)) == expected
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(
     ("device", "blocks", "expected"),
     [

@@ -52,6 +52,7 @@ def messages(layout: DeviceLayout) -> list[Any]:
     return [side for side in data if side.selector is not None]
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", CHANGES)
 @examples(80)
 @given(data=st.data())
@@ -66,6 +67,7 @@ def test_values_of_any_type_become_the_bytes_of_the_reference(name: str, data: s
         assert type(instance).decode(instance.encode()).encode() == instance.encode()
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", CHANGES)
 @examples(80)
 @given(data=st.data())

@@ -58,6 +58,7 @@ SCALED = [
 ]
 
 
+@pytest.mark.proof(42)
 @pytest.mark.parametrize(("layout", "record"), SCALED)
 @examples(10)
 @given(data=st.data())

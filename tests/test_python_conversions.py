@@ -44,7 +44,7 @@ def counts_of(layout: DeviceLayout, conversion: Conversion) -> st.SearchStrategy
     return st.one_of(*(st.integers(low, high) for low, high in ranges_of(layout, conversion)))
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize(("layout", "conversion"), CONVERSIONS)
 @examples(60)
 @given(data=st.data())

@@ -142,7 +142,7 @@ def holds(actual: Any, expected: Any) -> bool:
     return bool(actual == expected)
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("name", LAYOUTS)
 @examples(EXAMPLE_COUNT)
 @given(data=st.data())
@@ -180,7 +180,7 @@ def test_a_frame_is_read_or_refused_as_the_reference_does(name: str, data: st.Da
     assert actual == outcome(lambda: decoded_by_reference(layout, link, direction, asked, frame))
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_an_example_with_one_wrong_byte_is_refused_as_the_reference_does(name: str) -> None:
     layout = LAYOUTS[name]

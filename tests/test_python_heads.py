@@ -60,6 +60,7 @@ def test_a_frame_is_made_as_the_reference_makes_it(name: str, data: st.DataObjec
     assert actual == expected
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", CHANGES)
 @examples(120)
 @given(data=st.data())

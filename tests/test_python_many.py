@@ -67,7 +67,7 @@ def of_columns(columns: dict[str, Any], at: int, path: tuple[int, ...] = ()) -> 
     return values
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @EACH
 @examples(60)
 @given(data=st.data())
@@ -85,7 +85,7 @@ def test_columns_hold_what_each_record_holds(name: str, data: st.DataObject) -> 
         assert str(of_columns(columns, at)) == str(of_record(raws(cls.decode(frame), record)))
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @EACH
 @examples(60)
 @given(data=st.data())

@@ -58,6 +58,7 @@ def answer(folder: Path, module: str) -> str:
     ).stdout
 
 
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("layout", LAYOUTS, ids=[layout.device.id for layout in LAYOUTS])
 def test_a_device_in_parts_has_the_names_and_registers_of_one_in_a_piece(
     layout: DeviceLayout, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -25,7 +25,7 @@ def records(layout: DeviceLayout) -> list[RecordLayout]:
     return [*layout.records.values(), *data]
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @EACH
 @examples(EXAMPLE_COUNT)
 @given(data=st.data())
@@ -41,7 +41,7 @@ def test_values_become_the_bytes_of_the_reference_or_are_refused_by_both(name: s
         assert data_again == instance.encode()
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @EACH
 @examples(EXAMPLE_COUNT)
 @given(data=st.data())

@@ -51,6 +51,7 @@ def test_a_telegram_comes_back_by_its_class_its_name_and_its_number(
     assert type(message).decode(frame).encode() == frame
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(("layout", "link"), CODELESS)
 @examples(60)
 @given(data=st.data())
@@ -161,6 +162,7 @@ WORDS = [
 ]
 
 
+@pytest.mark.proof(27)
 @pytest.mark.parametrize(("layout", "flags"), WORDS)
 @examples(30)
 @given(data=st.data())

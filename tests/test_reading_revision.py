@@ -51,6 +51,7 @@ def messages(result: FileRead) -> list[tuple[str, str]]:
     return [(finding.code, finding.message) for finding in (*result.unread, *result.findings)]
 
 
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("seed", range(20))
 def test_a_revised_tree_is_that_of_the_whole_text(seed: int) -> None:
     choose = random.Random(seed)

@@ -145,6 +145,7 @@ def test_a_base_that_does_not_exist_is_reported_and_fails(repository: Repository
     assert "nowhere" in done.stderr
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(
     "inputs",
     [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rewritten_lists import came_back
 
-LISTS = 60
+LISTS = 30
 """The share of the lists; `make fuzz-lists` draws more."""
 
 

@@ -141,6 +141,7 @@ def test_a_value_that_the_parameter_does_not_take_is_refused(
     assert reason in error
 
 
+@pytest.mark.proof(6)
 @pytest.mark.parametrize(
     ("name", "entered", "meaning"),
     [("zero_offset", "-1.234mm", "-1.234 mm"), ("mode", "reverse", "reverse"), ("mask", "lamp", "lamp")],

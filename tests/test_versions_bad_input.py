@@ -101,6 +101,7 @@ CASES: dict[str, tuple[dict[str, str], str, str]] = {
 }
 
 
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("name", CASES)
 def test_a_slip_is_found_at_its_place_and_nothing_is_written(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -46,7 +46,7 @@ def pump(**replaced: tuple[str, str]) -> DeviceSpec:
     return read(files).devices["pump"]
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("name", DEVICES)
 def test_most_errata_with_an_effect_on_the_wire_are_found_blindly(name: str) -> None:
     wire = [detection for detection in device(name).detections if detection.erratum.effect in WIRE]
@@ -54,6 +54,7 @@ def test_most_errata_with_an_effect_on_the_wire_are_found_blindly(name: str) -> 
     assert sum(detection.together for detection in wire) >= 0.85 * len(wire)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", DEVICES)
 def test_what_is_proven_is_found_blindly_and_what_is_judged_is_not(name: str) -> None:
     for detection in device(name).detections:

@@ -135,7 +135,7 @@ def comparable(record: RecordLayout) -> bool:
     return not any(map(is_real, encodings)) and all(map(has_single_bytes, encodings)) and all(map(comparable, inner))
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 def test_c_and_the_reference_agree_on_random_bytes(driver: tuple[DeviceLayout, Path]) -> None:
     layout, program = driver
     dice = random.Random(layout.device.id)
@@ -158,6 +158,7 @@ def test_c_and_the_reference_agree_on_random_bytes(driver: tuple[DeviceLayout, P
     assert taken >= {name for name, record in layouts_by_name.items() if record.selector is not None}
 
 
+@pytest.mark.proof(7)
 def test_c_and_the_reference_agree_on_damaged_frames(driver: tuple[DeviceLayout, Path]) -> None:
     layout, program = driver
     dice = random.Random(layout.device.id)

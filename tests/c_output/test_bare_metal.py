@@ -94,7 +94,7 @@ CASES += [(device, "big-endian, 32 bits") for device in TEST_DEVICES]
 CASES += [(device, "int of 16 bits") for device in ("widget", "glider-x", "compass")]
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(("device", "machine"), CASES)
 def test_the_self_test_passes_without_an_operating_system(device: str, machine: str, tmp_path: Path) -> None:
     result = run(MACHINES[machine], tmp_path, device)
@@ -113,7 +113,7 @@ def test_stores_in_the_byte_order_of_the_machine_fail_the_self_test(tmp_path: Pa
     assert result.stdout.startswith("failed: ")
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("optimized", ["-O2", "-Os"])
 @pytest.mark.parametrize("device", ["ck10", "hiwin-e"])
 def test_no_number_needs_a_function_of_the_library(device: str, optimized: str, tmp_path: Path) -> None:

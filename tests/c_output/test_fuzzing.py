@@ -50,7 +50,7 @@ def fuzzed(folder: Path, root: Path, device: str, seconds: int, right: str = "",
     return result.stderr
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=[device for _, device in DEVICES])
 def test_a_fuzzer_finds_nothing(root: Path, device: str, tmp_path: Path) -> None:
     output = fuzzed(tmp_path, root, device, SECONDS)
@@ -58,7 +58,7 @@ def test_a_fuzzer_finds_nothing(root: Path, device: str, tmp_path: Path) -> None
     assert re.search(r"^Done \d{4,} runs", output, re.MULTILINE)
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(
     ("root", "device", "right", "wrong", "expected_text"),
     [

@@ -170,6 +170,7 @@ def test_every_file_has_a_program() -> None:
     assert set(PROGRAMS) == names
 
 
+@pytest.mark.proof(18)
 @pytest.mark.parametrize("compiler", ["gcc", "clang", "g++", "tcc"])
 @pytest.mark.parametrize("file", PROGRAMS)
 def test_a_file_compiles_on_its_own_and_does_what_it_says(file: str, compiler: str, tmp_path: Path) -> None:

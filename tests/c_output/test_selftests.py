@@ -43,7 +43,7 @@ def write_selftest(folder: Path, header: str) -> Path:
     return folder / source
 
 
-@pytest.mark.proof(28)
+@pytest.mark.proof(10)
 @pytest.mark.parametrize(
     ("header", "compiler"),
     [(header, compiler) for header in HEADERS for compiler in compilers_of(header)],
@@ -57,7 +57,7 @@ def test_a_header_compiles_without_a_warning_and_passes_its_self_test(
     assert result.stdout.endswith(" passed, 0 failed\n")
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(
     ("name", "right", "wrong"),
     [

@@ -155,7 +155,7 @@ def test_a_connection_is_told_from_pieces_in_several_batches(tmp_path: Path, mon
     assert decode(again, capture(SPLIT)) == whole
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("form", FORMS)
 def test_a_killed_run_over_any_file_goes_on_where_it_was(
     tmp_path: Path, form: str, monkeypatch: pytest.MonkeyPatch
@@ -210,7 +210,7 @@ def test_what_another_program_has_packed_is_refused_by_its_name(tmp_path: Path, 
     assert f"{program} has packed the file; unpack it, or pack it with gzip" in text
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("form", FORMS)
 def test_a_capture_damaged_anywhere_never_ends_in_another_error(form: str) -> None:
     device = DeviceDecoder(newest(TEST_SPECS, "wattmeter"), Choices())
@@ -224,6 +224,7 @@ def test_a_capture_damaged_anywhere_never_ends_in_another_error(form: str) -> No
                     assert all(len(batch.frames.number) for batch in batches)
 
 
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("network", NETWORKS)
 def test_packets_damaged_anywhere_lose_only_what_is_damaged(network: str) -> None:
     """The bits of one packet are changed; all frames but those in it and in what it seems to repeat stay."""

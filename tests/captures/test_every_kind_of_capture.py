@@ -175,23 +175,27 @@ OF_TSHARK = streams(8)
 """tshark takes a segment for no frame of Modbus TCP where it has fewer than the first eight bytes of one."""
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("name", STREAMS)
 def test_a_stream_cut_anywhere_has_every_frame_and_value(tmp_path: Path, name: str) -> None:
     decoded(tmp_path, capture(STREAMS[name]))
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", OF_TSHARK)
 def test_a_stream_has_the_frames_that_tshark_sees(tmp_path: Path, name: str) -> None:
     frames = decoded(tmp_path, capture(OF_TSHARK[name]))
     assert own_frames(frames) == dissected(tmp_path / "input")
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("network", NETWORKS)
 def test_a_network_has_the_frames_that_tshark_sees(tmp_path: Path, network: str) -> None:
     frames = decoded(tmp_path, capture(OF_TSHARK["pieces of frames"], network))
     assert own_frames(frames) == dissected(tmp_path / "input")
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("form", FORMS)
 def test_a_file_has_the_frames_that_tshark_sees_at_their_times(tmp_path: Path, form: str) -> None:
     frames = decoded(tmp_path, capture(OF_TSHARK["frames alone"], "IPv6", form))

@@ -71,6 +71,7 @@ def test_canopen_reads_and_writes_the_objects_of_a_simulated_drive(node: canopen
     assert (entry(node, "target").raw, entry(node, "zero_search").raw) == (-70_000, 3_000_000_000)
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(
     ("name", "value", "code"),
     [

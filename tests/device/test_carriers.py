@@ -123,6 +123,7 @@ def test_packets_are_answered_after_the_printed_delay_and_dropped_after_the_prin
         assert port.read(4) == bytes.fromhex("04 00 00 04")
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(
     ("kind", "is_expected"),
     [

@@ -171,6 +171,7 @@ def test_what_must_not_be_done_is_not_sent(
 FAULTS = ("no_answer", "wrong_checksum", "truncated", "garbage", "wrong_unit", "inserted_word", "late_answer", "busy")
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("kind", FAULTS)
 def test_a_fault_never_gives_a_wrong_value(client: tc100_client.Client, device: SimulatedDevice, kind: str) -> None:
     details = {"seconds": 8.0} if kind == "late_answer" else {}

@@ -82,6 +82,7 @@ DAMAGED = {
 }
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("keeps_pauses", [False, True], ids=["network", "line"])
 @pytest.mark.parametrize("name", DAMAGED)
 def test_a_packet_after_the_pause_of_the_manual_is_answered(name: str, keeps_pauses: bool) -> None:

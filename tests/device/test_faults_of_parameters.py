@@ -120,7 +120,7 @@ def device() -> Iterator[SimulatedDevice]:
         yield running
 
 
-@pytest.mark.proof(36)
+@pytest.mark.proof(12)
 @pytest.mark.parametrize("verb", VERBS)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("request_number", [1, 2])

@@ -143,7 +143,7 @@ def device() -> Iterator[SimulatedDevice]:
         yield running
 
 
-@pytest.mark.proof(50)
+@pytest.mark.proof(17)
 @pytest.mark.parametrize("verb", VERBS)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("request_number", [1, 3])

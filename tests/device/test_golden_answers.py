@@ -80,6 +80,7 @@ FORCED = {"rtu-identity-refused": "device_failure"}
 """Answers that show a failure within the device."""
 
 
+@pytest.mark.proof(45)
 @pytest.mark.parametrize(("device", "request_example", "response_example"), PAIRS)
 def test_a_request_gets_its_answer(device: str, request_example: Example, response_example: Example) -> None:
     layout, behaviour = parts_of(device)

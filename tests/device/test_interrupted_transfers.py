@@ -99,7 +99,7 @@ def test_an_upload_that_is_killed_at_any_step_is_resumed(
     assert step == 2 * 6 + 1
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs processes that can be forked")
 @pytest.mark.parametrize("step", range(1, 13))
 def test_a_process_that_is_killed_at_any_step_leaves_what_another_one_completes(

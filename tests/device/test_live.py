@@ -127,6 +127,7 @@ def test_a_dry_run_shows_the_frame_and_needs_no_device(capsys: pytest.CaptureFix
     assert capsys.readouterr().out == f"servo: {b':010620110001C7'.hex(' ').upper()} 0D 0A\n"
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("kind", ["no_answer", "wrong_checksum", "truncated", "garbage", "wrong_unit", "late_answer"])
 def test_a_read_survives_a_fault(tc100: SimulatedDevice, capsys: pytest.CaptureFixture[str], kind: str) -> None:
     details = {"count": 1, "seconds": 0.7} if kind == "late_answer" else {"count": 2}

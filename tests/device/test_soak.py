@@ -31,7 +31,7 @@ from fieldspec.tools.simulator.faults import KINDS, Fault, Faults
 from simulators import Unit
 from wires import Wire
 
-HOURS = float(os.environ.get("FIELDSPEC_SOAK_HOURS", "0.02"))
+HOURS = float(os.environ.get("FIELDSPEC_SOAK_HOURS", "0.01"))
 FIGURES = os.environ.get("FIELDSPEC_SOAK_FIGURES", "")
 """A file that gets the figures of each unit as a line of JSON."""
 
@@ -160,6 +160,7 @@ def allocated_blocks() -> int:
     return sys.getallocatedblocks()
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize(("device", "link", "message"), UNITS, ids=[f"{d}-{link}-{m}" for d, link, m in UNITS])
 def test_a_device_stands_random_requests_and_faults(device: str, link: str, message: str) -> None:
     soak = Soak(device, link, message)

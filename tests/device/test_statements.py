@@ -12,12 +12,13 @@ DEVICES = ("tc100", "ck10", "esc11", "hiwin-e")
 SCENES = [(device, scene) for device in DEVICES for scene in scenes(device)]
 
 
+@pytest.mark.proof(33)
 @pytest.mark.parametrize(("device", "scene"), SCENES, ids=[f"{device}-{scene['scene']}" for device, scene in SCENES])
 def test_the_device_does_what_the_scene_says(device: str, scene: dict[str, object]) -> None:
     Stage(device, scene).play(scene)
 
 
-@pytest.mark.proof(80)
+@pytest.mark.proof(27)
 @pytest.mark.parametrize(
     ("device", "scene", "part"),
     [(device, scene, part) for device, scene in SCENES for part in scene["shows"]],

@@ -15,6 +15,7 @@ from fieldspec.targets.docs.site import SCRIPTS
 from proofs import IS_WHOLE
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(
     "path", ["tc100/2.0.html", "esc11/1.17.html", "hostile/1.html", "widget/index.html", "index.html"]
 )
@@ -62,6 +63,7 @@ PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
 GENERATED = Path(__file__).resolve().parents[2] / "generated" / "docs"
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(
     "path",
     ["index.html", "tc100/2.0.html", "tc100/index.html", "tc100/lab.html", "tc100/audit.html", "hiwin-e/audit.html"],
@@ -82,7 +84,7 @@ FEWER_FACTS = """
 """Leaves some facts of each kind: axe takes long for thousands that are alike. A whole proof has all of them."""
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(
     ("path", "scheme"),
     [
@@ -118,6 +120,7 @@ def test_a_page_has_an_icon(browser: webdriver.Chrome, folder: Path) -> None:
     assert browser.execute_script(script) > 0
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("path", ["tc100/2.0.html", "ck10/1.html", "esc11/1.17.html", "hiwin-e/2.14.4.html"])
 def test_a_page_is_not_out_of_sight(browser: webdriver.Chrome, path: str) -> None:
     browser.get("about:blank")
@@ -137,6 +140,7 @@ CLOSE_ALL = """
     scrollTo(0, 0);"""
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(
     "anchor", ["flags/status_word_1", "flags/status_word_1/alarm", "messages/telegram_111/request/mdi_velocity"]
 )

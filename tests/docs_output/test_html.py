@@ -82,7 +82,7 @@ def facts(layout: DeviceLayout) -> Iterator[Fact]:
     yield from device.lookups
 
 
-@pytest.mark.proof(40)
+@pytest.mark.proof(20)
 @pytest.mark.parametrize("path", PAGES, scope="module")
 def test_a_page_is_valid_html_and_has_the_tree_that_other_tests_look_at(path: str) -> None:
     # By the book: any error of syntax raises.

@@ -100,7 +100,7 @@ def frames_of_lab(layout: DeviceLayout) -> dict[str, dict[str, Any]]:
     return expected
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("layout", NEWEST, ids=lambda layout: layout.device.id)
 def test_the_lab_explains_and_builds_every_example(
     browser: webdriver.Chrome, folder: Path, layout: DeviceLayout

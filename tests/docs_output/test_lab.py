@@ -253,6 +253,7 @@ def test_without_javascript_the_page_names_the_verbs(browser: webdriver.Chrome, 
         browser.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": False})
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(
     ("state", "count"),
     [({}, 0), ({"frames": HOMING}, 1), ({"frames": f"{READ}\n{ANSWER}\nx\n"}, 3)],

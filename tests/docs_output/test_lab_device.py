@@ -133,6 +133,7 @@ def test_a_write_waits_for_the_switch_and_names_its_hazards(
     device.command(power="cycle")
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(
     ("address", "entry", "reason"),
     [
@@ -165,6 +166,7 @@ def test_nothing_is_sent_while_an_entry_is_refused(
     WebDriverWait(browser, 40).until(lambda _: text_of(browser, "connect") == "Connect")
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(
     ("fault", "text"),
     [

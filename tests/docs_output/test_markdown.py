@@ -36,7 +36,7 @@ def flowing(tokens: list[Token]) -> str:
     )
 
 
-@pytest.mark.proof(30)
+@pytest.mark.proof(15)
 @pytest.mark.parametrize("path", PAGES, scope="module")
 def test_a_page_has_no_html_but_its_own(path: str) -> None:
     every = [*tokens(path), *inline(tokens(path))]
@@ -44,6 +44,7 @@ def test_a_page_has_no_html_but_its_own(path: str) -> None:
     assert [piece for piece in html if not OWN.fullmatch(piece)] == []
 
 
+@pytest.mark.proof(40)
 @pytest.mark.parametrize("path", PAGES, scope="module")
 def test_links_lead_to_anchors_and_pages_that_are_there(path: str) -> None:
     for token in inline(tokens(path)):

@@ -46,6 +46,7 @@ def opened(browser: webdriver.Chrome) -> str:
     return re.sub(r"\s*[\t\n]\s*", "\n", browser.execute_script(script))
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(("path", "question", "texts"), ANSWERS, ids=[question for _, question, _ in ANSWERS])
 def test_the_first_result_of_a_question_opens_the_answer(
     browser: webdriver.Chrome, folder: Path, path: str, question: str, texts: list[str]
@@ -151,6 +152,7 @@ def test_hostile_texts_stay_texts_in_open_facts(browser: webdriver.Chrome, folde
     assert browser.get_log("browser") == []
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(
     ("anchor", "width", "scheme"),
     [("registers/input_1_function", 1400, "light"), ("messages/telegram_3/response/status", 390, "dark")],

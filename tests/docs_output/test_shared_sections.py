@@ -22,6 +22,7 @@ def forms(document: Document) -> tuple[str, str]:
     return html.page(document, PLACE), markdown.page(document)
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("versions", SEVERAL, ids=[versions[0].device.id for versions in SEVERAL])
 def test_pages_that_are_made_together_are_those_that_are_made_alone(versions: list[DeviceLayout]) -> None:
     holding = Holding(versions)

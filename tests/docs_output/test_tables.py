@@ -111,7 +111,7 @@ def test_nothing_is_cut_off_on_paper(browser: webdriver.Chrome, folder: Path) ->
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(
     ("path", "width", "scheme"),
     [

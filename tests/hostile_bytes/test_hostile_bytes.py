@@ -39,6 +39,7 @@ def damaged(chance: random.Random, frame: bytes) -> bytes:
     return bytes(data)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_damaged_frames_give_values_or_the_documented_error(device: str) -> None:
     chance = random.Random(device)
@@ -80,6 +81,7 @@ def test_the_documentation_counts_what_checksums_cannot_notice() -> None:
     assert missing == []
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_frame_behind_a_damaged_one_and_silence_is_returned(device: str) -> None:
     framed = noise.framed_flips(device)
@@ -89,6 +91,7 @@ def test_a_frame_behind_a_damaged_one_and_silence_is_returned(device: str) -> No
         assert framed.delayed == 0
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_random_bytes_take_no_more_memory_than_a_frame_and_a_piece(device: str) -> None:
     # A process of its own: what other threads of the tests allocate counts too.
@@ -99,6 +102,7 @@ def test_random_bytes_take_no_more_memory_than_a_frame_and_a_piece(device: str) 
     assert [name for name, peak in peaks.items() if peak >= 8 * noise.PIECE] == []
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("device", DEVICES)
 def test_javascript_gives_values_or_the_documented_error(device: str) -> None:
     script = Path(__file__).with_name("noise.mjs")

@@ -78,6 +78,7 @@ PLACES = ("{}/device.yaml", "gadget/{}.yaml", "gadget/versions/{}.yaml", "protoc
 FORMATS = ("text", "json", "sarif", "junit", "github")
 
 
+@pytest.mark.proof(11)
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("name", NAMES, ids=ascii)
 def test_the_name_of_a_spec_file_is_only_read_in_every_format(name: str, place: str, run: Any, tmp_path: Path) -> None:
@@ -162,7 +163,7 @@ ARGUMENTS = (
 )
 
 
-@pytest.mark.proof(23)
+@pytest.mark.proof(12)
 @pytest.mark.parametrize("words", ARGUMENTS, ids=" ".join)
 def test_a_name_in_an_argument_is_only_read(words: tuple[str, ...], run: Any, tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(b"")
@@ -189,7 +190,7 @@ FILES = (
 LOG = b"01 03 10 00 00 01 80 CA\n01 03 02 00 05 78 47\n"
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("words", FILES, ids=" ".join)
 @pytest.mark.parametrize("content", [b"", b"\xff\xfe\x00", b"Address,Name\n0x10,speed\n0x10,torque\n", LOG], ids=len)
 def test_the_name_of_a_file_that_is_read_is_only_read(
@@ -265,6 +266,7 @@ def reviewed(tmp_path: Path, **environment: str) -> subprocess.CompletedProcess[
     return ran
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("variable", ["SPECS", "BASE", "HEAD", "FAIL_ON"])
 @pytest.mark.parametrize("name", NAMES[:4:3], ids=ascii)
 def test_an_input_of_the_action_is_only_read(variable: str, name: str, tmp_path: Path) -> None:
@@ -279,6 +281,7 @@ def test_a_base_that_looks_like_an_option_or_a_reference_is_only_read(name: str,
     assert sorted(path.name for path in tmp_path.iterdir()) == [".git", "bin", "specs"]
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", [*NAMES[:4:3], "--output=x", "$(id)"], ids=ascii)
 def test_findings_are_written_into_a_folder_of_any_name(name: str, tmp_path: Path) -> None:
     assert reviewed(tmp_path, SARIF=name).returncode == 0

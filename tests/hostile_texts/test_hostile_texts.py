@@ -42,7 +42,8 @@ RESERVED = {
 }
 
 
-@pytest.mark.parametrize(("device", "seed"), [("hostile", 1), ("glider-x", 2), ("gizmo", 3)])
+@pytest.mark.proof(2)
+@pytest.mark.parametrize(("device", "seed"), [("hostile", 1), ("gizmo", 3), ("glider-x", 2)])
 def test_poison_in_every_text_changes_the_structure_of_no_output(device: str, seed: int) -> None:
     assert list(fuzz.differences(device, seed)) == []
 

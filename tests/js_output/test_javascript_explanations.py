@@ -49,7 +49,7 @@ def jobs_of(layout: DeviceLayout, example: Example) -> Iterator[dict[str, Any]]:
             yield {"module": module, "frame": frame.hex(), "options": {}, "request": ""}
 
 
-@pytest.mark.proof(12)
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_frames_are_explained_as_by_the_command_line(name: str) -> None:
     layout = LAYOUTS[name]
@@ -176,6 +176,7 @@ def random_lines(count: int) -> Iterator[str]:
         yield chance.choice(("", " ")).join(chance.choices(PIECES, k=chance.randrange(1, 9))).replace("\n", " ")
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", ["widget-2.0", "glider-x-1.1", "axis-1", "ladder-1", "gateway-1"])
 def test_logs_are_read_as_by_the_command_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     layout = LAYOUTS[name]

@@ -108,7 +108,7 @@ def cut(jobs: list[dict[str, Any]], folder: Path) -> list[dict[str, Any]]:
     return results
 
 
-@pytest.mark.proof(15)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_streams_are_cut_as_in_python(name: str, tmp_path: Path) -> None:
     layout = LAYOUTS[name]

@@ -52,6 +52,7 @@ def expected(values: dict[str, Any]) -> str:
         return error.reason
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", VALUES)
 def test_a_record_has_the_bytes_or_the_reason_of_the_reference(name: str) -> None:
     values = {Name.of(key).camel(): value for key, value in VALUES[name].items()}

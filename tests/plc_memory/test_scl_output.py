@@ -65,6 +65,7 @@ def sources(layout: DeviceLayout) -> dict[str, str]:
     return {path.removeprefix(before): text for path, text in files([layout]).items() if isinstance(text, str)}
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_sources_have_a_byte_order_mark_and_line_ends_of_windows(layout: DeviceLayout) -> None:
     for name, text in sources(layout).items():
@@ -74,6 +75,7 @@ def test_sources_have_a_byte_order_mark_and_line_ends_of_windows(layout: DeviceL
         assert set(re.findall(r"\r?\n|\r", text)) == {"\r\n"}, name
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_types_stand_behind_those_that_they_use(layout: DeviceLayout) -> None:
     known: set[str] = set()
@@ -86,6 +88,7 @@ def test_types_stand_behind_those_that_they_use(layout: DeviceLayout) -> None:
         known.add(name)
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_every_type_that_blocks_and_functions_use_is_declared(layout: DeviceLayout) -> None:
     outputs = sources(layout)
@@ -97,6 +100,7 @@ def test_every_type_that_blocks_and_functions_use_is_declared(layout: DeviceLayo
     assert called <= functions
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_no_text_of_a_spec_leaves_its_comment_or_its_string(layout: DeviceLayout) -> None:
     outputs = sources(layout)
@@ -115,6 +119,7 @@ def test_no_text_of_a_spec_leaves_its_comment_or_its_string(layout: DeviceLayout
         ), line
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_regions_close_within_the_branches_that_they_open_in(layout: DeviceLayout) -> None:
     opened: list[str] = []
@@ -153,6 +158,7 @@ def test_the_calls_in_the_comments_of_blocks_are_of_functions_that_are_there() -
     assert 'FUNCTION "HiwinE_PackTelegram111RequestBytes" : UINT' in outputs["functions.scl"]
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_the_workbook_of_constants_is_in_the_form_of_tag_tables(layout: DeviceLayout) -> None:
     name = stem(layout.device.id, layout.device.version)
@@ -268,6 +274,7 @@ def test_labels_that_end_comments_are_labels(tmp_path: Path) -> None:
     assert member.comment.startswith("ends ( * and * ) here ) ( * / / /")
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_only_what_the_rules_name_is_refused(layout: DeviceLayout) -> None:
     real = layout.device.id in layouts(SPECS)

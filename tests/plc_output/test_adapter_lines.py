@@ -125,6 +125,7 @@ def packet(size: int) -> bytes:
     return bytes([size, *(at % 251 for at in range(1, size))])
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("size", [4, 60, 244])
 @pytest.mark.parametrize("delay", [0, 400, 590])
 def test_an_answer_is_taken_whole_however_long_and_late_it_is(name: str, size: int, delay: int, folder: Path) -> None:

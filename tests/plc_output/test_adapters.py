@@ -38,13 +38,14 @@ TEXTS = {f"codesys {name}": text for name, text in CODESYS.items()} | {
 SIEMENS_TEXTS = {f"siemens {name}": of_siemens(text) for name, text in SIEMENS.items()}
 
 
-@pytest.mark.proof(18)
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("name", [*TEXTS, *SIEMENS_TEXTS])
 def test_an_adapter_or_a_program_parses(name: str) -> None:
     result = parse_source_code((TEXTS | SIEMENS_TEXTS)[name])
     assert result.exception is None, result.exception
 
 
+@pytest.mark.proof(7)
 @pytest.mark.parametrize("house", ["codesys", "twincat", "siemens", "standard"])
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_device_has_a_program_for_each_controller(house: str, device: str) -> None:
@@ -61,6 +62,7 @@ def translated(content: str, folder: Path) -> None:
     assert (ran.returncode, ran.stderr) == (0, ""), ran.stderr[-2000:]
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(
     "name", ["FB_Tc100_SerialPort", "FB_Tc100_ModbusRequest", "FB_Tc100_ModbusMaster", "FB_Esc11_SerialPort"]
 )
@@ -71,6 +73,7 @@ def test_an_adapter_of_codesys_or_twincat_compiles(name: str, tmp_path: Path) ->
     translated(named(without_comments(functions) + ALL + block), tmp_path)
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(("device", "name"), [("tc100", "Tc100_ModbusMaster"), ("esc11", "Esc11_PointToPoint")])
 def test_an_adapter_of_tia_portal_compiles(device: str, name: str, tmp_path: Path) -> None:
     block = siemens(SIEMENS[name])
@@ -78,6 +81,7 @@ def test_an_adapter_of_tia_portal_compiles(device: str, name: str, tmp_path: Pat
     translated(named(types + ALL + block), tmp_path)
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(("device", "name"), [("tc100", "Tc100"), ("ck10", "Ck10"), ("esc11", "Esc11")])
 def test_a_program_for_codesys_compiles_with_its_adapter(device: str, name: str, tmp_path: Path) -> None:
     adapter, block = standard(CODESYS[f"FB_{name}_SerialPort"]), standard(CODESYS[f"PRG_{name}"])
@@ -87,6 +91,7 @@ def test_a_program_for_codesys_compiles_with_its_adapter(device: str, name: str,
     translated(named(without_comments(functions) + stands + adapter + block), tmp_path)
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize(
     ("device", "name", "port"),
     [
@@ -101,7 +106,7 @@ def test_a_program_for_twincat_compiles_with_its_adapter(device: str, name: str,
     translated(named(without_comments(functions) + ALL + adapter + block), tmp_path)
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(
     ("device", "name", "adapters"),
     [
@@ -126,7 +131,7 @@ def test_a_program_for_tia_portal_compiles_with_its_adapters(
     translated(named(types + ALL + blocks), tmp_path)
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_program_of_the_standard_compiles_as_it_is(device: str, tmp_path: Path) -> None:
     blocks = "".join(program_texts("standard", device).values())

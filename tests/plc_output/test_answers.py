@@ -164,7 +164,7 @@ def client(request: pytest.FixtureRequest, folder: Path) -> Client:
     return Client(*request.param, folder)
 
 
-@pytest.mark.proof(6)
+@pytest.mark.proof(3)
 def test_a_client_gives_the_answer_of_its_device(client: Client) -> None:
     for write, words in requests(client).values():
         client.answer(client.answered(client.ask(write, words)))
@@ -172,6 +172,7 @@ def test_a_client_gives_the_answer_of_its_device(client: Client) -> None:
         client.restart()
 
 
+@pytest.mark.proof(7)
 def test_an_answer_of_another_station_is_error_4_and_no_data(client: Client) -> None:
     for write, words in requests(client).values():
         client.answer(client.answered(client.ask(write, words), station=OTHER_STATION))

@@ -168,6 +168,7 @@ def refused(monkeypatch: pytest.MonkeyPatch, name: str, old: str, new: str) -> t
     return error.value, f"{name}.st:{line}:{column}: "
 
 
+@pytest.mark.proof(14)
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_is_refused_with_its_place(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     name, old, new, message = FAULTS[fault]

@@ -39,7 +39,7 @@ def make(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Any]:
 # Every task works against the model: what fails below is not for a rig that does nothing.
 
 
-@pytest.mark.proof(3)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_every_task_is_done_with_a_calm_device(name: str, make: Callable[..., Any]) -> None:
     rig = make(name)
@@ -58,6 +58,7 @@ def test_every_task_is_done_with_a_calm_device(name: str, make: Callable[..., An
 # An answer of another station is not an answer.
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", FRAMED)
 def test_a_position_of_another_station_is_never_valid(name: str, make: Callable[..., Any]) -> None:
     rig = make(name)
@@ -84,6 +85,7 @@ def test_an_answer_to_the_request_before_is_never_a_position(name: str, make: Ca
 # A jog stops itself.
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", FRAMED)
 @pytest.mark.parametrize("abort", [False, True], ids=["", "aborted"])
 def test_a_jog_does_not_run_away_when_its_successor_is_refused(
@@ -132,6 +134,7 @@ def test_an_invalid_telegram_swallows_no_stop(name: str, kind: str, scans: int, 
     assert broken(rig, 15, 23) == []
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", SPEEDS)
 @pytest.mark.parametrize("kind", ["quick_stop", "power_off"])
 def test_an_invalid_telegram_swallows_no_quick_stop_of_a_speed(name: str, kind: str, make: Callable[..., Any]) -> None:
@@ -183,6 +186,7 @@ def test_a_gripper_is_not_done_at_a_place_that_it_cannot_reach(refusal: str, mak
     assert rig.finish(rig.block("absolute"), Position=900.0).startswith("Error")
 
 
+@pytest.mark.proof(11)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("delay", [0.38, 1.0])
 @pytest.mark.parametrize("kind", ["absolute", "relative", "home"])
@@ -230,7 +234,7 @@ def test_a_successor_that_is_refused_leaves_somebody_responsible(name: str, make
 # A stop locks the axis.
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("kind", ["absolute", "relative", "home", "jog"])
 def test_nothing_moves_while_a_stop_is_asked_for(name: str, kind: str, make: Callable[..., Any]) -> None:
@@ -292,6 +296,7 @@ def test_a_jog_has_two_directions_and_is_busy_until_it_stands(name: str, make: C
 # An edge is never lost.
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_an_edge_while_it_is_busy_is_taken_or_refused(name: str, make: Callable[..., Any]) -> None:
     rig = make(name)
@@ -329,7 +334,7 @@ def test_a_block_that_reads_recovers_while_it_is_enabled(name: str, make: Callab
 # Two instances of a block are two blocks.
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_another_instance_changes_nothing_until_it_has_the_axis(name: str, make: Callable[..., Any]) -> None:
     rig = make(name, twice=True)
@@ -346,6 +351,7 @@ def test_another_instance_changes_nothing_until_it_has_the_axis(name: str, make:
     assert broken(rig, 9, 15, 16, 17, 20, 37) == []
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_a_second_stop_leaves_the_first_alone(name: str, make: Callable[..., Any]) -> None:
     rig = make(name, twice=True)

@@ -25,7 +25,7 @@ def make(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Any]:
     return partial(ready, programs(tmp_path_factory))
 
 
-@pytest.mark.proof(6)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", FRAMED)
 @pytest.mark.parametrize("kind", ["absolute", "relative", "home", "power_off", "reset", "read"])
 def test_who_gets_no_answer_says_so_in_a_bounded_time(name: str, kind: str, make: Callable[..., Any]) -> None:
@@ -66,6 +66,7 @@ def test_a_jog_is_asked_to_stop_three_times_where_nothing_answers(name: str, mak
     assert broken(rig, 15, 29, 30) == []
 
 
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("kind", ["stop", "halt"])
 def test_a_motion_that_begins_after_its_stop_has_somebody_responsible(
@@ -82,7 +83,7 @@ def test_a_motion_that_begins_after_its_stop_has_somebody_responsible(
     assert broken(rig, 15, 24) == []
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("stopped", [False, True], ids=["", "stopped"])
 def test_a_jog_that_begins_after_its_end_was_asked_for_comes_to_a_halt(
@@ -103,7 +104,7 @@ def test_a_jog_that_begins_after_its_end_was_asked_for_comes_to_a_halt(
     assert broken(rig, 15, 24, 29, 30) == []
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("release", ["both", "none", "other"])
 def test_a_jog_that_begins_late_is_stopped_again_where_its_input_falls_again(

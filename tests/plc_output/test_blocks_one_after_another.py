@@ -22,6 +22,7 @@ def make(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Any]:
     return partial(ready, programs(tmp_path_factory))
 
 
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("name", [item for item in POSITIONING if item != "tc100"])
 @pytest.mark.parametrize("kind", ["home", "jog"])
 @pytest.mark.parametrize("calls_last", [False, True], ids=["called first", "called last"])

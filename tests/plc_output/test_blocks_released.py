@@ -53,7 +53,7 @@ def carried_out(folder: Path, name: str, kind: str, falls: int | None) -> list[A
     return [*((scan.asked, scan.word) for scan in device.record[first:]), device.ended(block)]
 
 
-@pytest.mark.proof(16)
+@pytest.mark.proof(8)
 @pytest.mark.parametrize(("name", "kind"), BLOCKS)
 def test_the_wire_is_the_same_however_long_execute_is_true(
     name: str, kind: str, tmp_path_factory: pytest.TempPathFactory

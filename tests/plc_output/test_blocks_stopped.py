@@ -44,6 +44,7 @@ def to_a_point(rig: Any) -> str:
     return block
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("kind", ["point", "home"])
 @pytest.mark.parametrize("reset", [False, True], ids=["that stands", "that is reset"])
 def test_an_emergency_stop_that_is_shown_is_an_error(kind: str, reset: bool, make: Callable[..., Any]) -> None:
@@ -133,7 +134,7 @@ def test_a_jog_that_has_reached_the_end_of_the_stroke_is_busy_until_its_input_fa
     assert broken(rig, 30) == []
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", POSITIONING)
 @pytest.mark.parametrize("kind", ["absolute", "home", "relative"])
 def test_what_is_stopped_from_outside_is_not_done(name: str, kind: str, make: Callable[..., Any]) -> None:

@@ -30,7 +30,7 @@ def axis(request: pytest.FixtureRequest, folder: Path) -> Axis:
     return Axis(request.param, folder)
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 def test_every_task_is_done(axis: Axis) -> None:
     rig = axis.rig
     assert rig.done(axis.block("Home")) == "Done"

@@ -113,7 +113,7 @@ class TelegramTaskRig(TelegramRig):
     blocks = ("Telegram111ServoOn", "Telegram111ServoOff", *tasks("hiwin-e"))
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("device", REAL)
 def test_tasks_that_no_other_rig_has_are_carried_out(device: str, folder: Path) -> None:
     rig: Any = TelegramTaskRig(folder) if device == "hiwin-e" else TaskRig(device, folder)
@@ -188,7 +188,7 @@ class TransferRig(Rig):
         )
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("link", ["rtu", "ascii"])
 @pytest.mark.parametrize("device", ["ck10", "tc100"])
 def test_groups_of_registers_pass_through_each_client(device: str, link: str, folder: Path) -> None:

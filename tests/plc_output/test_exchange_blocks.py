@@ -155,7 +155,7 @@ def line(folder: Path) -> Line:
     return line.run(2, **asked(line))
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("message", ["read_registers", "write_register", "write_registers"])
 @pytest.mark.parametrize(("device", "link"), DEVICES)
 def test_every_block_exchanges_its_message(device: str, link: str, message: str, folder: Path) -> None:
@@ -169,6 +169,7 @@ def test_every_block_exchanges_its_message(device: str, link: str, message: str,
     assert line.run(1, Execute=False).ended == ""
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("message", ["read_registers", "write_register", "write_registers"])
 def test_a_block_for_tia_portal_does_the_same(message: str, folder: Path) -> None:
     line = Line("tc100", "rtu", message, folder, "scl")
@@ -222,6 +223,7 @@ def test_each_fault_is_an_error_with_its_number_after_all_tries(line: Line, faul
     assert line.run(TRY, Execute=True).ended == "Done"
 
 
+@pytest.mark.proof(6)
 @pytest.mark.parametrize(
     ("message", "wrong"),
     [

@@ -31,7 +31,7 @@ def prover(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     return proof_by(request, tmp_path_factory)
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(4)
 def test_every_request_of_an_example_is_built_byte_for_byte(prover: Proof) -> None:
     layout = prover.world.layout
     reference = codec(layout)
@@ -48,6 +48,7 @@ def test_every_request_of_an_example_is_built_byte_for_byte(prover: Proof) -> No
         assert (status, frame.hex()) == ("ok", example.frame.hex()), example.id
 
 
+@pytest.mark.proof(5)
 def test_every_response_of_an_example_is_parsed_to_its_values(prover: Proof) -> None:
     layout = prover.world.layout
     reference = codec(layout)
@@ -86,15 +87,17 @@ def test_every_telegram_of_an_example_is_unpacked_and_packed_again(prover: Proof
         there_and_back(prover, message.data(example.direction), example.frame)
 
 
+@pytest.mark.proof(7)
 def test_telegrams_agree_with_the_reference_on_random_bytes_and_values(prover: Proof) -> None:
     compare_telegrams(prover, random.Random(prover.world.layout.device.id), TRIES)
 
 
+@pytest.mark.proof(7)
 def test_messages_agree_with_the_reference_on_random_values(prover: Proof) -> None:
     compare_requests(prover, random.Random(prover.world.layout.device.id), TRIES)
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(4)
 def test_responses_agree_with_the_reference_on_random_and_on_damaged_frames(prover: Proof) -> None:
     layout = prover.world.layout
     refused = compare_responses(prover, random.Random(layout.device.id), 2 * TRIES)

@@ -140,6 +140,7 @@ def read_of(prover: Proof, register_layout: RegisterLayout, words: dict[int, int
     return result
 
 
+@pytest.mark.proof(7)
 def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof) -> None:
     dice, most = random.Random(1), prover.world.words.high + 1
     for group in prover.world.layout.device.word_groups():
@@ -167,7 +168,7 @@ def test_groups_of_registers_are_read_as_the_reference_reads_them(prover: Proof)
                 assert read_out(prover, group, register, copy) == wanted, (register.name, address)
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(4)
 def test_the_registers_of_an_idle_device_are_read_as_the_vectors_say(prover: Proof) -> None:
     layout = prover.world.layout
     for read in idle_vectors([layout]):
@@ -213,6 +214,7 @@ def member(prover: Proof, group: RegisterGroup, register: RegisterLayout) -> str
     return prover.world.member(group.name, register.name).lower()
 
 
+@pytest.mark.proof(7)
 def test_groups_of_registers_are_written_as_the_reference_writes_them(prover: Proof) -> None:
     dice, most, device = random.Random(2), prover.world.words.high + 1, prover.world.layout.device
     for group in device.word_groups():
@@ -288,7 +290,7 @@ def prefix(prover: Proof, name: str) -> str:
     )
 
 
-@pytest.mark.proof(16)
+@pytest.mark.proof(6)
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_counts_become_quantities_and_quantities_the_nearest_counts(
@@ -320,6 +322,7 @@ def test_counts_become_quantities_and_quantities_the_nearest_counts(
                 assert counts(prover, name, quantity)[0] == "out_of_range"
 
 
+@pytest.mark.proof(9)
 @pytest.mark.parametrize("way", COMPUTING)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_special_values_and_values_out_of_range_are_told_from_others(

@@ -35,6 +35,7 @@ from fieldspec.targets.st.backend import files as st_files
 from fieldspec.targets.twincat.backend import files as twincat_files
 from fieldspec.targets.twincat.backend import identifier, path
 from layouts import SPECS, TEST_SPECS, newest
+from proofs import share
 
 HERE = Path(__file__).parent
 TC6_NAMESPACE = "http://www.plcopen.org/xml/tc6_0200"
@@ -98,8 +99,10 @@ def test_blark_parses_every_form_of_declaration() -> None:
                 blark_takes([*lines, "RETURN;", "END_FUNCTION"] if head else lines)
 
 
+@pytest.mark.proof
 def test_blark_parses_whole_blocks() -> None:
-    for item in [item for device in REAL for item in program_of(SPECS, device).items if item.kind == "block"][:6]:
+    blocks = [item for device in REAL for item in program_of(SPECS, device).items if item.kind == "block"]
+    for item in share(blocks[:6], 2):
         blark_takes(item.lines)
 
 
@@ -125,7 +128,7 @@ def test_tree_sitter_parses_every_function_and_struct(root: Path, device: str) -
             assert not tree.root_node.has_error, item.name
 
 
-@pytest.mark.proof(5)
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(("root", "device"), ALL, ids=[*NAMES, "hostile"])
 def test_everything_that_is_named_is_declared_once_and_every_value_fits_its_type(root: Path, device: str) -> None:
     (text,) = (text for name, text in st_files([newest(root, device)]).items() if name.endswith(".st"))
@@ -163,6 +166,7 @@ def test_hostile_labels_stay_within_comments_and_texts() -> None:
         assert line.isprintable(), line
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize("name", ["plain", "hostile", *REAL])
 def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) -> None:
     layout = (
@@ -200,6 +204,7 @@ def test_plcopen_xml_fits_its_schema_and_holds_what_the_text_holds(name: str) ->
         assert schema.validate(renamed), schema.error_log.last_error
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", REAL)
 def test_each_object_of_plcopen_xml_is_in_one_folder_by_its_identifier(name: str) -> None:
     for place, text in plcopen_files([newest(SPECS, name)]).items():
@@ -219,6 +224,7 @@ def test_each_object_of_plcopen_xml_is_in_one_folder_by_its_identifier(name: str
         assert len(set(placed.values())) == len(placed)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", ["hostile", *REAL])
 def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
     layout = hostile() if name == "hostile" else newest(SPECS, name)
@@ -246,6 +252,7 @@ def test_twincat_files_hold_the_objects_of_the_text(name: str) -> None:
     assert len(seen) > 10
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", REAL)
 def test_the_project_for_twincat_includes_each_file_and_calls_programs_that_are_there(name: str) -> None:
     outputs = twincat_files([newest(SPECS, name)])

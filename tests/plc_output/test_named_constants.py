@@ -53,6 +53,7 @@ def blocks(target: str, device: str) -> list[str]:
 CASES = [pytest.param(target, device, id=f"{device}-{target}") for target in TARGETS for device in layouts(SPECS)]
 
 
+@pytest.mark.proof(7)
 @pytest.mark.parametrize(("target", "device"), CASES)
 def test_no_block_has_a_bare_number_where_a_name_belongs(target: str, device: str) -> None:
     bare = {

@@ -171,7 +171,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return programs(tmp_path_factory)
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_it_moves_to_a_position_and_shows_it(name: str, folder: Path) -> None:
     rig = ready(name, folder, "Home", "Homed")
@@ -184,6 +184,7 @@ def test_it_moves_to_a_position_and_shows_it(name: str, folder: Path) -> None:
     assert rig.show(output) == pytest.approx(value, abs=0.01)
 
 
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", POSITIONING)
 def test_a_move_without_power_is_refused_and_says_why(name: str, folder: Path) -> None:
     rig = ready(name, folder, "Home", "Homed")
@@ -211,6 +212,7 @@ def test_it_stops_while_it_moves_and_is_locked_until_the_stop_is_withdrawn(name:
     assert (rig.show("ErrorID"), rig.model.state.velocity) == (12, 0)
 
 
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("name", SPEEDS)
 def test_it_runs_at_a_speed_and_stops(name: str, folder: Path) -> None:
     rig = ready(name, folder, "MoveVelocity", "InVelocity")

@@ -132,7 +132,7 @@ def run(machine: Machine, name: str, values: list[Any]) -> tuple[Any, Any]:
         return str(error), None
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("device", REAL)
 def test_scl_does_what_structured_text_does(device: str) -> None:
     ours, theirs, dice, compared = structured(device), siemens(device), random.Random(device), 0

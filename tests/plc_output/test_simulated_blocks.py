@@ -204,6 +204,7 @@ def moved(rig: Any, block: str, **inputs: Any) -> float:
     return position
 
 
+@pytest.mark.proof(3)
 @pytest.mark.parametrize(
     ("name", "form", "absolute", "relative"),
     [
@@ -275,7 +276,7 @@ def test_points_that_are_written_are_read_back_saved_and_run(folder: Path) -> No
     assert rig.done("ReadPoints", First=127, Last=128) == f"Error {NUMBER['request']}"
 
 
-@pytest.mark.proof(3)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize("name", [*RIGS, *SPEEDS])
 def test_nothing_starts_without_an_edge_whatever_happens_to_a_simulated_device(name: str, folder: Path) -> None:
     rig = {**RIGS, **SPEEDS}[name](folder)

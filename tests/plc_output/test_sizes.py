@@ -100,6 +100,7 @@ def test_the_bytes_at_the_places_in_memory_hold_the_values_of_every_example(devi
             assert int.from_bytes(example.frame[at : at + size], order) == value % (1 << (8 * size)), (example.id, name)
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_the_table_of_places_is_whole_and_has_no_gaps(root: Path, device: str) -> None:
     (table,) = (text for name, text in files([newest(root, device)]).items() if name.endswith("_layout.csv"))
@@ -120,7 +121,7 @@ def unpacked_types(text: str) -> str:
     return named(re.sub(r"\bE_\w+", lambda match: enums[match.group()], "\n".join(remaining)))
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_a_compiler_that_packs_structs_places_members_where_the_table_says(
     root: Path, device: str, tmp_path: Path

@@ -51,6 +51,7 @@ def commanded_reduction(rig: SpeedRig) -> float:
     return commanded(rig, "torque_reduction", 2**14)
 
 
+@pytest.mark.proof(2)
 def test_a_drive_follows_the_speed_while_it_is_asked_to(speed: SpeedRig) -> None:
     speed.run(3, speed.move, Execute=True)
     assert not speed.bench.out[speed.move, "InVelocity"], "the drive has not begun to turn"
@@ -66,7 +67,7 @@ def test_a_drive_follows_the_speed_while_it_is_asked_to(speed: SpeedRig) -> None
     assert speed.bench.ended(speed.move) == ""
 
 
-@pytest.mark.proof(8)
+@pytest.mark.proof(4)
 @pytest.mark.parametrize("end", ["alarm", "lost", "servo", "quick stop", "servo off", "refused"])
 def test_whatever_ends_a_speed_takes_its_command_away(speed: SpeedRig, end: str) -> None:
     speed.run(40, speed.move, Execute=True)

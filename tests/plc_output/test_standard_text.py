@@ -20,6 +20,7 @@ from layouts import newest
 from matiec import matiec
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_functions_have_the_statements_of_the_other_dialects_with_numbers_for_members(root: Path, device: str) -> None:
     other = program_of(root, device)
@@ -49,7 +50,7 @@ def translated(content: str, folder: Path) -> None:
     assert (ran.returncode, ran.stderr) == (0, "")
 
 
-@pytest.mark.proof(4)
+@pytest.mark.proof(2)
 @pytest.mark.parametrize(("root", "device"), DEVICES, ids=NAMES)
 def test_a_program_in_a_configuration_uses_every_constant(root: Path, device: str, tmp_path: Path) -> None:
     source_text = source(newest(root, device))

@@ -125,6 +125,7 @@ def test_a_program_sets_the_line_as_the_device_is_delivered(place: str) -> None:
     assert setting() == delivered(device, LINKS[device][1])
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("house", ["codesys", "twincat", "siemens", "standard"])
 @pytest.mark.parametrize("device", LINKS)
 def test_a_comment_has_the_settings_with_which_the_device_is_delivered(house: str, device: str) -> None:

@@ -95,7 +95,7 @@ def compare(layout: DeviceLayout, engine: str, name: str, record: RecordLayout, 
     return accepted
 
 
-@pytest.mark.proof(20)
+@pytest.mark.proof(10)
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("device", DEVICES)
 def test_a_query_has_the_columns_of_the_reference_and_refuses_what_it_refuses(device: str, engine: str) -> None:

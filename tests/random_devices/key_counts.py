@@ -55,6 +55,12 @@ class KeyCounts:
         self.forms.update(forms)
         self.pairs.update(pairs)
 
+    def lacks(self, spec: Spec) -> bool:
+        """Whether a device has a key or a form that no counted one has."""
+        counts = KeyCounts()
+        counts.add_device(spec)
+        return bool(counts.keys.keys() - self.keys.keys() or counts.forms.keys() - self.forms.keys())
+
     def add(self, other: KeyCounts) -> None:
         """Adds the counts of others."""
         self.devices += other.devices

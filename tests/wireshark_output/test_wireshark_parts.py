@@ -54,6 +54,7 @@ def findings(items: list[Item]) -> list[str]:
     return [name for name in names if name not in ("message", "severity", "group")]
 
 
+@pytest.mark.proof(5)
 @pytest.mark.parametrize("order", ["big", "little"])
 @pytest.mark.parametrize("bits", [24, 32, 40, 48, 56, 64])
 def test_parts_of_any_number_of_bytes_are_read_and_judged(bits: int, order: str) -> None:

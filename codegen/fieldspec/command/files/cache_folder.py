@@ -138,6 +138,8 @@ def _untagged(root: str) -> str:
 
     number = lock(root, patient=False)
     try:
+        if _content(path) == _TAG_TEXT:  # another process has written it and cached something
+            return ""
         # Where nobody names another folder, it is that of an earlier fieldspec, which wrote no tag.
         if os.environ.get(VARIABLE) and {*os.listdir(root)} - {TAG}:
             return f"it has files and no {TAG} of fieldspec"

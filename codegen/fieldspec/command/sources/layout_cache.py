@@ -48,7 +48,7 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
         display_path = origins.get(path) or (f"{folder}/{path}" if folder else path)
         return SourceFile(display_path, files[path].removeprefix(MARK).decode())
 
-    key = "" if anew else _key(text, files)
+    key = "" if anew else entry_key(text, files)
     content = cache_folder.cached(KIND, key) if key else None
     if content is not None:
         try:
@@ -56,7 +56,7 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
             return cached_layout
         except ValueError:
             pass  # another program has written it
-    content, depends_on_packages = _compiled(name, version, files)
+    content, depends_on_packages = _compiled(name, version, files, entry_key(name, files) if key else "")
     if key and not depends_on_packages:
         cache_folder.store(KIND, key, content)
     new_layout: DeviceLayout = from_json(content, source)
@@ -70,7 +70,7 @@ def index(specs_option: str | None, text: str, anew: bool, names: Callable[[], l
     """
     name, version = spec_files.split(text)
     _, files = _files(specs_option, name)
-    key = "" if anew else _key(text, files)
+    key = "" if anew else entry_key(text, files)
     content = cache_folder.cached(INDEXES, key) if key else None
     if content is None:
         from fieldspec.command.sources.specs import picked
@@ -91,8 +91,8 @@ def _files(specs_option: str | None, device: str) -> tuple[str, dict[str, bytes]
     return path, {name: content for name, content in contents.items() if not name.endswith(f"/{spec_files.INDEX}")}
 
 
-def _key(text: str, files: dict[str, bytes]) -> str:
-    """The key of a layout; empty where the files of the compiler cannot be read."""
+def entry_key(text: str, files: dict[str, bytes]) -> str:
+    """The key of what is computed from `DEVICE[@VERSION]`; empty where the files of the compiler cannot be read."""
     try:
         named_contents = [part for path, content in files.items() for part in (os.fsencode(path), content)]
         return cache_folder.checksum(cache_folder.state().encode(), os.fsencode(text), *named_contents)
@@ -100,8 +100,10 @@ def _key(text: str, files: dict[str, bytes]) -> str:
         return ""
 
 
-def _compiled(name: str, version: str, files: dict[str, bytes]) -> tuple[bytes, bool]:
+def _compiled(name: str, version: str, files: dict[str, bytes], key: str) -> tuple[bytes, bool]:
     """The layout of a device as lines of JSON, and whether packages decide what it is. Raises UsageError.
+
+    The `key` is that of the verdict on the device.
 
     They do where checks of theirs have judged the spec, and where it names a codec: the key says nothing of these.
     """
@@ -111,7 +113,7 @@ def _compiled(name: str, version: str, files: dict[str, bytes]) -> tuple[bytes, 
     from fieldspec.language.checks import INSTALLED
     from fieldspec.language.reading.project import read
 
-    spec = sound(read(files, frozenset([name])), name)
+    spec = sound(read(files, frozenset([name])), name, key)
     layout = layout_of(spec, picked(spec, version))
     return to_json(layout), bool(INSTALLED) or any(True for _ in coded_facts(layout))
 

@@ -7,8 +7,9 @@ from pathlib import Path
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.usage import UsageError, unknown
-from fieldspec.command.files import regular_file, storage
+from fieldspec.command.files import cache_folder, regular_file, storage
 from fieldspec.command.sources import spec_files
+from fieldspec.command.sources.layout_cache import entry_key
 from fieldspec.command.sources.spec_files import (
     FOLDER,
     VARIABLE,
@@ -90,7 +91,10 @@ def _bring(path: Path, text: str) -> None:
 
 def project(specs_option: str | None, devices: frozenset[str] = frozenset()) -> Project:
     """The project in the folder with the specs. Raises UsageError for unknown devices."""
-    path, contents = of_devices(specs_option, devices)
+    return _read(*of_devices(specs_option, devices), devices)
+
+
+def _read(path: str, contents: dict[str, bytes], devices: frozenset[str]) -> Project:
     return read(contents, devices, relative_path(path), origins(contents), installed_protocols)
 
 
@@ -124,21 +128,39 @@ def sound_at(specs_option: str | None, text: str) -> tuple[DeviceSpec, str]:
     Raises UsageError, also where `check` has an error for the device at any of its versions.
     """
     name, version = split(text)
-    spec = sound(project(specs_option, frozenset([name])), name)
+    path, contents = of_devices(specs_option, frozenset([name]))
+    spec = sound(_read(path, contents, frozenset([name])), name, entry_key(name, contents))
     return spec, picked(spec, version)
 
 
-def sound(project: Project, name: str) -> DeviceSpec:
-    """The spec of a device for which `check` has no error. Raises UsageError."""
-    from fieldspec.command.packages.plugin_loading import load_checks
-    from fieldspec.tools.proofs.running import proven
+SOUND = "sound"
+"""The kind of cache entries for devices that have been judged without an error."""
 
+
+def sound(project: Project, name: str, key: str = "") -> DeviceSpec:
+    """The spec of a device for which `check` has no error. Raises UsageError.
+
+    With a `key` in the cache, a device is judged once, unless packages decide what is right: the key says nothing of
+    these.
+    """
+    from fieldspec.codec.layout.package_codecs import coded_facts
+    from fieldspec.command.packages.plugin_loading import load_checks
+    from fieldspec.language.checks import INSTALLED
+    from fieldspec.tools.proofs.running import outcome
+
+    spec = project.devices.get(name)
+    if key and spec is not None and not has_errors(project.findings) and cache_folder.cached(SOUND, key) is not None:
+        return spec
     load_checks()
-    findings = [*project.findings, *(finding for spec in project.devices.values() for finding in proven(spec))]
+    outcomes = [outcome(spec) for spec in project.devices.values()]
+    findings = [*project.findings, *(finding for outcome in outcomes for finding in outcome.findings)]
     errors = sum(finding.severity is Severity.ERROR for finding in in_order(findings))
-    if errors or name not in project.devices:
+    if errors or spec is None:
         raise unsound(name, errors)
-    return project.devices[name]
+    layouts = (layout for outcome in outcomes for layout in outcome.layouts.values())
+    if key and not INSTALLED and not any(True for layout in layouts for _ in coded_facts(layout)):
+        cache_folder.store(SOUND, key, b"")
+    return spec
 
 
 def unsound(name: str, errors: int = 0) -> UsageError:
