@@ -1,6 +1,7 @@
 """The field that says whether another one is sent comes before it in its record. It is one unsigned binary number of at
 most four bytes that programs set: not a constant, reserved, optional, computed or a parameter. It has the bit, or the
-enum with the members. Nothing measures an optional field, and no message that accesses registers has one.
+enum with the members. Nothing measures an optional field. The data of exception responses, and of messages that access
+registers, have none.
 
 Why: a decoder reads the deciding field first, and then knows whether the bytes of the other field follow.
 
@@ -28,8 +29,12 @@ _MOST_BYTES = 4
 
 
 def presences_complete(device: Device) -> Iterator[Diagnostic]:
+    refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
     for layer in layers(device):
         for field in layer.fields:
+            if field.presence is not None and layer.name in refusing and device.records.get(layer.name) is layer:
+                text = f"{layer.name} is the data of exceptions, and {field.name} is optional"
+                yield finding(_CODE, field.place, _KEY, text, "remove `present_if`, or leave the field out")
             if field.presence is not None:
                 yield from _decided(device, layer, field, field.presence)
                 yield from _measured(layer, field)
