@@ -39,9 +39,11 @@ def all_layouts() -> list[DeviceLayout]:
 
 
 def has_digits(layout: DeviceLayout) -> bool:
-    """Whether numbers of a device are sent as digits or packed into bits, which several outputs leave out."""
-    packed = ("packed_bits" in refusal.fact.place for refusal in inner_list_refusals(layout, ""))
-    return bool(character_refusals(layout, "")) or any(packed)
+    """Whether numbers of a device are sent as digits, packed into bits or optional, which several outputs leave out."""
+    places = [refusal.fact.place for refusal in inner_list_refusals(layout, "")]
+    return bool(character_refusals(layout, "")) or any(
+        key in place for place in places for key in ("packed_bits", "present_if")
+    )
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

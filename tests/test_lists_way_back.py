@@ -17,6 +17,7 @@ DEVICES = [
 ]
 WITHOUT = (
     *(
+        "armband",
         "beacon",
         "courier",
         "gateway",

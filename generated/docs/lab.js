@@ -670,10 +670,13 @@ function wholeBounds(count, signed) {
   }
 }
 
-function countedBytes({ at, length, little, unit, plus = 0, most }, bytes) {
+const isPresent = ({ mask, numbers }, number) => numbers.includes((Number(number) & mask) >>> 0);
+
+function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
   if (!length) return most;
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  if (presence) return isPresent(presence, number) ? element : 0;
   return (number - plus) * unit;
 }
 
@@ -2417,7 +2420,8 @@ class ExplainedBody {
       return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
     if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
-    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
+    const text = list.presence ? `says that ${name} is sent, but its bytes are missing` : `counts more ${name} than there are`;
+    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} ${text}`);
   }
 
   itemsOf(field) {
@@ -2497,7 +2501,7 @@ class ExplainedBody {
     const exponent = beside.get(field.exponent);
     const value = exponent ? exponentApplied(field.value, exponent.field.value, exponent.number) : field.value;
     let read = decodedRow(this.device, value, traced);
-    if (beside === this.beside) read = this.measured(field, this.repeated(field, read));
+    if (beside === this.beside) read = this.deciding(field, this.measured(field, this.repeated(field, read)));
     let row = factRow(this.device, "field", path, field, this.spot, offset, raw, read, this.outer);
     row = withParameter(this.device, row, field, index, known, this.outer, this.isRequest);
     return withPercentages(this.device, row, field, number);
@@ -2514,11 +2518,28 @@ class ExplainedBody {
       return judged(read, isRight, isRight ? read.number : `${plus} to ${text.most + plus}`, "wrong_measure");
     }
     if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
-    const room = Math.floor((this.end - this.start - other.offset) / other.size);
-    const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
+    const most = this.record.spans ? this.countOf(other) : this.itemsAtEnd(other);
     const items = other.isList ? most : 1;
     const should = (of === "bytes" ? items * other.size : items) + plus;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
+  }
+
+  itemsAtEnd(field) {
+    return Math.max(0, Math.min(this.countOf(field), Math.floor((this.end - this.start - field.offset) / field.size)));
+  }
+
+  deciding(field, read) {
+    for (const other of this.record.fields) {
+      const { presence, name } = other;
+      if (read.reason || presence?.by !== field.name || !isWhole(read.number)) continue;
+      const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
+      if (known >= this.extents.length) continue;
+      const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
+      if (isPresent(presence, read.number) !== items > 0) {
+        return judged(read, false, `a number with which ${name} is${items ? "" : " not"} sent`, "wrong_measure");
+      }
+    }
+    return read;
   }
 
   bitCount(field, read) {
@@ -3768,6 +3789,11 @@ function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
+  for (const { name, presence } of fields.filter((field) => field.presence)) {
+    const [number] = known.get(presence.by);
+    if (isPresent(presence, number) === known.get(name).length > 0) continue;
+    throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+  }
   if (form.inner) {
     const last = form.fields.at(-1);
     return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);

@@ -25,6 +25,9 @@ def _differing_record(draft: Draft) -> Spec:
             if _closed_enums(draft) and draft.chance(50):
                 fields = _choice_between(draft, fields)
                 continue
+            if draft.chance(25):
+                fields = _optional_between(draft, fields)
+                continue
             if draft.differing and draft.chance(30):
                 fields = [*fields, _differing(draft), *_behind(draft)]
                 continue
@@ -138,7 +141,10 @@ def add_exponent(draft: Draft, fields: list[Spec], kind: str) -> int:
 def body(draft: Draft, place: str = "field") -> list[Spec]:
     """The fields of a request or a response."""
     form = draft.pick(
-        ("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner", "lists", "texts")
+        (
+            *("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner", "lists", "texts"),
+            "optional",
+        )
     )
     if form in ("empty", "short"):
         return [_short_field(draft) for _ in range(draft.number(1, 3) if form == "short" else 0)]
@@ -159,6 +165,8 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
         return [*(_measured(draft, fields) if has_count else [*fields, _repeated(draft, fields)]), *behind]
     if form == "lists":
         return _lists(draft, fields)
+    if form == "optional":
+        return _optional_at_end(draft, _optional_between(draft, fields))
     if form == "choice":
         return _choosing(draft, fields)
     if form == "counted":
@@ -328,6 +336,48 @@ def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
         return fields
     selector, choice = decided
     return [*_inserted(draft, fields, selector), choice, *_behind(draft)]
+
+
+def _decider(draft: Draft) -> tuple[Spec, list[Spec]]:
+    """A field, and ways in which it can say whether others are sent: by its bits, or by the members of its enum."""
+    named = [enum for enum in draft.enums if all(0 <= number <= 0xFFFF for number in enum.members.values())]
+    kind = draft.pick(("u8", "u8", "u16", "u16", "u24" if draft.chance(20) else "u8"))
+    if named and draft.chance(40):
+        enum = draft.pick(named)
+        wide = any(number > 0xFF for number in enum.members.values())
+        decider = draft.fact(type="u16" if wide else kind, enum=enum.name)
+        members = list(enum.members)
+        return decider, [{"by": decider["name"], "when": members[: draft.number(1, len(members))]} for _ in range(2)]
+    decider = draft.fact(type=kind)
+    bits = [draft.number(0, 8 * size_of(decider) - 1) for _ in range(3)]
+    return decider, [{"by": decider["name"], "bit": bit, **({"is": 0} if draft.chance(20) else {})} for bit in bits]
+
+
+def _optional(draft: Draft, presence: Spec) -> Spec:
+    """A field that another one says is sent or not."""
+    nested = [*(record.name for record in draft.records if not record.apart), *draft.differing]
+    if nested and draft.chance(20):
+        return draft.fact(record=draft.pick(nested), present_if=presence)
+    keys = value(draft, "field")
+    keys = {key: own for key, own in keys.items() if key not in ("const", "default", "unit_default", "parameter")}
+    return draft.fact(**keys, present_if=presence)
+
+
+def _optional_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """Fields with the one that decides on optional ones behind them, and some behind these, now and then."""
+    decider, ways = _decider(draft)
+    optional = [field for way in ways for field in [_optional(draft, way), *_behind(draft)]]
+    return [*_inserted(draft, fields, decider), *optional]
+
+
+def _optional_at_end(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """Fields with an optional list at the end, now and then."""
+    if not draft.chance(40):
+        return fields
+    presence = draft.pick([field["present_if"] for field in fields if "present_if" in field])
+    repeated = _repeated(draft, fields, low_limits=True) | {"repeat": f"1..{draft.number(1, 6)}"}
+    repeated["present_if"] = presence
+    return fields if "packed_bits" in repeated else [*fields, repeated, *_behind(draft)]
 
 
 def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:

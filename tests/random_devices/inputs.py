@@ -73,27 +73,31 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
         elif not is_computed(field):
             values[field.name] = _field(layout, field, dice)
     for field in record.fields:
+        if field.presence is not None and dice.random() < 0.9:
+            elements = values[field.name] or [_element(layout, field, dice)]
+            values[field.name] = elements if field.least_count(values) else []
         if field.bits_of and dice.random() < 0.85:
             values[field.name] = max(0, 8 * len(values[field.bits_of]) - dice.choice((0, 0, 1, 3, 7)))
     return values
 
 
-def _field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
-    def element() -> Any:
-        if field.record is not None:
-            return record_values(layout, field.record, dice)
-        if field.cases:  # its selector decides nothing
-            return 0
-        return number_or_text(layout, field.value, dice)
+def _element(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
+    if field.record is not None:
+        return record_values(layout, field.record, dice)
+    if field.cases:  # its selector decides nothing
+        return 0
+    return number_or_text(layout, field.value, dice)
 
+
+def _field(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
     if not field.is_list:
-        return element()
+        return _element(layout, field, dice)
     repeat = field.field.repeat
     least, most = (repeat.low, repeat.high) if repeat else (field.count or 0, field.count or 0)
     count = dice.randint(least, min(most, least + _LONGEST))
     if dice.random() < 0.03:
         count = max(0, count + dice.choice((-1, 1)))
-    return [element() for _ in range(count)]
+    return [_element(layout, field, dice) for _ in range(count)]
 
 
 def number_or_text(layout: DeviceLayout, value: Value | None, dice: random.Random) -> Any:

@@ -48,10 +48,10 @@ Example: a field with `type: text, length: 8, padding: space`.
 Fix: Do without the omitted facts, or state the text as `bytes`.
 """,
     "output_lists_last": """In dissectors, queries and word maps, a list of free length, or a choice, comes last in its
-message, and elements have one size.
+message, and elements have one size. No field is optional.
 
-Why: after such a list, and in a list whose elements differ in size, the offset of a field differs from frame to frame,
-and these outputs state one offset.
+Why: after such a list or field, and in a list whose elements differ in size, the offset of a field differs from frame
+to frame, and these outputs state one offset.
 
 Example: `values` with `repeat: 0..8`, counted by a field before it, with a `status` after it.
 

@@ -1,10 +1,14 @@
 import { CodecError } from "./error.js";
 
+/** Whether a number says that an optional field is sent. */
+export const isPresent = ({ mask, numbers }, number) => numbers.includes((Number(number) & mask) >>> 0);
+
 /** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
-function countedBytes({ at, length, little, unit, plus = 0, most }, bytes) {
+function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
   if (!length) return most;
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  if (presence) return isPresent(presence, number) ? element : 0;
   return (number - plus) * unit;
 }
 
@@ -123,7 +127,8 @@ function elementsIn(list, data, size, start) {
  * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
  * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
  * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
- * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image.
+ * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image. With a `presence`,
+ * bits of the number say whether the only element is sent.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];

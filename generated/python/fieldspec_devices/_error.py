@@ -59,6 +59,11 @@ def wrong_measure(name: str, raw: int, measured: int, at: int) -> CodecError:
     return CodecError("wrong_measure", f"{name} is {raw}, but there are {measured}", at)
 
 
+def wrong_presence(name: str, raw: int, of: str, elements: int, at: int | None = None) -> CodecError:
+    """A value that does not say that another field is sent, though it is, or the other way round."""
+    return CodecError("wrong_measure", f"{name} is {raw}, but there are {elements} of {of}", at)
+
+
 def wrong_bits(name: str, raw: int, of: str, size: int, at: int | None = None) -> CodecError:
     """A number of bits that takes another number of bytes than there are."""
     return CodecError("wrong_measure", f"{name} is {raw}, which takes {(raw + 7) // 8} bytes, but {of} has {size}", at)

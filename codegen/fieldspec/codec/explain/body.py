@@ -196,6 +196,8 @@ class Body:
             text = f"{inner.decision.name} decides that {fields[0].name} has more bytes than there are"
             return self._wrong(fields[0], offset, "incomplete", text)
         text = f"{inner.count} counts more {fields[0].name} than there are"
+        if inner.presence is not None:
+            text = f"{inner.count} says that {fields[0].name} is sent, but its bytes are missing"
         return self._wrong(fields[0], offset, "incomplete", text)
 
     def _has_wrong_count(self, inner: InnerList) -> bool:
@@ -313,7 +315,7 @@ class Body:
             value = exponent_applied(value, exponent.variable.value, exponent.number)
         read = decoded_row(device, row, value)
         if row.rows_beside is self._rows_by_name:
-            read = self._measured(field, self._repeated(field, read))
+            read = self._deciding(field, self._measured(field, self._repeated(field, read)))
         explained = fact_row(device, "field", row.path, field.field, self.spot, row.offset, row.raw, read, self.outer)
         explained = with_parameter(device, explained, field, row.index, known, self.outer, self.is_request)
         return with_percentages(device, explained, field, row.number)
@@ -330,11 +332,32 @@ class Body:
             return text
         if self.record.inner_lists is not None and other.count is None:
             return self._measured_list(self.record.inner_lists, field, other, read)
-        start = self.start + other.offset
-        items = max(0, min(self._count(other), (self.end - start) // other.size)) if other.is_list else 1
+        items = self._items_at_end(other) if other.is_list else 1
         items = (other.count or 0) if self.record.spans else items
         expected = measure.number(items, other.size)
         return read.judged(read.number == expected, expected, "wrong_measure")
+
+    def _items_at_end(self, field: FieldLayout) -> int:
+        """How many elements of a list that ends the body there are."""
+        return max(0, min(self._count(field), (self.end - self.start - field.offset) // field.size))
+
+    def _deciding(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """The value of a field that says whether others are sent, judged by whether they are."""
+        for other in self.record.fields:
+            presence = other.presence
+            if read.reason or presence is None or presence.by != field.name or not isinstance(read.number, int):
+                continue
+            items = self._items_at_end(other) if self.record.inner_lists is None else self._items_if_known(other)
+            if items is not None and presence.is_met(read.number) != bool(items):
+                expected = f"a number with which {other.name} is{'' if items else ' not'} sent"
+                return read.judged(False, expected, "wrong_measure")
+        return read
+
+    def _items_if_known(self, field: FieldLayout) -> int | None:
+        """How many elements a list with fields after it has, None where its end is not known."""
+        assert self.record.inner_lists is not None
+        names = [inner.name for inner in self.record.inner_lists.lists[: len(self.extents)]]
+        return self._items(field) if field.name in names else None
 
     def _bit_count(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The number of bits in a list of bytes, judged by how many there are."""

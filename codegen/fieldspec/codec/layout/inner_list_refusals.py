@@ -7,25 +7,25 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 
-_KEYS = ("packed_bits", "repeat", "record")
+_READ, _SENT = "lists that come last, of elements of one size", "fields that are always sent"
+_KEYS = ("present_if", "packed_bits", "repeat", "record")
 
 
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
-    """A refusal of each list with fields after it; `reader` is what does not read it."""
+    """A refusal of each list with fields after it, and of each optional field; `reader` is what does not read it."""
     bodies = [body for message in layout.messages.values() for body in message.bodies]
     lists = {
         field.field.place.path: (field.field, problem)
         for body in (*layout.records.values(), *bodies)
-        if body.inner_lists is not None
         for field in body.sent_fields
-        if (problem := _problem(body, field))
+        if (problem := "is optional" if field.presence is not None else _problem(body, field))
     }
     return [
         Refusal(
             field,
             Diagnostic(
                 "plc_lists_last" if for_controllers else "output_lists_last",
-                f"{field.name} {problem}, and {reader} reads only lists that come last, of elements of one size",
+                f"{field.name} {problem}, and {reader} reads only {_READ if field.presence is None else _SENT}",
                 field.place[next((key for key in _KEYS if key in field.place), "choice")],
                 help=LEAVE_OUT,
             ),
@@ -36,7 +36,7 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
 
 def _problem(body: RecordLayout, field: FieldLayout) -> str:
     """Why such outputs do not read a field; empty where they do."""
-    if not field.varies:
+    if body.inner_lists is None or not field.varies:
         return ""
     if field.value is not None and field.value.packed_bits:
         return f"has numbers of {field.value.packed_bits} bits"

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.codec.layout.packing import Packing, packing_data
+from fieldspec.codec.layout.presence import PresenceLayout, presence_data
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
 if TYPE_CHECKING:
@@ -46,7 +47,8 @@ class InnerList:
     image and has `count_size` bytes in the order `count_order`; its number, less `plus`, counts units of `unit` bytes.
     `count` is empty where the number is always the same, and where the data end with the list and the fields
     after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
-    where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image.
+    where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image. With a
+    `presence`, the number says whether the only element is sent.
     """
 
     name: str
@@ -64,9 +66,12 @@ class InnerList:
     parts: InnerLists | None = None
     decision: Decision | None = None
     packing: Packing | None = None
+    presence: PresenceLayout | None = None
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
+        if self.presence is not None:
+            return self.element if self.presence.is_met(number) else 0
         size = (number - self.plus) * self.unit
         return None if size % self.element or not self.least <= size <= self.most else size
 
@@ -309,8 +314,9 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     parts = {"parts": inner_lists_data(row.parts)} if row.parts is not None else {}
     decision = {"decision": _decision_row(row.decision)} if row.decision is not None else {}
     packing = {"packing": packing_data(row.packing)} if row.packing is not None else {}
+    presence = {"presence": presence_data(row.presence)} if row.presence is not None else {}
     places = {"first": row.first, "room": row.room}
-    return {**names, **places, **bounds, **count, **plus, **is_little, **parts, **decision, **packing}
+    return {**names, **places, **bounds, **count, **plus, **is_little, **parts, **decision, **packing, **presence}
 
 
 def _decision_row(row: Decision) -> dict[str, Any]:

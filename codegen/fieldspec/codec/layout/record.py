@@ -7,6 +7,7 @@ from itertools import takewhile
 
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing, packing_of
+from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation import classes
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
@@ -45,7 +46,8 @@ class FieldLayout:
     `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. For a field
     with the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of
     equal sizes the number to write first; it is empty if all bytes are the value. For the bit count of a write
-    request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields.
+    request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields. `presence`
+    says what decides whether it is sent, None where it always is.
     """
 
     field: Field
@@ -62,6 +64,7 @@ class FieldLayout:
     bits_of: str = ""
     forms: Mapping[int, FieldLayout] = classes.field(default_factory=dict)
     selector: FieldLayout | None = None
+    presence: PresenceLayout | None = None
 
     @property
     def carries_bytes(self) -> bool:
@@ -130,6 +133,13 @@ class FieldLayout:
     def bounds(self) -> tuple[int, int]:
         """How many elements it has, at least and at most."""
         return (repeat.low, repeat.high) if (repeat := self.field.repeat) is not None else (self.count or 1,) * 2
+
+    def least_count(self, values: Mapping[str, object]) -> int:
+        """How many elements it has at least, with some raw values of the fields before it."""
+        if self.presence is None:
+            return self.bounds[0]
+        number = values.get(self.presence.by)
+        return int(isinstance(number, int) and self.presence.is_met(number))
 
     @property
     def end(self) -> int | None:
@@ -292,7 +302,10 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
         inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
         if is_element or field is not last:
             find_count = text_count if is_text else list_count
-            if (count := find_count(record.record, field.field)) is not None:
+            if field.presence is not None:
+                decider = by_name[field.presence.by]
+                inner = replace(_with_number_at(inner, decider, places[decider.name]), presence=field.presence)
+            elif (count := find_count(record.record, field.field)) is not None:
                 inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:
             inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
@@ -313,8 +326,13 @@ def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
     """A list with the field that counts it, which is at an offset in the image."""
     measures = count.field.measures
     assert measures is not None
-    inner = replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.order)
+    inner = _with_number_at(inner, count, offset)
     return replace(inner, unit=measures.unit(inner.element), plus=measures.plus)
+
+
+def _with_number_at(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
+    """A list with the field that says how many elements it has, which is at an offset in the image."""
+    return replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.order)
 
 
 def _number_of(selector: FieldLayout, values: Mapping[str, object]) -> object:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from fieldspec.codec.layout.presence import presence_layout
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation.classes import replace
@@ -106,6 +107,7 @@ def _fixed(
         field_layout = FieldLayout(
             field, field.name, offset, size, count, field.value, nested, order, swapped, cases, sizes
         )
+        field_layout = replace(field_layout, presence=presence_layout(record, field.name, enums))
         fields.append(_with_forms(field_layout, fields))
         offset += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):

@@ -203,16 +203,21 @@ def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
         if measured is not None and values[field.name] != measured:
             text = f"{field.name} is {values[field.name]}, but there are {measured}"
             raise CodecError("wrong_measure", text, offset + field.offset)
-        if field.bits_of:
-            _check_bit_count(field, values, offset + field.offset)
+    _check_counts(record, values, offset)
 
 
-def _check_bit_count(field: FieldLayout, values: Mapping[str, Any], offset: int | None) -> None:
-    """Refuses a number of bits that takes more or less bytes than there are."""
-    number, size = values[field.name], len(values[field.bits_of])
-    if packed_size(number) != size:
-        text = f"{field.name} is {number}, which takes {packed_size(number)} bytes, but {field.bits_of} has {size}"
-        raise CodecError("wrong_measure", text, offset)
+def _check_counts(record: RecordLayout, values: Mapping[str, Any], offset: int | None) -> None:
+    """Refuses a number of bits that takes other bytes than there are, and one that is wrong about an optional field."""
+    for field in record.fields:
+        decider, text, presence = field, "", field.presence
+        if field.bits_of and packed_size(values[field.name]) != len(values[field.bits_of]):
+            number, size = values[field.name], len(values[field.bits_of])
+            text = f"{field.name} is {number}, which takes {packed_size(number)} bytes, but {field.bits_of} has {size}"
+        if presence is not None and presence.is_met(values[presence.by]) != bool(values[field.name]):
+            decider = next(other for other in record.fields if other.name == presence.by)
+            text = f"{presence.text(field.name, values[presence.by])}, but there are {len(values[field.name])}"
+        if text:
+            raise CodecError("wrong_measure", text, None if offset is None else offset + decider.offset)
 
 
 def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
@@ -269,8 +274,7 @@ def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Dev
         measured = _measured(record, field, raw)
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
-        if field.bits_of:
-            _check_bit_count(field, raw, None)
+    _check_counts(record, raw, None)
     return raw
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import construct
@@ -26,6 +27,7 @@ def record_struct(record: RecordLayout) -> construct.Struct:
 def is_sequence(record: RecordLayout) -> bool:
     """Whether a struct can read a record: all fields have fixed sizes, and no end depends only on the data."""
     measured = {other.field.measures.field for other in record.fields if other.field.measures is not None}
+    measured |= {field.name for field in record.fields if field.presence is not None}
     has_ends = all(not field.varies or field.name in measured for field in record.sent_fields[:-1])
     return has_ends and not record.has_differing and not any(field.packing for field in record.fields)
 
@@ -36,12 +38,20 @@ def _struct(record: RecordLayout) -> construct.Struct:
 
 def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     """A list with fields after it: the number of elements in another field, in its room in an image."""
+    elements = construct.Array(_number_of(record, field), _element(record, field))
+    room = record.room_of(field)
+    return elements if room is None else construct.Padded(room.most, elements)
+
+
+def _number_of(record: RecordLayout, field: FieldLayout) -> Callable[[Any], int]:
+    """The number of elements of a list, from the fields before it."""
+    presence = field.presence
+    if presence is not None:
+        return lambda context: int(presence.is_met(context[presence.by]))
     measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
     name = next(other.name for other in record.fields if other.field.measures is measure)
     unit = field.size if measure.of == "bytes" else 1
-    elements = construct.Array(lambda context: (context[name] - measure.plus) // unit, _element(record, field))
-    room = record.room_of(field)
-    return elements if room is None else construct.Padded(room.most, elements)
+    return lambda context: int(context[name] - measure.plus) // unit
 
 
 def _construct(record: RecordLayout, field: FieldLayout) -> construct.Construct:

@@ -76,6 +76,8 @@ def _rows(field: FieldLayout, base: int | None, has_place: bool) -> Iterator[tup
     label = " ".join(text for text in (field.field.printed_name, field.field.label) if text)
     name = "reserved" if field.field.reserved and not field.name else field.name
     choice = field.field.choice
+    if field.field.presence is not None:
+        name = f"{name}, if {field.field.presence.condition}"
     if choice is None:
         yield (place_text, _type(field, field.record.name if field.record else ""), name, label, *_value(field.value))
         return

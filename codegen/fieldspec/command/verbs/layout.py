@@ -56,6 +56,9 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
         if record.spans:
             varying = next(span.name for span in record.spans if span.value is not None)
             raise UsageError(f"{record.name} has no layout: {varying} varies in width")
+        optional = next((own.name for own in record.fields if own.presence is not None), "")
+        if optional:
+            raise UsageError(f"{record.name} has no layout: {optional} is optional")
         if record.inner_lists is not None:
             repeated_name = next(
                 (own.name for own in record.inner_lists.lists if own.parts), record.inner_lists.lists[0].name

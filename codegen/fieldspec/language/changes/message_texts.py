@@ -1,9 +1,9 @@
-"""What messages do with registers and with values in pieces, as texts that changes compare."""
+"""What messages do with registers and values in pieces, and when fields are sent, as texts that changes compare."""
 
 from __future__ import annotations
 
-from fieldspec.language.changes.comparison import Comparison
-from fieldspec.language.model.record import STEP_FIELDS, Message
+from fieldspec.language.changes.comparison import Comparison, fields_beside
+from fieldspec.language.model.record import STEP_FIELDS, Field, Message
 
 
 def segments_text(comparison: Comparison | None, message: Message) -> str:
@@ -61,3 +61,18 @@ def _renamed(comparison: Comparison, message: Message, name: str) -> str:
     """The new name of a field of the request or of the response."""
     request_name = comparison.renamed_to(f"messages/{message.name}/request", name)
     return request_name if request_name != name else comparison.renamed_to(f"messages/{message.name}/response", name)
+
+
+def presence_text(comparison: Comparison | None, holder_path: str, field: Field) -> str:
+    """What says whether a field is sent, with the names of the new state; empty where nothing does."""
+    presence = field.presence
+    if presence is None:
+        return ""
+    name = presence.by if comparison is None else comparison.renamed_to(holder_path, presence.by)
+    if presence.bit is not None:
+        return f"bit {presence.bit} of {name} if it is {presence.value}"
+    fields = () if comparison is None else fields_beside(field, comparison.old)
+    enum = next((own.value.enum for own in fields if own.name == presence.by and own.value is not None), "")
+    path = f"enums/{enum}"
+    members = [comparison.renamed_to(path, own) if comparison is not None else own for own in presence.when]
+    return f"{name} if it is {' or '.join(sorted(members))}"

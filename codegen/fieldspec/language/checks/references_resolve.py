@@ -222,19 +222,25 @@ def _within(
         yield from _named(field.place, "signal", "signal", field.signal, device.signals)
         if field.measures is not None:
             yield from _named(field.place, "measures", "field here", field.measures.field, own)
+        if (presence := field.presence) is not None:
+            yield from _named(field.place, "present_if", "field here", presence.by, own)
+            yield from _of_members(device, layer.named(presence.by), field.place, "present_if", presence.when)
         for value in [field.value, *(case.value for case in cases(field))]:
             yield from _parameter_references(field, value, numbers)
         if field.choice is not None:
             yield from _named(field.place, "choice", "field here", field.choice.by, own)
-            yield from _of_cases(device, layer.named(field.choice.by), field)
+            for case in cases(field):
+                yield from _of_members(device, layer.named(field.choice.by), case.place, "when", case.when)
 
 
-def _of_cases(device: Device, selector: Field | None, field: Field) -> Iterator[Diagnostic]:
+def _of_members(
+    device: Device, selector: Field | None, place: Place, key: str, names: tuple[str, ...]
+) -> Iterator[Diagnostic]:
+    """References to members of the enum of a field that decides on another one."""
     enum = device.enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
     if enum is not None:
         members = {member.name for member in enum.members}
-        for case in cases(field):
-            yield from _check_names(case.place, "when", f"member of {enum.name}", case.when, members)
+        yield from _check_names(place, key, f"member of {enum.name}", names, members)
 
 
 def _parameter_references(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:

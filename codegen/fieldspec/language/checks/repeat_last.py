@@ -81,7 +81,8 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         other for other in layer.fields[:index] if other.measures is not None and other.measures.field == field.name
     ]
     varying = next((other for other in later_fields if not sizes.is_fixed(other)), None)
-    is_open = field.repeat is not None and field.choice is None and (varying is not None or not is_body)
+    is_open = field.repeat is not None and not field.is_optional and field.choice is None
+    is_open &= varying is not None or not is_body
     last = varying or later_fields[-1]
     if is_open and not counts:
         problem = "after it has no fixed size" if varying is not None else "comes after it in a record"

@@ -89,6 +89,7 @@ _NAMES = (
     "parameter_numbers_within_range",
     "parameters_fit_messages",
     "ports_usable",
+    "presences_complete",
     "printed_names_match",
     "printed_names_whole",
     "priorities_decide",

@@ -45,13 +45,34 @@ class Choice:
     cases: tuple[Case, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Presence:
+    """A field is sent if the field `by` before it has a `bit` with the value `value`, or a member in `when`.
+
+    `bit` is None where members decide.
+    """
+
+    by: str
+    bit: int | None = None
+    value: int = 1
+    when: tuple[str, ...] = ()
+
+    @property
+    def condition(self) -> str:
+        """`bit 3 of flags is 1`, or `kind is place or speed`: when the field is sent."""
+        if self.bit is not None:
+            return f"bit {self.bit} of {self.by} is {self.value}"
+        return f"{self.by} is {' or '.join(self.when)}"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Field(Fact):
     """A value or a record at one place, once, `count` times, or repeated to the end of the data.
 
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
     places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
-    that `is_implied` is not in the spec: a byte of the record's `separator`, or a DLC.
+    that `is_implied` is not in the spec: a byte of the record's `separator`, or a DLC. A field with a `presence`
+    repeats from 0 on.
     """
 
     value: Value | None
@@ -60,6 +81,7 @@ class Field(Fact):
     signal: str
     count: int | None
     repeat: Ranges | None
+    presence: Presence | None
     measures: Measure | None
     reserved: bool
     at: int | None
@@ -77,6 +99,11 @@ class Field(Fact):
     def is_list(self) -> bool:
         """Whether it is a list of elements."""
         return self.count is not None or self.repeat is not None
+
+    @property
+    def is_optional(self) -> bool:
+        """Whether it has one element or none, as another field says."""
+        return self.presence is not None and self.repeat is not None and self.repeat.high == 1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -242,12 +242,12 @@ class _Search:
             yield from self._of_states(state, "state", machine.text, holder)
 
     def _of_cases(self, node: Mapping, holder: str, fact: Mapping | None, keys: Keys) -> Iterator[Reference]:
-        """The members that select a case, of the field that a node names as the one that decides."""
-        selector, cases = node.values.get("by"), node.values.get("cases")
-        if fact is None or not isinstance(selector, Scalar) or not isinstance(cases, Sequence):
-            return
-        decider = _part(fact, selector.text, holder.split("/")[2:3])
-        for number, case in enumerate(cases.items if decider is not None else ()):
+        """The members that select a case, or with which a field is sent, of the field that a node names as deciding."""
+        selector, cases, members = (node.values.get(key) for key in ("by", "cases", "when"))
+        decider = _part(fact, selector.text, holder.split("/")[2:3]) if fact and isinstance(selector, Scalar) else None
+        if decider is not None and members is not None:
+            yield from self._of_values(members, "when", [decider], holder, (*keys, "when"))
+        for number, case in enumerate(cases.items if decider is not None and isinstance(cases, Sequence) else ()):
             members = value_of(case, "when")
             if members is not None and decider is not None:
                 yield from self._of_values(members, "when", [decider], holder, (*keys, "cases", number, "when"))

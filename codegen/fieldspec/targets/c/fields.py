@@ -87,7 +87,8 @@ def function_locals(naming: Naming) -> tuple[Local, ...]:
 
 def declare_member(naming: Naming, record: RecordLayout, field: FieldLayout) -> Iterator[Comment | Variable | Union]:
     """The member of a struct for a field, and the one for the number of its elements where that varies."""
-    yield describe_fact(field.field, describe_value(field.value))
+    presence = (f"Sent if {field.field.presence.condition}.",) if field.field.presence is not None else ()
+    yield describe_fact(field.field, describe_value(field.value), *presence)
     count = greatest_count(field) if field.is_list else None
     if field.cases:
         yield from _declare_union(field, count)

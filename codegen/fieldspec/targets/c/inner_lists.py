@@ -89,13 +89,14 @@ def _table(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> str:
     """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, NULL, NULL, 0u, false, false}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
-    count = (inner.count_at, inner.count_size if inner.count else 0, inner.unit)
+    has_count = inner.count and inner.presence is None
+    count = (inner.count_at, inner.count_size if has_count else 0, inner.unit)
     is_little = "true" if inner.count_order == "little" else "false"
     field = record.named(inner.name)
     element = field.record if field is not None and inner.parts is not None else None
     measure = naming.function("record", element.name, "sent_size") if element is not None else "NULL"
     decide = "NULL"
-    if inner.decision is not None:
+    if inner.decision is not None or inner.presence is not None:
         decide = naming.function("record", record.name, f"{inner.name}_decided_size")
     places = ", ".join(f"{number}u" for number in (*numbers, *count))
     packing = "0u, false, false"

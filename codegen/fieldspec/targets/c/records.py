@@ -50,9 +50,10 @@ from fieldspec.targets.c.fields import (
     walk_elements,
 )
 from fieldspec.targets.c.inner_lists import decided_sizes, decode_inner_lists, encode_inner_lists
-from fieldspec.targets.c.literals import ZERO, decimal, unsigned
+from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.packing import check_members, check_unpacked, declare_packing, is_packed
+from fieldspec.targets.c.presences import check_presences, is_present, present_sizes
 from fieldspec.targets.c.statements import (
     Assignment,
     Body,
@@ -108,6 +109,7 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, descrip
         return [
             *declarations,
             *decided_sizes(naming, record),
+            *present_sizes(naming, record),
             *(BLANK, comment(f"Writes the image of {name}, {about_image}.")),
             _encode_function(naming, device, record, bool(checks), "encode_image"),
             *(BLANK, writing, encode),
@@ -222,7 +224,7 @@ def _write_fields(naming: Naming, device: Device, record: RecordLayout, checked:
             body = (*body, switch_cases(naming, field, decider, number, write_case))
         else:
             body += walk_elements(record, field, _field_writer(naming, device, record, field), IN, OUT)
-    return (*body, *check_bit_count(naming, record, IN))
+    return (*body, *check_bit_count(naming, record, IN), *check_presences(naming, record, IN))
 
 
 def _field_writer(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> ElementBody:
@@ -326,7 +328,11 @@ def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
         field, count = record.named(room.name), record.named(room.count)
         assert field is not None
         assert count is not None
-        number = load(naming, field_value(count), Operation("+", (IN, decimal(count.offset))))
+        number = decoded_selector(naming, count)
+        if room.presence is not None:
+            items: Expression = Conditional(is_present(room.presence, number), unsigned(1), ZERO)
+            body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
+            continue
         if room.plus:
             less_plus = Operation("-" if room.plus > 0 else "+", (number, unsigned(abs(room.plus))))
             number = Group(less_plus)
@@ -355,7 +361,7 @@ def _read_fields(naming: Naming, device: Device, record: RecordLayout) -> Body:
             body = (*body, switch_cases(naming, field, decider, number, read_case))
         else:
             body += walk_elements(record, field, _field_reader(naming, device, record, field), OUT, IN)
-    return (*body, *check_bit_count(naming, record, OUT))
+    return (*body, *check_bit_count(naming, record, OUT), *check_presences(naming, record, OUT))
 
 
 def _field_reader(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> ElementBody:

@@ -239,13 +239,33 @@ def record_value(
             values[field.name] = (selection or {}).get(field.name, numbers[0] if pick is low_value else numbers[-1])
         else:
             values[field.name] = field_sample(device, _decided(field, values), pick)
-    return fitting(values, record)
+    return fitting(device, values, record)
 
 
-def fitting(values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:
+def _with_presences(device: Device, values: dict[str, Any], record: RecordLayout, changed: str) -> dict[str, Any]:
+    """The values with the optional fields of which others say that they are sent; with that one if it is `changed`."""
+    decided = record.named(changed)
+    if decided is not None and decided.presence is not None:
+        presence = decided.presence
+        decider = record.named(presence.by)
+        assert decider is not None
+        assert decider.value is not None
+        number = values[decider.name] & ~presence.mask | presence.numbers[0]
+        ranges = decider.value.writable_ranges
+        numbers = [number] if ranges is None or number in ranges else legal_numbers(device, decider.value)
+        values = {**values, decider.name: next((own for own in numbers if presence.is_met(own)), values[decider.name])}
+    for field in record.fields:
+        if field.presence is not None:
+            elements = values[field.name] or field_sample(device, field, low_value)
+            values = {**values, field.name: elements[:1] if field.least_count(values) else []}
+    return values
+
+
+def fitting(device: Device, values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:
     """The values with the packed bytes of their bit count if that is the field `changed`, and with a different bit
-    count otherwise.
+    count otherwise; and with the optional fields that others say.
     """
+    values = _with_presences(device, values, record, changed)
     for field in record.fields:
         if field.bits_of and field.name == changed:
             packed = record.named(field.bits_of)

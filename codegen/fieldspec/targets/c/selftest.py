@@ -141,7 +141,7 @@ def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Stateme
                 values, settings = low_values, low_settings
                 if field.name not in selection:
                     value = field_sample(layout.device, field, high_value)
-                    values = fitting({**low_values, field.name: value}, form.record, field.name)
+                    values = fitting(layout.device, {**low_values, field.name: value}, form.record, field.name)
                     settings = low_settings.copy()
                     for place, own in enumerate(fields):
                         if values[own.name] != low_values[own.name] or place == number:

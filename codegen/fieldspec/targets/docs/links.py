@@ -278,13 +278,15 @@ def _case(field: FieldLayout, case: CaseLayout) -> Item:
 
 
 def _relations(field: FieldLayout) -> Iterator[Line]:
-    """The relations of a field to other fields: what it measures, and what it repeats."""
+    """The relations of a field to others: what it measures, what says that it is sent, and what it repeats."""
     measures = field.field.measures
     if measures is not None:
         adjustment = (text_piece(f" {'plus' if measures.plus > 0 else 'less'} {abs(measures.plus)}"),) * bool(
             measures.plus
         )
         yield (text_piece(f"the number of {measures.of} of "), code(measures.field), *adjustment)
+    if field.field.presence is not None:
+        yield (text_piece(f"sent if {field.field.presence.condition}"),)
     if field.field.same_as:
         yield (text_piece("the same as "), code(field.field.same_as), text_piece(" of the request"))
 
@@ -292,6 +294,8 @@ def _relations(field: FieldLayout) -> Iterator[Line]:
 def elements_text(field: FieldLayout, letter: str) -> str:
     """`k = 0..31`: the numbers of a field's elements."""
     repeat = field.field.repeat
+    if field.field.is_optional:
+        return "at most one element"
     if repeat is not None:
         return f"{spoken(repeat.text())} elements, {letter} = 0, 1, .."
     return f"{field.count} elements, {letter} = 0 to {(field.count or 1) - 1}"

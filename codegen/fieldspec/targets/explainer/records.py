@@ -7,6 +7,7 @@ from fieldspec.codec.explain.row import errata_of_message
 from fieldspec.codec.layout.inner_lists import inner_lists_data
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.packing import packing_data
+from fieldspec.codec.layout.presence import presence_data
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import span_data
 from fieldspec.codec.program.lowering import field_program
@@ -72,6 +73,7 @@ def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str
                 "parts": _parts(field),
                 "packing": packing_data(field.packing) if field.packing is not None else None,
                 "cases": field.splits_record,
+                "presence": presence_data(field.presence) if field.presence is not None else None,
                 "by": field.selector.name if field.selector is not None else "",
                 "forms": _forms(device, record, field) if field.forms else None,
                 "reserved": own.reserved,

@@ -10,6 +10,7 @@ from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import Member, members_of, most_bytes, shapes_of, slot_of
 from fieldspec.targets.js.number_bytes import place
+from fieldspec.targets.js.presences import is_present, presence_check
 from fieldspec.targets.js.text import literal, plus
 from fieldspec.targets.js.values import throw_wrong_number
 
@@ -130,6 +131,7 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
         number = _count_number(record, room, names)
         number = f"({plus(number, -room.plus)})" if room.plus else number
         count = number if room.unit == room.element else f"{number} / {room.element}"
+        count = f"{is_present(room.presence, number)} ? 1 : 0" if room.presence is not None else count
     if field.record is not None:
         element, checks = _element(record, field, names.records[field.record.record.name], names, "at"), []
     else:
@@ -162,6 +164,12 @@ def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]
         rest = f"end - o - {last.offset}"
         lines.append(f"if (({rest}) % {last.size}) throw brokenList({literal(last.name)}, {rest}, end);")
     checks = [line for field in record.fields for line in _measure_check(record, field, names)]
+    for field in record.fields:
+        if (room := record.room_of(field)) is None or not room.count:
+            left = f"(end - o - {field.offset}) / {field.size}"
+            decider = record.named(field.presence.by) if field.presence is not None else None
+            position = place("o", decider.offset) if decider is not None else ""
+            checks += presence_check(record, field, names, left, position)
     if not checks:
         return [*lines, f"return {reader}(b, o, end);"]
     return [*lines, f"const value = {reader}(b, o, end);", *checks, "return value;"]

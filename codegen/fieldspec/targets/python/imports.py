@@ -62,7 +62,7 @@ _SHARED = {
     ),
     "_digits": "digits",
     "_end_framer": "EndFramer",
-    "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure",
+    "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure wrong_presence",
     "_escapes": "Add Cobs EscapeFramer EscapedFrames Insert Replace",
     "_filled": "Filled",
     "_flags": "BITS_OF Flags PresetFlags",

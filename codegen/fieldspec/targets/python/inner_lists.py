@@ -6,8 +6,10 @@ from collections.abc import Sequence
 
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing
+from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import filled, literal
+from fieldspec.targets.python.writing import tuple_of
 
 
 def inner_lists_lines(variable: str, name: str, lists: Sequence[Slots], inner: InnerLists, letters: str) -> list[str]:
@@ -27,8 +29,14 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     parts = f", parts={_parts(inner.parts)}" if inner.parts is not None else ""
     decision = f", decision={_decision(inner.decision)}" if inner.decision is not None else ""
     packing = f", packing={_packing(inner.packing)}" if inner.packing is not None else ""
-    places = f"{inner.first}, {inner.room}"
-    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{count}{parts}{decision}{packing})"
+    presence = f", presence={_presence(inner.presence)}" if inner.presence is not None else ""
+    places = f"{inner.first}, {inner.room}{count}"
+    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{parts}{decision}{packing}{presence})"
+
+
+def _presence(presence: PresenceLayout) -> str:
+    """`(8, (8,))`: the bits of a number that say whether the only element is sent, and with which numbers it is."""
+    return f"({presence.mask}, {tuple_of(presence.numbers)})"
 
 
 def _packing(packing: Packing) -> str:

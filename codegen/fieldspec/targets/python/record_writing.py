@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.targets.python.bit_counts import bit_count_refusal, fills
+from fieldspec.targets.python.presences import fitting, presence_refusals, presences
 from fieldspec.targets.python.reading import CASE, decided_values, local
 from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.slots import Slots
@@ -40,6 +41,7 @@ def writing_lines(
     with_locals |= {
         name for field in shaped.fields if field.field.bits_of for name in (field.title, field.field.bits_of)
     }
+    with_locals |= {own.title for pair in presences(shaped) for own in pair}
     for field in shaped.stored:
         value_tests = conditions(field, local(field))
         if value_tests or field.title in with_locals or field.parted or field is selector:
@@ -69,6 +71,8 @@ def writing_lines(
             slot_values.append(decided_values(field, expressions[field.title]))
         else:
             slot_values += values(field, expressions[field.title]) if field.stored else fixed(field)
+    for field, decider in presences(shaped):
+        size_tests.append(fitting(field, f"_index({expressions[decider.title]})", expressions[field.title]))
     all_tests = [test for field_tests in tests.values() for test in field_tests] + size_tests
     return Writing(bind, all_tests, slot_values, _refusals(shaped, struct, cases))
 
@@ -112,4 +116,4 @@ def _refusals(shaped: RecordShape, struct: str, cases: Mapping[str, str]) -> lis
             limits = [_size(shaped, field, expressions, decided), str(field.value.type.low), str(field.value.type.high)]
             limits += [pairs(field.ranges)] if field.ranges is not None else []
             refusals.append(f"_refused_number({literal(field.title)}, {', '.join(limits)})")
-    return refusals
+    return [*refusals, *presence_refusals(shaped)]

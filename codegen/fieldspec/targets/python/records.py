@@ -10,6 +10,7 @@ from fieldspec.targets.python.bit_counts import bit_count_test
 from fieldspec.targets.python.constructors import ConstructorView, constructor_view
 from fieldspec.targets.python.inner_lists import inner_lists_lines
 from fieldspec.targets.python.naming import MESSAGE, TYPES, Scope
+from fieldspec.targets.python.presences import presence_tests
 from fieldspec.targets.python.quantities import (
     ConstantView,
     ScaledView,
@@ -270,7 +271,7 @@ def construction_lines(shaped: RecordShape, owner: str, offset: int, bound: bool
             lines += reading(field, owner, place, bound)
     for field in shaped.fields:
         lines += _measure_test(shaped, field, owner, offset)
-    return lines
+    return [*lines, *presence_tests(shaped, owner, offset)]
 
 
 def constant_tests(shaped: RecordShape) -> list[str]:

@@ -196,18 +196,19 @@ def _idle_record(device: Device, record: RecordLayout) -> dict[str, Raw]:
         if field.selector is not None and field.form_of(values[field.selector.name]) is None:
             values[field.selector.name] = min(field.forms)
         if field.field.measures is None:
-            values[field.name] = _idle_field(device, record.decided_by(values).fields[record.fields.index(field)])
+            decided = record.decided_by(values).fields[record.fields.index(field)]
+            values[field.name] = _idle_field(device, decided, field.least_count(values))
     return values
 
 
-def _idle_field(device: Device, field: FieldLayout) -> Raw:
+def _idle_field(device: Device, field: FieldLayout, least_count: int = 1) -> Raw:
     if field.record is not None:
         element: Raw = _idle_record(device, field.record)
     else:
         assert field.value is not None
         element = _idle(device, field.value)
     if field.field.repeat is not None:
-        return [element] * field.field.repeat.low
+        return [element] * least_count
     return [element] * (field.count or 0) if field.is_list else element
 
 

@@ -243,6 +243,8 @@ class BodyReader:
         for start, inner, number in slot.places:
             units = number_at(buffer, place + start + inner.count_at, inner.count_size, inner.count_order)
             is_there = (units - inner.plus) * inner.unit // inner.element > number
+            if inner.presence is not None:
+                is_there = np.isin(units & inner.presence.mask, inner.presence.numbers)
             rows, place = rows[is_there], place[is_there]
             index = index if index is None else index[is_there]
             if not len(rows):
@@ -282,7 +284,10 @@ class BodyReader:
         counts: dict[str, Numbers],
         verdict: npt.NDArray[np.int8],
     ) -> None:
-        """Judges a field that measures another one, or is the number of bits that are packed into it."""
+        """Judges a field that measures another one, or is the number of bits that are packed into it; and one that says
+        whether others are sent.
+        """
+        self._judge_presence(slot, buffer, offsets, size, counts, verdict)
         if slot.layout is slot.field and slot.layout.bits_of:
             number = _number(slot.layout, buffer, offsets)
             wrong = (number + 7) // 8 != np.maximum(counts[slot.layout.bits_of], 0)
@@ -308,6 +313,22 @@ class BodyReader:
             blame(verdict, (number != expected) & (other.offset <= size), WRONG_MEASURE)
             return
         blame(verdict, (number != expected) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
+
+    def _judge_presence(
+        self,
+        slot: Slot,
+        buffer: Bytes,
+        offsets: Numbers,
+        size: Numbers,
+        counts: dict[str, Numbers],
+        verdict: npt.NDArray[np.int8],
+    ) -> None:
+        for other in self.record.fields if slot.layout is slot.field else ():
+            presence = other.presence
+            if presence is not None and presence.by == slot.field.name:
+                is_met = np.isin(_number(slot.layout, buffer, offsets) & presence.mask, presence.numbers)
+                is_known = (counts[other.name] >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
+                blame(verdict, (is_met != (counts[other.name] > 0)) & is_known, WRONG_MEASURE)
 
 
 def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:

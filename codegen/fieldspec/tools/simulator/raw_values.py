@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+NOTHING: Mapping[str, Any] = {}
+"""The values where no field is before another one."""
+
+
 def chosen_kind(record: RecordLayout, values: Mapping[str, Any]) -> str | None:
     """The type that the selector of a record chooses; None where it has no selector."""
     if record.selector is None:
@@ -36,13 +40,14 @@ def number_of_kind(record: RecordLayout, kind: str) -> int | None:
     return None
 
 
-def initial_value(device: Device, field: FieldLayout) -> Any:
-    """The value of a field of a response where nothing else states it.
+def initial_value(device: Device, field: FieldLayout, values: Mapping[str, Any] = NOTHING) -> Any:
+    """The value of a field of a response where nothing else states it; `values` has the fields before it.
 
     A list of any length has the least number of records that it can have, and of values the same, but one at least.
     """
-    repeat = field.field.repeat
-    minimum = field.count or (repeat.low if repeat is not None else 0)
+    if field.presence is not None and not field.least_count(values):
+        return []
+    minimum = field.least_count(values)
     if field.record is not None:
         if not field.is_list:
             return initial_values(device, field.record)
@@ -56,7 +61,7 @@ def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for field in decided_fields(record, values):
         if field.field.measures is None:
-            values[field.name] = initial_value(device, field)
+            values[field.name] = initial_value(device, field, values)
     return values
 
 

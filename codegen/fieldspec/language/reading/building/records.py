@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import (
     Case,
     Choice,
     Field,
     Measure,
     Message,
+    Presence,
     Record,
     RegisterAccess,
     Segments,
@@ -57,14 +59,16 @@ def _field(entry: Entry) -> Field:
         if "plus" in measures.own and not measures.integer("plus"):
             measures.refuse("wrong_form", "plus", "a `plus` of 0 has no effect", "remove it")
         measure = Measure(unit, measures.text(unit), measures.integer("plus") or 0)
+    present = entry.entry("present_if")
     return Field(
         **entry.fact(),
         value=None if name or choice else value(entry),
         record=name,
         choice=_choice(choice, entry) if choice and not name else None,
         signal=entry.text("signal"),
-        count=entry.integer("count"),
-        repeat=entry.whole_ranges("repeat"),
+        count=entry.integer("count") if present is None else None,
+        repeat=entry.whole_ranges("repeat") if present is None else _optional(entry),
+        presence=_presence(present) if present is not None else None,
         measures=measure,
         reserved=entry.flag("reserved"),
         is_implied=not {"separator", "remote"}.isdisjoint(entry.own),
@@ -78,6 +82,30 @@ def _field(entry: Entry) -> Field:
         handling=entry.handling(),
         same_as=entry.text("same_as"),
     )
+
+
+_NEVER_OPTIONAL = ("choice", "const", "count", "measures", "packed_bits", "parameter", "reserved", "varies")
+"""The keys that a field which is not always sent cannot have."""
+
+
+def _optional(entry: Entry) -> Ranges:
+    """The number of elements of a field that is not always sent: 0 or 1, or up to the greatest number of a list."""
+    for key in _NEVER_OPTIONAL:
+        if key in entry.own:
+            help = "state both for a record in the field" if key in ("count", "choice") else f"remove `{key}`"
+            entry.refuse("wrong_form", key, f"a field with `present_if` has no `{key}`", help)
+    repeat = entry.whole_ranges("repeat")
+    if repeat is not None and (repeat.low != 1 or len(repeat.intervals) > 1):
+        text = f"a list with `present_if` has at least one element, not {repeat.low}"
+        entry.refuse("wrong_form", "repeat", text, "begin at 1: it has no element where it is not sent")
+    return Ranges(((0, 1 if repeat is None else repeat.high),))
+
+
+def _presence(entry: Entry) -> Presence:
+    if "is" in entry.own and "bit" not in entry.own:
+        entry.refuse("wrong_form", "is", "`is` has no effect without `bit`", "remove it, or state the `bit`")
+    value = entry.integer("is")
+    return Presence(entry.text("by"), entry.integer("bit"), 1 if value is None else value, entry.texts("when"))
 
 
 def _choice(entry: Entry, field: Entry) -> Choice:

@@ -1,4 +1,4 @@
-import { extentsIn, placeAround } from "../lists.js";
+import { extentsIn, isPresent, placeAround } from "../lists.js";
 import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
@@ -128,7 +128,8 @@ export class ExplainedBody {
       return this.wrongRow(fields[0], at, this.fault.reason, text);
     }
     if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
-    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} counts more ${name} than there are`);
+    const text = list.presence ? `says that ${name} is sent, but its bytes are missing` : `counts more ${name} than there are`;
+    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} ${text}`);
   }
 
   /** How many elements of a list of a record with fields after a list there are. */
@@ -218,7 +219,7 @@ export class ExplainedBody {
     const exponent = beside.get(field.exponent);
     const value = exponent ? exponentApplied(field.value, exponent.field.value, exponent.number) : field.value;
     let read = decodedRow(this.device, value, traced);
-    if (beside === this.beside) read = this.measured(field, this.repeated(field, read));
+    if (beside === this.beside) read = this.deciding(field, this.measured(field, this.repeated(field, read)));
     let row = factRow(this.device, "field", path, field, this.spot, offset, raw, read, this.outer);
     row = withParameter(this.device, row, field, index, known, this.outer, this.isRequest);
     return withPercentages(this.device, row, field, number);
@@ -236,11 +237,30 @@ export class ExplainedBody {
       return judged(read, isRight, isRight ? read.number : `${plus} to ${text.most + plus}`, "wrong_measure");
     }
     if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
-    const room = Math.floor((this.end - this.start - other.offset) / other.size);
-    const most = this.record.spans ? this.countOf(other) : Math.max(0, Math.min(this.countOf(other), room));
+    const most = this.record.spans ? this.countOf(other) : this.itemsAtEnd(other);
     const items = other.isList ? most : 1;
     const should = (of === "bytes" ? items * other.size : items) + plus;
     return judged(read, sameValue(read.number, should), should, "wrong_measure");
+  }
+
+  /** How many elements of a list that ends the body there are. */
+  itemsAtEnd(field) {
+    return Math.max(0, Math.min(this.countOf(field), Math.floor((this.end - this.start - field.offset) / field.size)));
+  }
+
+  /** The value of a field that says whether others are sent, judged by whether they are. */
+  deciding(field, read) {
+    for (const other of this.record.fields) {
+      const { presence, name } = other;
+      if (read.reason || presence?.by !== field.name || !isWhole(read.number)) continue;
+      const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
+      if (known >= this.extents.length) continue;
+      const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
+      if (isPresent(presence, read.number) !== items > 0) {
+        return judged(read, false, `a number with which ${name} is${items ? "" : " not"} sent`, "wrong_measure");
+      }
+    }
+    return read;
   }
 
   /** The number of bits in a list of bytes, judged by how many there are. */

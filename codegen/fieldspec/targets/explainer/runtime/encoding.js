@@ -1,7 +1,7 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
 import { exceedsReal, realBits } from "../number_bits.js";
-import { sentOfImage } from "../lists.js";
+import { isPresent, sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
 import { isWhole } from "./numbers.js";
@@ -108,6 +108,11 @@ export function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
+  for (const { name, presence } of fields.filter((field) => field.presence)) {
+    const [number] = known.get(presence.by);
+    if (isPresent(presence, number) === known.get(name).length > 0) continue;
+    throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+  }
   if (form.inner) {
     const last = form.fields.at(-1);
     return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);

@@ -76,7 +76,8 @@ class InnerList:
     at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.
     `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide. `parts` tell
     the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
-    bytes in the image. With a `packing`, numbers are sent in fewer bits.
+    bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and numbers, the
+    only element is sent if these bits of the number are one of the numbers.
     """
 
     __slots__ = (
@@ -89,6 +90,7 @@ class InnerList:
         "packing",
         "parts",
         "plus",
+        "presence",
         "room",
         "size",
         "sizes",
@@ -106,12 +108,13 @@ class InnerList:
         parts: Parts | None = None,
         decision: Decision | None = None,
         packing: Packing | None = None,
+        presence: tuple[int, tuple[int, ...]] | None = None,
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
         self.at, self.length, _, self.unit, self.plus = count
         self.order: Literal["big", "little"] = count[2]
-        self.parts, self.decision, self.packing = parts, decision, packing
+        self.parts, self.decision, self.packing, self.presence = parts, decision, packing, presence
 
     @property
     def number_at(self) -> int:
@@ -122,7 +125,10 @@ class InnerList:
         """The bytes of the list in the image, as its count in some data says."""
         if not self.length:
             return self.sizes[-1]
-        return (int.from_bytes(data[self.at : self.at + self.length], self.order) - self.plus) * self.unit
+        number = int.from_bytes(data[self.at : self.at + self.length], self.order)
+        if self.presence is not None:
+            return self.size if number & self.presence[0] in self.presence[1] else 0
+        return (number - self.plus) * self.unit
 
     def checked_size(self, data: bytes, at: int) -> int:
         """The same, refused at the count if the number is not possible."""

@@ -1,0 +1,31 @@
+"""Whether an optional field is sent, as the number of another field in an array of bytes says."""
+
+from __future__ import annotations
+
+from fieldspec.codec.layout.presence import PresenceLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.targets.js.declaration import Names
+from fieldspec.targets.js.members import slot_of
+from fieldspec.targets.js.values import throw_wrong_number
+
+
+def is_present(presence: PresenceLayout, number: str) -> str:
+    """The condition that a number, an expression, says that a field is sent: `((b[o] & 8) >>> 0) === 8`"""
+    bits = f"(({number} & {presence.mask}) >>> 0)"
+    if len(presence.numbers) == 1:
+        return f"{bits} === {presence.numbers[0]}"
+    return f"[{', '.join(map(str, presence.numbers))}].includes({bits})"
+
+
+def presence_check(record: RecordLayout, field: FieldLayout, names: Names, count: str, position: str) -> list[str]:
+    """The statement that refuses an optional field whose number of elements is not as the bytes `b` say.
+
+    `count` and `position`, the place of the deciding number or null, are expressions. Other fields have none.
+    """
+    decider = record.named(field.presence.by) if field.presence is not None else None
+    if field.presence is None or decider is None:
+        return []
+    number = slot_of(decider, names).number("o", decider.offset)
+    detail = f"`but there are ${{{count}}} of {field.name}`"
+    wrong = throw_wrong_number("wrong_measure", decider.name, number, detail, position)
+    return [f"if (({is_present(field.presence, number)}) !== ({count} > 0)) {wrong}"]

@@ -1,0 +1,57 @@
+"""Whether an optional field is given, compared with what the number of another field says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from fieldspec.targets.python.reading import local
+from fieldspec.targets.python.record_shape import RecordShape
+from fieldspec.targets.python.slots import Slots
+from fieldspec.targets.python.text import literal
+from fieldspec.targets.python.writing import tuple_of
+
+
+def presences(shaped: RecordShape) -> Iterator[tuple[Slots, Slots]]:
+    """The optional fields of a record, each with the field that says whether it is sent."""
+    by_title = {field.title: field for field in shaped.fields}
+    for field in shaped.fields:
+        if field.field.presence is not None:
+            yield field, by_title[field.field.presence.by]
+
+
+def fitting(field: Slots, number: str, elements: str, operator: str = "==") -> str:
+    """The comparison of what a number says of an optional field with whether it has elements."""
+    presence = field.field.presence
+    assert presence is not None
+    numbers = presence.numbers
+    test = f"== {numbers[0]}" if len(numbers) == 1 else f"in {tuple_of(numbers)}"
+    return f"({number} & {presence.mask} {test}) {operator} bool({elements})"
+
+
+def presence_tests(shaped: RecordShape, owner: str, offset: int) -> list[str]:
+    """The lines that refuse an optional field in a record that has been read; only the data decide on the last one."""
+    lines = []
+    for field, decider in presences(shaped):
+        room = shaped.record.image.room_of(field.field)
+        if room is not None and room.count:
+            continue
+        is_stored_raw = (decider.is_raw or decider.deferred) and decider.stored
+        number = f"{owner}.{decider.slot}" if is_stored_raw else local(decider)
+        elements = f"{owner}.{field.name}"
+        wrong = _wrong(field, decider, number, elements, f", {offset + decider.field.offset}")
+        lines += [f"if {fitting(field, number, elements, '!=')}:", f"    raise {wrong}"]
+    return lines
+
+
+def presence_refusals(shaped: RecordShape) -> list[str]:
+    """The expressions of the refusals of optional fields that are to be written: a CodecError, or None."""
+    refusals = []
+    for field, decider in presences(shaped):
+        number, elements = f"_index(self.{decider.slot})", f"self.{field.name}"
+        wrong = _wrong(field, decider, number, elements)
+        refusals.append(f"({wrong} if {fitting(field, number, elements, '!=')} else None)")
+    return refusals
+
+
+def _wrong(field: Slots, decider: Slots, number: str, elements: str, place: str = "") -> str:
+    return f"_wrong_presence({literal(decider.title)}, {number}, {literal(field.title)}, len({elements}){place})"
