@@ -218,16 +218,16 @@ class FrameReader:
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused & ~is_open, UNKNOWN_CODE)
 
     def _request_codes(self, code: Codes) -> Numbers:
-        """The places of codes among those of requests, of a response that of its request; NONE for one of several."""
+        """The place of the code of each request, or of the request of each response; NONE for several requests."""
         places = np.full(len(code), NONE - 1)  # codes that no message has answer nothing
         own = [message.message for message in self.messages if message.message.code is not None]
         codes = list(dict.fromkeys(message.code for message in own))
-        asked: dict[int | None, set[int]] = {}
+        requests: dict[int | None, set[int]] = {}
         for message in own:
             number = message.code if self.direction == "request" else message.code_of("response")
-            asked.setdefault(number, set()).add(codes.index(message.code))
-        for number, requests in asked.items():
-            places[code == number] = requests.pop() if len(requests) == 1 else NONE
+            requests.setdefault(number, set()).add(codes.index(message.code))
+        for number, indexes in requests.items():
+            places[code == number] = indexes.pop() if len(indexes) == 1 else NONE
         return places
 
     def _refused(self, frames: ReadFrames, code: Codes, refusal: ExceptionResponse) -> Mask:
