@@ -530,18 +530,16 @@ function digitsNumber(value, bytes) {
   }
   if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
   const whole = BigInt(isHexadecimal(value) ? `0x${value.isLowFirst ? turned(text) : text}` : text);
-  return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
+  return exactWhole(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
 }
 
 const numberOfCodec = ({ low, high }, number) => (Number.isInteger(number) && low <= number && number <= high ? number + 0 : undefined);
-
-const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
 
 function numberOfNibbles({ digits, signed }, text) {
   let [rest, sign] = [text, 1n];
   if (digits === "packed_decimal") [rest, sign] = [text.slice(0, -1), LAST_NIBBLES[Boolean(signed)][text.at(-1)]];
   else if (signed && text[0] === "f") [rest, sign] = [text.slice(1), -1n];
-  return sign !== undefined && DIGIT_PATTERNS.bcd.test(rest) ? sized(sign * BigInt(rest)) : undefined;
+  return sign !== undefined && DIGIT_PATTERNS.bcd.test(rest) ? exactWhole(sign * BigInt(rest)) : undefined;
 }
 
 function nibblesOf({ digits, size, signed }, whole) {
@@ -554,7 +552,7 @@ function numberBehindBlanks({ places = 0, signed }, text) {
   const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
   if (whole === undefined || fraction.length !== places || (sign && !signed)) return undefined;
   const number = BigInt(whole + fraction);
-  return sized(sign ? -number : number);
+  return exactWhole(sign ? -number : number);
 }
 
 function digitsBytes(value, number) {
@@ -629,6 +627,13 @@ function realBits(number, size) {
 
 function exceedsReal(number, size) {
   return Number.isFinite(number) && !Number.isFinite(roundedReal(number, size));
+}
+
+const exactWhole = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
+
+function onBits(left, right, operation) {
+  const isNarrow = left <= 0xffffffff && right <= 0xffffffff;
+  return isNarrow ? operation(left, right) >>> 0 : exactWhole(operation(BigInt(left), BigInt(right)));
 }
 
 const powerBeside = (number, exponent) => (typeof number === "bigint" ? 1n << BigInt(exponent) : 2 ** exponent);
@@ -1455,7 +1460,7 @@ function messageWithCode(link, direction, code, data, asked) {
   const shared = link.subcodes[direction].get(code);
   if (!shared || !data) return undefined;
   if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
-  return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
+  return shared.named.get(exactWhole(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
 }
 
 function refusedMessage(link, code, asked) {
@@ -1470,7 +1475,7 @@ function partNumberText({ size, value, numberSize = size }, number) {
 
 function isException({ code: own, flag, part, normal }, code, number) {
   if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
-  return own === undefined ? Boolean(code & flag) : code === own;
+  return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
 }
 
 function memberOf(listing, number) {
@@ -2753,7 +2758,7 @@ class ExplainedFrame {
   }
 
   codeValue(part, read) {
-    let code = Number(read.number);
+    let code = exactWhole(read.number);
     if (this.shape.escape?.remote !== undefined) {
       read = { ...read, number: code % 2 ** 30 };
       this.values.set(part.name, read.number);
@@ -2762,7 +2767,7 @@ class ExplainedFrame {
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
-      code = (code & ~exception.flag) >>> 0;
+      code = onBits(code, exception.flag, (bits, mask) => bits & ~mask);
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }
@@ -3111,7 +3116,7 @@ function mismatchesOf(device, request, response) {
     if (role === "code" && response.error && link.exception?.code !== undefined) continue;
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
-      if (isWhole(have ?? "") && have !== responseCode) {
+      if (isWhole(have ?? "") && have != responseCode) {
         const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
         texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }
@@ -3895,7 +3900,7 @@ function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
   const code = codeIn(direction, message);
-  if (part.role === "code") return error ? link.exception.code ?? ((code | link.exception.flag) >>> 0) : code;
+  if (part.role === "code") return error ? link.exception.code ?? onBits(code, link.exception.flag, (bits, mask) => bits | mask) : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;

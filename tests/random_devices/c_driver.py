@@ -249,7 +249,7 @@ class Driver:
         heads = "".join(f"opened.{frame_member(part)}, " for part in parts)
         coded = frame.role("code") is not None
         error = link.link.exception_response if direction == "response" else None
-        code = '"%ld", (long)opened.code' if coded else '"None"'
+        code = '"%llu", (unsigned long long)opened.code' if coded else '"None"'
         flag = "(int)opened.error" if error is not None else "0"
         printing += f' printf("|%d|", {flag}); printf({code}); printf("|");'
         bodies = []

@@ -41,7 +41,10 @@ def devices(draw: Any) -> Spec:
     draft.byte_order = draft.pick(("big", "little"))
     draft.word_order = "" if draft.chance(3) else draft.pick(("big", "little"))
     draft.sends_characters = draft.chance(30)
-    draft.code_bits = draft.pick((8, 8, 16, 8, 8, 24))
+    draft.code_bits = (
+        draft.pick((8, 8, 16, 8, 8, 24, 8, 8, 8, 64)) if draft.chance(90) else draft.pick((32, 40, 48, 56))
+    )
+    draft.code_flag = 1 << (draft.code_bits - 1 if draft.chance(70) else draft.number(3, draft.code_bits - 1))
     spec["enums"] = drawn_words.enums(draft)
     spec["flags"] = drawn_words.flags(draft)
     spec["enums"] += drawn_words.derived_enums(draft)

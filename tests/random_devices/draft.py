@@ -115,6 +115,7 @@ class Draft:
     versions: tuple[str, ...] = ()
     names: int = 0
     code_bits: int = 8
+    code_flag: int = 0x80
     byte_order: str = "big"
     word_order: str = ""
     sends_characters: bool = False
@@ -183,6 +184,15 @@ class Draft:
             ends.append(ends[-1])
         pairs = [(ends[at], ends[at + 1]) for at in range(0, len(ends), 2)]
         return pairs or [(low, high)]
+
+    def code(self) -> int:
+        """A code without the bit that marks exception responses; wide ones are often beside each other."""
+        highest = (1 << self.code_bits) - 1
+        return (highest - self.number(0, 9) if self.chance(30) else self.number(0, highest)) & ~self.code_flag
+
+    def free_mark(self) -> int:
+        """A code of exception responses, which no message has."""
+        return self.number(0, 9) | self.code_flag
 
     def edge(self, low: int, high: int) -> int:
         """A number within bounds, often near one of them or near a power of two."""

@@ -34,8 +34,7 @@ def add_bus(draft: Draft) -> None:
     if any(part.get("role") == "code" for part in link["response"]):
         small = [record for record in draft.records if not record.apart and record.size <= room["response"]]
         if small and draft.chance(60):
-            highest = 1 << (draft.code_bits - 1)
-            mark = {"code": highest + draft.number(0, 9)} if draft.chance(40) else {"flag": highest}
+            mark = {"code": draft.free_mark()} if draft.chance(40) else {"flag": draft.code_flag}
             link["exception_response"] = {**mark, "record": draft.pick(small).name}
     else:
         drawn_messages.mark_exceptions(draft)
@@ -82,7 +81,7 @@ def _link(draft: Draft, coded: bool) -> tuple[Spec, dict[str, int]]:
     link = draft.fact(byte_order=draft.byte_order, can={"identifier": bits})
     if draft.word_order:
         link["word_order"] = draft.word_order
-    in_identifier = coded and (bits == 29 or draft.code_bits == 8) and draft.chance(50)
+    in_identifier = coded and draft.code_bits <= (24 if bits == 29 else 8) and draft.chance(50)
     identifier = _identifier(draft, bits, draft.code_bits if in_identifier else 0)
     is_bare = in_identifier and draft.chance(60)
     room = {}

@@ -56,7 +56,6 @@ def _mark(draft: Draft, response: list[Spec], is_coded: bool) -> Spec:
 
     Nothing does where responses carry no code and no other number.
     """
-    highest = 1 << (draft.code_bits - 1)
     before = response[: next(at for at, part in enumerate(response) if part.get("role") == "body")]
     bound = {"const", "reserved", "range", "unit_range"}
     numbers = [part for part in before if "role" not in part and not bound & set(part)]
@@ -68,7 +67,7 @@ def _mark(draft: Draft, response: list[Spec], is_coded: bool) -> Spec:
     if not is_coded:
         return {}
     decimal = any(part.get("role") == "code" and part.get("digits") == "decimal" for part in response)
-    return {"code": highest + draft.number(0, 9)} if draft.chance(30) or decimal else {"flag": highest}
+    return {"code": draft.free_mark()} if draft.chance(30) or decimal else {"flag": draft.code_flag}
 
 
 def _limits(part: Spec) -> tuple[int, int]:
@@ -127,7 +126,7 @@ def _number(draft: Draft, kind: str, least: int) -> Spec:
     """The type of a part, or the digits that it is sent as, which mostly have all numbers up to one."""
     if not draft.digits(20):
         return {"type": kind}
-    form = draft.pick(("decimal", "upper_hex", "lower_hex"))
+    form = draft.pick(("upper_hex", "lower_hex", "decimal") if least < 10**19 else ("upper_hex", "lower_hex"))
     base = 10 if form == "decimal" else 16
     length = draft.number(1, 3)
     while base**length <= least and not draft.chance(3):

@@ -49,7 +49,7 @@ def mark_exceptions(draft: Draft) -> None:
     for link in draft.spec["links"]:
         if any(part.get("role") == "code" for part in link["response"]) or not draft.chance(40):
             continue
-        kind = draft.pick(("u8", "u16", "i16", "u24", "u32", "i32"))
+        kind = draft.pick(("u8", "u16", "i16", "u24", "u32", "i32", "u48", "u64", "i64"))
         low, high = bounds(kind)
         number = draft.edge(low, high)
         another = number - 1 if number > low else number + 1
@@ -78,13 +78,12 @@ def draw_response_codes(draft: Draft) -> None:
     coded = [link["name"] for link in draft.spec["links"] if any(p.get("role") == "code" for p in link["response"])]
     if not coded or not draft.chance(30):
         return
-    high = (1 << (draft.code_bits - 1)) - 1
-    common = draft.number(0, high)
+    common = draft.code()
     for message in draft.spec["messages"]:
         answered = message.get("answered_on", message.get("links", coded))
         if "code" not in message or not set(coded) & set(answered) or not draft.chance(60):
             continue
-        code = common if draft.chance(40) else draft.number(0, high)
+        code = common if draft.chance(40) else draft.code()
         if code != message["code"]:
             message["response_code"] = code
 
@@ -110,7 +109,7 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
 
     It is a constant in each, or a byte with ranges.
     """
-    kind = draft.pick(("u8", "u16", "i8", "i16", "u8", "u16", "u24", "u32", "i32"))
+    kind = draft.pick(("u8", "u16", "i8", "i16", "u8", "u16", "u24", "u32", "i32", "u40", "i56", "u64", "i64"))
     low, high = bounds(kind)
     numbers: set[int] = set()
     directions = ("request", "response") if draft.chance(65) else ("request",)  # or only the requests tell them apart
@@ -139,10 +138,9 @@ def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:
 
 
 def free_code(draft: Draft, codes: set[int]) -> int:
-    high = (1 << (draft.code_bits - 1)) - 1
-    code = draft.number(0, high)
+    code = draft.code()
     while code in codes:
-        code = (code + 1) % (high + 1)
+        code = ((code | draft.code_flag) + 1) % (1 << draft.code_bits) & ~draft.code_flag
     codes.add(code)
     return code
 

@@ -55,7 +55,7 @@ function frame({ path: [linkName, direction, messageName], data, encodes, header
     if (isError) return link.encodeExceptionResponse(parts, number, content);
     return direction === "request" ? link.encodeRequest(parts, entry, content) : link.encodeResponse(parts, entry, content);
   };
-  if (encodes) return { again: hex(encode(fromJson(header), message, fromJson(values), error, code)) };
+  if (encodes) return { again: hex(encode(fromJson(header), message, fromJson(values), error, fromJson(code))) };
   const bytes = new Uint8Array(Buffer.from(data, "hex"));
   const value = direction === "request" ? link.decodeRequest(bytes, message) : link.decodeResponse(bytes, message);
   const isError = value.kind === "exception";
@@ -67,7 +67,7 @@ function frame({ path: [linkName, direction, messageName], data, encodes, header
   };
 }
 
-const coded = (number) => (number === null ? "None" : number);
+const coded = (number) => (number === null ? "None" : String(number));
 
 function alone(codec, { data, encodes, values, exponent }) {
   if (encodes) return { again: hex(codec.encode(fromJson(values))) };

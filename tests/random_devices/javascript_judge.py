@@ -100,7 +100,7 @@ class JavaScript:
             job["header"] = {key: _number(query.values[name], size) for name, key, size in parts}
             values = {name: value for name, value in query.values.items() if name not in names}
             job["values"] = object_of(query.shape, values)
-            job["code"] = query.code
+            job["code"] = {"$n": str(query.code)} if (query.code or 0) >= 2**53 else query.code
         elif query.kind == "record":
             job["values"] = object_of(query.shape, query.values)
         else:

@@ -1,7 +1,8 @@
 import { checksumBytes } from "./checksums.js";
 import { hexText, matches, withDelimiters, withoutDelimiters } from "./delimiters.js";
 import { CodecError, refusedNumber } from "./error.js";
-import { readPart, writePart } from "./parts.js";
+import { onBits } from "./number_bits.js";
+import { readCode, readPart, writePart } from "./parts.js";
 import { rangesText, within } from "./values.js";
 
 /** A message: its data in both directions; `code` is null where frames do not carry one. */
@@ -56,7 +57,7 @@ export function link(shapes, messages, exception, unanswered = [], subcodes = {}
       if ((code === null) !== (response.code === null)) {
         throw new CodecError("unknown_code", code === null ? "an exception response has a code" : "frames here carry no code");
       }
-      const own = exception.code ?? ((code | exception.flag) >>> 0);
+      const own = exception.code ?? onBits(code, exception.flag, (bits, mask) => bits | mask);
       const bytes = encoded(context, response, header, own, exception.record, data, exception.marks);
       if (exception.code !== undefined && code !== own) {
         throw new CodecError("unknown_code", `an exception response has the code ${own}`);
@@ -257,10 +258,10 @@ function decoded(context, shape, bytes, entry, direction) {
     return { kind: direction, name: entry.name, header, message: entry, data: entry[direction].read(data, shape.headerSize, end) };
   }
   const offset = place(shape.code.offset, data.length);
-  const code = readPart(data, offset, shape.code);
+  const code = readCode(data, offset, shape.code);
   const { exception } = context;
   if (exception !== null && direction === "response" && isMarked(exception, shape, code, data)) {
-    const asked = (code & ~exception.flag) >>> 0;
+    const asked = onBits(code, exception.flag, (bits, mask) => bits & ~mask);
     const record = exception.record.read(data, shape.headerSize, end);
     const answered = answeredBy(context, asked, entry);
     return { kind: "exception", name: answered?.name ?? null, header, message: answered, code: asked, data: record };
@@ -286,7 +287,7 @@ function isUncodedException(exception, shape, data) {
 
 /** Whether a response is an exception response: by a bit in its code, by its code, or by another part. */
 function isMarked({ flag, code, part, all }, shape, own, data) {
-  if (part === undefined) return code === undefined ? (own & flag) !== 0 : own === code;
+  if (part === undefined) return code === undefined ? onBits(own, flag, (bits, mask) => bits & mask) !== 0 : own === code;
   const row = shape.header.find(({ name }) => name === part);
   return !within(all, readPart(data, row.offset, row));
 }
@@ -309,7 +310,7 @@ function knownBy({ byCode, subcodes }, shape, direction, code, body, entry, offs
     throw new CodecError("unknown_code", "several messages have the code: pass the one that was asked", offset);
   }
   if (body.length < shared.offset + shared.size) return shared.messages.values().next().value;
-  const number = readPart(body, shared.offset, shared);
+  const number = readCode(body, shared.offset, shared);
   const known = shared.messages.get(number);
   if (known === undefined) {
     throw new CodecError("unknown_code", `no message has the subcode 0x${number.toString(16)}`, shape.headerSize + shared.offset);

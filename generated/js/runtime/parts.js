@@ -1,5 +1,5 @@
 import { digitsBytes, digitsNumber } from "./digit_texts.js";
-import { bitsOfWhole, wholeOfBits } from "./number_bits.js";
+import { bitsOfWhole, exactWhole, wholeOfBits } from "./number_bits.js";
 
 /** The number of a part: a bigint where it has more than six bytes and users see it; NaN for what are not its digits. */
 export function readPart(bytes, offset, { size, order, signed, wide, digits }) {
@@ -22,6 +22,9 @@ function readWide(bytes, offset, { size, order, signed }) {
   for (let at = 0; at < size; at++) number = (number << 8n) | BigInt(bytes[order === "big" ? offset + at : offset + size - 1 - at]);
   return wholeOfBits(number, 8 * size, signed);
 }
+
+/** A code or a subcode: a bigint only where a number does not have it exactly, so that it is equal to that of a message. */
+export const readCode = (bytes, offset, part) => exactWhole(readPart(bytes, offset, part));
 
 /** Writes the number of a part. */
 export function writePart(bytes, offset, { size, order, signed, digits }, number) {

@@ -51,7 +51,7 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
         constant = constant_at(field, offset, device.byte_order, device.word_order) if offset is not None else None
         if constant is None:
             text = f"{record.name}/{field.name} marks exception responses, but it is not a constant at a fixed place"
-            help = "give it a whole number of up to four bytes as `const`, with fields of fixed size before it"
+            help = "give it a whole number of up to eight bytes as `const`, with fields of fixed size before it"
             yield finding(_CODE, field.place, "name", text, help, label(link.place, "exception_response", link.name))
             continue
         for message in messages_on(device, link):

@@ -26,11 +26,12 @@ from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.escape import SLIP
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import coded, messages_on
+from fieldspec.language.model.subcodes import WIDEST
 from fieldspec.language.model.value import Value
 
 _CODE = "links_complete"
 _NUMBERS = ("unit_address", "code", "length")
-_GREATEST_SIZES = {"unit_address": 8, "code": 4, "length": 4}
+_GREATEST_SIZES = {"unit_address": 8, "code": WIDEST, "length": 4}
 
 
 def links_complete(device: Device) -> Iterator[Diagnostic]:

@@ -65,12 +65,12 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
     later, earlier = next(alike, (len(messages) - 1, 0))
     message, other = messages[later], messages[earlier]
     text = f"{message.name} and {other.name} have the code {message.code:#04x}"
-    help = "correct one of the codes, or give each message its subcode: a field of up to four bytes with its own"
+    help = "correct one of the codes, or give each message its subcode: a field of up to eight bytes with its own"
     help += " `const` at the same place"
     if any(map(distinct_place, ([numbers] for numbers in places))):
         text += ", and no constant at the same place of each request tells them apart"
-        help = "give each of them a number of up to four bytes with its own `const` at the same place, or a byte with a"
-        help += " `range` of its own"
+        help = "give each of them a number of up to eight bytes with its own `const` at the same place, or a byte with"
+        help += " a `range` of its own"
     yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
 
 

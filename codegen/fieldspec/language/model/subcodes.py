@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 Place = tuple[int, int, str]
 """The offset of a constant in the data, its bytes, and its byte order."""
 
-WIDEST = 4
-"""The bytes of the widest constant that tells messages apart, or marks exception responses."""
+WIDEST = 8
+"""The bytes of the widest code, and of the widest constant that tells messages apart or marks exception responses."""
 
 Numbers = tuple[int, ...]
 """The numbers that a field may have, in the order of the spec."""
@@ -35,7 +35,8 @@ def constant_at(field: Field, offset: int, order: str, word_order: str) -> tuple
     own = (value.byte_order or order) if value.size > 1 else "big"
     number = value.const & (1 << 8 * value.size) - 1
     if orders_of(value, order, word_order)[1]:
-        number = number >> 16 | (number & 0xFFFF) << 16
+        words = [number >> 16 * word & 0xFFFF for word in range(value.size // 2)]
+        number = sum(word << 16 * place for place, word in enumerate(reversed(words)))
     return (offset, value.size, own), number
 
 

@@ -315,7 +315,7 @@ def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
         ]
         if subcodes and subcode is None:
             explanation = comment("Whether an opened frame with the code and this subcode is of the message.")
-            block += [explanation, has_subcode(naming, layout_of_message.name, subcodes)]
+            block += [explanation, has_subcode(naming, layout, layout_of_message.name, subcodes)]
         access = message.single_access
         if access is not None and access.set is not None:
             block += [

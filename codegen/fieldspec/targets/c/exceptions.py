@@ -27,10 +27,11 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, argument, frame_member
+from fieldspec.targets.c.parts import code_type
 from fieldspec.targets.c.statements import Assignment, Body, If, assign
 from fieldspec.targets.c.values import refuse
 
-_CODE, _CODE_TYPE = Identifier("code"), "uint32_t"
+_CODE = Identifier("code")
 
 
 def read_mark(mark: ExceptionResponse, frame: FrameLayout, code: Expression, error: Expression) -> Body:
@@ -45,7 +46,7 @@ def read_mark(mark: ExceptionResponse, frame: FrameLayout, code: Expression, err
     if mark.code is not None:
         return (assign(error, equal(code, unsigned(mark.code))),)
     flag = unsigned(mark.flag)
-    without_flag = Assignment(code, Unary("~", Cast(_CODE_TYPE, flag)), "&=")
+    without_flag = Assignment(code, Unary("~", Cast(code_type(frame).name, flag)), "&=")
     return (assign(error, different(Operation("&", (code, flag)), ZERO)), If(error, (without_flag,)))
 
 

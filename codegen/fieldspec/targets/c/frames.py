@@ -40,14 +40,21 @@ from fieldspec.targets.c.expressions import (
 from fieldspec.targets.c.fields import return_error
 from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming, argument, frame_member
-from fieldspec.targets.c.parts import TOTAL, check_digits, length_number, part_pointer, part_value, write_part
+from fieldspec.targets.c.parts import (
+    TOTAL,
+    check_digits,
+    code_type,
+    length_number,
+    part_pointer,
+    part_value,
+    write_part,
+)
 from fieldspec.targets.c.statements import Body, Return, Statement, Variable, assign, discard
-from fieldspec.targets.c.subcodes import read_subcode, shared_codes
+from fieldspec.targets.c.subcodes import read_subcode, shared_codes, subcode_type
 from fieldspec.targets.c.values import check_constant, declare_value, load, refuse, return_ok, status_type
 
 DIRECTIONS = ("request", "response")
 _SIZE_POINTER = Type("size_t", pointer=True)
-CODE_TYPE = Type("uint32_t")
 _BODY_LENGTH = Identifier("body_length")
 
 
@@ -98,12 +105,13 @@ def _declare_struct(naming: Naming, link: LinkLayout, direction: str) -> list[De
     for part in header_parts(frame):
         struct_members += [describe_fact(part.part), declare_value(part_value(part), frame_member(part))]
     if frame.role("code") is not None:
-        struct_members += [comment("The code, without the flag of an exception response."), Variable(CODE_TYPE, "code")]
-    if shared_codes(link, direction):
+        description = comment("The code, without the flag of an exception response.")
+        struct_members += [description, Variable(code_type(frame), "code")]
+    if shared := shared_codes(link, direction):
         description = comment(
             "What tells messages with this code apart; 0 for other codes and for exception responses."
         )
-        struct_members += [description, Variable(CODE_TYPE, "subcode")]
+        struct_members += [description, Variable(subcode_type(shared.values()), "subcode")]
     if direction == "response" and link.link.exception_response is not None:
         description = comment("The frame is an exception response; its body is the record of the exception.")
         struct_members += [description, Variable(Type("bool"), "error")]
@@ -239,7 +247,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     frame = link.frame(direction)
     parameters = header_parameters(frame)
     if frame.role("code") is not None:
-        parameters.append(Variable(CODE_TYPE, "code"))
+        parameters.append(Variable(code_type(frame), "code"))
     parameters += [Variable(SIZE_TYPE, "body_length"), *OUTPUT_PARAMETERS]
     width = 2 if link.link.transmission == "hex_ascii" else 1
     delimiters = len(frame.further) + len(frame.start) + len(frame.end)

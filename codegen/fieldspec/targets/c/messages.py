@@ -27,10 +27,10 @@ from fieldspec.targets.c.expressions import (
     less,
 )
 from fieldspec.targets.c.fields import members, return_error
-from fieldspec.targets.c.frames import CODE_TYPE, DIRECTIONS, OUTPUT_PARAMETERS, header_parameters
+from fieldspec.targets.c.frames import DIRECTIONS, OUTPUT_PARAMETERS, header_parameters
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, argument
-from fieldspec.targets.c.parts import address_literal
+from fieldspec.targets.c.parts import address_literal, code_type
 from fieldspec.targets.c.statements import Body, Return, Variable
 from fieldspec.targets.c.values import refuse, status_type
 
@@ -82,7 +82,7 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
         description = comment("Writes the whole frame of an exception response.")
         return [description, _encode_frame(naming, link, "response", record, function, [], (), True)]
     code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag))) if error.flag else _CODE]
-    parameters = [Variable(CODE_TYPE, "code")]
+    parameters = [Variable(code_type(link.response), "code")]
     description = comment("Writes the whole frame of an exception response to a code.")
     if error.code is None and link.has_response_codes:
         description = comment("Writes the whole frame of an exception response, by the code of the usual response.")

@@ -18,6 +18,7 @@ from fieldspec.targets.c.expressions import (
     Group,
     Identifier,
     Operation,
+    Type,
     add,
     add_size,
     all_of,
@@ -43,6 +44,20 @@ def part_value(part: PartLayout) -> WireValue:
     """The value of a part, which must have one, with its order on the wire."""
     assert part.value is not None
     return WireValue(part.value, part.order, False)
+
+
+def number_type(size: int) -> Type:
+    """The type of a code or subcode of `size` bytes where it is a parameter or a member."""
+    return Type("uint64_t" if size > 4 else "uint32_t")
+
+
+def code_type(frame: FrameLayout) -> Type:
+    """The type of the code of a frame, which has one."""
+    part = frame.role("code")
+    assert part is not None
+    number = number_of(part_value(part).encoding)
+    assert number is not None, "a code is a number, as a check sees to"
+    return number_type(number.bits // 8)
 
 
 def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
@@ -88,7 +103,8 @@ def write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: Fr
         return (*checks, *limit, _store_part(naming, wire, target, number))
     if part.role == "code":
         highest = wire.value.high
-        limit = refuse(naming, greater(CODE, unsigned(highest)), "err_unknown_code") if highest < 0xFFFFFFFF else ()
+        is_any = highest == (1 << (32 if code_type(frame) == number_type(4) else 64)) - 1
+        limit = () if is_any else refuse(naming, greater(CODE, unsigned(highest)), "err_unknown_code")
         return (*limit, _store_part(naming, wire, target, CODE))
     if part.constant is not None:
         return store_constant(naming, wire, part.constant, target)

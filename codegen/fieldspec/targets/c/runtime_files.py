@@ -25,6 +25,7 @@ from fieldspec.targets.c.literals import hexadecimal
 from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.number_access import access_functions, access_name
+from fieldspec.targets.c.subcodes import all_subcodes
 from fieldspec.targets.c.values import WireValue
 from fieldspec.targets.pieces import piece
 from fieldspec.targets.templates import text
@@ -144,17 +145,17 @@ def _accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
     for link in layout.links.values():
         for frame in (link.request, link.response):
             used |= {access_name(part.size, part.order, False) for part in frame.parts if not part.form}
-            subcodes = link.subcodes(frame.direction) if frame.role("code") is not None else {}
-            used |= {access_name(subcode.size, subcode.order, False) for subcode in subcodes.values()}
         used |= {access_name(4, "big", False)} if link.link.is_can else set()  # that of the identifier
-    return used
+    return used | {access_name(subcode.size, subcode.order, False) for subcode in all_subcodes(layout)}
 
 
 def _odd_accesses(layout: DeviceLayout, wires: Iterable[WireValue]) -> set[str]:
     """The functions that load and store numbers of odd sizes or in BCD."""
     odd = (wire for wire in wires if is_odd(wire.encoding) or wire.value.digits in NIBBLES)
     parts = (part for part in _parts_of_frames(layout) if part.value is not None and is_odd(part.value.encoding))
-    return {wire.access for wire in odd} | {access_name(part.size, part.order, False) for part in parts}
+    used = {wire.access for wire in odd} | {access_name(part.size, part.order, False) for part in parts}
+    subcodes = (subcode for subcode in all_subcodes(layout) if 8 * subcode.size not in MACHINE_BITS)
+    return used | {access_name(subcode.size, subcode.order, False) for subcode in subcodes}
 
 
 def package_text(naming: Naming, codec: Codec) -> Source:

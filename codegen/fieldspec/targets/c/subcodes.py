@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
@@ -32,6 +32,7 @@ from fieldspec.targets.c.expressions import (
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.number_access import access_name
+from fieldspec.targets.c.parts import number_type
 from fieldspec.targets.c.statements import If, Return, Statement, Variable, assign
 from fieldspec.targets.c.values import refuse
 
@@ -39,6 +40,18 @@ from fieldspec.targets.c.values import refuse
 def shared_codes(link: LinkLayout, direction: str) -> dict[int, Subcode]:
     """The subcodes of messages that share a code, by this code."""
     return link.subcodes(direction) if link.frame(direction).role("code") is not None else {}
+
+
+def all_subcodes(layout: DeviceLayout) -> list[Subcode]:
+    """The subcodes of all frames."""
+    links = layout.links.values()
+    by_code = [shared_codes(link, direction) for link in links for direction in ("request", "response")]
+    return [subcode for subcodes in by_code for subcode in subcodes.values()]
+
+
+def subcode_type(subcodes: Iterable[Subcode]) -> Type:
+    """The type of the member that has the subcodes of a frame."""
+    return number_type(max((subcode.size for subcode in subcodes), default=0))
 
 
 def read_subcode(naming: Naming, frame: FrameLayout, code: int, subcode: Subcode, guard: list[Expression]) -> Statement:
@@ -87,7 +100,7 @@ def subcodes_of(layout: DeviceLayout, message: MessageLayout) -> tuple[tuple[int
     return numbers.pop() if len(numbers) == 1 else ()
 
 
-def has_subcode(naming: Naming, message: str, intervals: Sequence[tuple[int, int]]) -> Function:
+def has_subcode(naming: Naming, layout: DeviceLayout, message: str, intervals: Sequence[tuple[int, int]]) -> Function:
     """Whether an opened frame with the code of several messages is one of this message.
 
     `bool message_next_has_subcode(uint32_t subcode) { return subcode == 0x60u || subcode == 0x70u; }`
@@ -100,4 +113,5 @@ def has_subcode(naming: Naming, message: str, intervals: Sequence[tuple[int, int
         interval_test = Group(interval_test) if len(intervals) > 1 and low else interval_test
         tests.append(equal(number, unsigned(low)) if low == high else interval_test)
     name = naming.function("message", message, "has_subcode")
-    return Function(Type("bool"), name, (Variable(Type("uint32_t"), "subcode"),), (Return(any_of(tests)),))
+    kind = subcode_type(all_subcodes(layout))
+    return Function(Type("bool"), name, (Variable(kind, "subcode"),), (Return(any_of(tests)),))

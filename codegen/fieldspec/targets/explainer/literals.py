@@ -20,7 +20,7 @@ class Code(str):
 
 Data: TypeAlias = "bool | int | float | str | Sequence[Data] | Mapping[str, Data] | None"
 
-_EXACT = 2**53
+EXACT = 2**53 - 1
 """Whole numbers up to this one are exact as numbers of JavaScript; all others are bigints."""
 
 
@@ -34,7 +34,7 @@ def literal(data: Data) -> str:
         return f"{{{', '.join(f'{_key(key)}: {literal(value)}' for key, value in data.items())}}}"
     if isinstance(data, Sequence):
         return f"[{', '.join(map(literal, data))}]"
-    if isinstance(data, int) and not isinstance(data, bool) and abs(data) > _EXACT:
+    if isinstance(data, int) and not isinstance(data, bool) and abs(data) > EXACT:
         return f"{data}n"
     return json.dumps(data)
 

@@ -10,9 +10,10 @@ from fieldspec.codec.layout.frame_extents import BY_COUNT, DELIMITED, OPEN, Fram
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.codec.layout.subcodes import Subcode
 from fieldspec.language.model.link import LARGEST_SET
 from fieldspec.targets.js.declaration import Names
-from fieldspec.targets.js.text import flag, literal, object_of, pairs_literal
+from fieldspec.targets.js.text import code_literal, flag, literal, object_of, pairs_literal
 from fieldspec.targets.js.values import sign_literal
 from fieldspec.targets.runtime_values import is_wide
 
@@ -69,10 +70,10 @@ def framer(
         return f"endFramer({{ {', '.join(rows)} }})"
     if code is None:
         return None
-    rows += [f"code: {_part_number(code)}", f"extents: {_table(extents.by_code)}"]
+    rows += [f"code: {_part_number(code, is_wide_part(code))}", f"extents: {_table(extents.by_code)}"]
     rows += [f"subcodes: {_subcodes(extents, frame)}"] if extents.by_subcode else []
     if extents.refusal is not None and refusal is not None:
-        rows += [f"flag: {refusal.flag}", f"refusal: {_extent_row(extents.refusal)}"]
+        rows += [f"flag: {code_literal(refusal.flag)}", f"refusal: {_extent_row(extents.refusal)}"]
     else:
         rows += ["flag: 0", "refusal: undefined"]
     return f"codeFramer({{ {', '.join(rows)} }})"
@@ -80,19 +81,23 @@ def framer(
 
 def _table(extents: Mapping[int, FrameExtent]) -> str:
     """A JavaScript object with the extents of frames by their keys."""
-    return (
-        f"{{ __proto__: null, {', '.join(f'{number}: {_extent_row(extent)}' for number, extent in extents.items())} }}"
-    )
+    rows = (f"{code_literal(number)}: {_extent_row(extent)}" for number, extent in extents.items())
+    return f"{{ __proto__: null, {', '.join(rows)} }}"
 
 
 def _subcodes(extents: FrameExtents, frame: FrameLayout) -> str:
     """An object of what tells messages apart, and of their extents."""
     members = ", ".join(
-        f"{code}: {{ offset: {frame.header_size + shared.offset}, size: {shared.size}, order: {literal(shared.order)},"
-        f" signed: false, extents: {_table(own)} }}"
+        f"{code_literal(code)}: {{ {subcode_place(shared, frame.header_size)}, extents: {_table(own)} }}"
         for code, (shared, own) in extents.by_subcode.items()
     )
     return f"{{ __proto__: null, {members} }}"
+
+
+def subcode_place(subcode: Subcode, header_size: int = 0) -> str:
+    """The properties of a subcode that say where it is, after a header, and how to read it."""
+    place = f"offset: {header_size + subcode.offset}, size: {subcode.size}, order: {literal(subcode.order)}"
+    return f"{place}, signed: false{', wide: true' * (subcode.size > WIDE)}"
 
 
 def _extent_row(extent: FrameExtent) -> str:

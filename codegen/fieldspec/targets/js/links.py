@@ -12,16 +12,30 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.checksums import algorithm_name, checksum_named
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.ranges import Ranges
+from fieldspec.language.model.record import Message
 from fieldspec.targets.explainer.codecs import constant_name
+from fieldspec.targets.explainer.literals import EXACT
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.framing import framer, is_wide_part
+from fieldspec.targets.js.framing import framer, is_wide_part, subcode_place
 from fieldspec.targets.js.naming import property_scope
-from fieldspec.targets.js.text import PURE, comment, flag, integer_literal, literal, object_of, pairs_literal
+from fieldspec.targets.js.text import (
+    PURE,
+    code_literal,
+    comment,
+    flag,
+    integer_literal,
+    literal,
+    object_of,
+    pairs_literal,
+)
 from fieldspec.targets.js.values import sign_literal
 
 SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
 """The functions of `checksums.js` by the names of the algorithms that have one of their own."""
+
+
+_CODES = "number | bigint"
 
 
 def carries(link: LinkLayout, message: MessageLayout) -> bool:
@@ -39,19 +53,25 @@ def declare_message(message: MessageLayout, names: Names) -> Declaration:
     response = names.records[message.response.name] if own.is_answered else "null"
     number = f", {own.number}" if own.number is not None else ""
     request_code, response_code = own.code_of("request"), own.code_of("response")
-    if own.has_response_code:
-        number = f"{number or ', undefined'}, 0x{response_code:02X}"
-    code = "null" if request_code is None else f"0x{request_code:02X}"
+    if response_code is not None and own.has_response_code:
+        number = f"{number or ', undefined'}, {code_literal(response_code, 2)}"
+    code = "null" if request_code is None else code_literal(request_code, 2)
     arguments = f"{literal(message.name)}, {code}, {request}, {response}{number}"
+    codes = f", {_CODES}" if _has_wide_codes(own) else ""
     request_type, response_type = (data if data != "null" else "never" for data in (request, response))
     return Declaration(
         [f"export const {name} = /* @__PURE__ */ message({arguments});", ""],
         [
             *comment(described(own.title or Name.of(message.name).title(), own)),
-            f"export declare const {name}: Message<{literal(message.name)}, {request_type}, {response_type}>;",
+            f"export declare const {name}: Message<{literal(message.name)}, {request_type}, {response_type}{codes}>;",
             "",
         ],
     )
+
+
+def _has_wide_codes(message: Message) -> bool:
+    """Whether a number does not have a code of a message exactly."""
+    return max(message.code or 0, message.response_code or 0) > EXACT
 
 
 def declare_link(link: LinkLayout, names: Names) -> Declaration:
@@ -103,7 +123,10 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"
     messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"
-    arguments = [messages, record, *(["bigint"] if wide else [])]
+    has_wide_codes = any(_has_wide_codes(message.message) for message in carried)
+    has_wide_codes |= exception is not None and (exception.code or 0) > EXACT
+    kinds = ["bigint" if wide else "number", _CODES if has_wide_codes else "number"]
+    arguments = [messages, record, *(kinds if has_wide_codes else kinds[:1] if wide else [])]
     types = [
         *comment(described(link.link.title or Name.of(link.name).title(), link.link)),
         f"export declare const {name}: Link<{', '.join([*headers.values(), *arguments])}>;",
@@ -129,22 +152,25 @@ def _subcodes(link: LinkLayout, names: Names) -> str:
     for direction in ("request", "response"):
         rows = []
         for code, shared in link.subcodes(direction).items() if link.frame(direction).role("code") is not None else ():
-            members = ", ".join(f"[{number}, {names.messages[own.name]}]" for number, own in shared.messages.items())
-            place = f"offset: {shared.offset}, size: {shared.size}, order: {literal(shared.order)}, signed: false"
-            rows.append(f"[{code}, {{ {place}, messages: {PURE} new Map([{members}]) }}]")
+            members = ", ".join(
+                f"[{code_literal(number)}, {names.messages[own.name]}]" for number, own in shared.messages.items()
+            )
+            rows.append(f"[{code_literal(code)}, {{ {subcode_place(shared)}, messages: {PURE} new Map([{members}]) }}]")
         for code, messages in link.ambiguous_codes(direction).items():
-            rows.append(f"[{code}, {{ answers: [{', '.join(names.messages[own.name] for own in messages)}] }}]")
+            rows.append(
+                f"[{code_literal(code)}, {{ answers: [{', '.join(names.messages[own.name] for own in messages)}] }}]"
+            )
         directions.append(f"{direction}: {PURE} new Map([{', '.join(rows)}])" if rows else "")
     return f"{{ {', '.join(filter(None, directions))} }}" if any(directions) else ""
 
 
 def _exception(link: LinkLayout, exception: ExceptionResponse, names: Names) -> str:
     """The mark of exception responses and their record."""
-    row = {"flag": str(exception.flag), "record": names.records[exception.record]}
+    row = {"flag": code_literal(exception.flag), "record": names.records[exception.record]}
     if link.mark is not None:
         row["mark"] = f"{{ offset: {link.mark.offset}, bytes: {list(link.mark.pattern)} }}"
     if exception.code is not None:
-        row["code"] = str(exception.code)
+        row["code"] = code_literal(exception.code)
     part = next((part for part in link.response.header if part.name == exception.part), None)
     if part is not None and part.value is not None:
         row["part"] = literal(part.name)
@@ -179,7 +205,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
     parts = frame.header if place == "header" else frame.trailer
     lines = [f"    {place}: ["]
     for part, key in zip(parts, argument_keys(parts), strict=True):
-        wide = is_wide_part(part) and part.role not in ("length", "code", "checksum")
+        wide = is_wide_part(part) and part.role not in ("length", "checksum")
         low, high = (part.value.low, part.value.high) if part.value else (0, (1 << 8 * part.size) - 1)
         row = {
             "name": literal(part.name),

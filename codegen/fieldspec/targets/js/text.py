@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.language.model.enums import Bit
+from fieldspec.targets.explainer.literals import EXACT
 from fieldspec.targets.pieces import piece
 
 WIDTH = 110
@@ -73,6 +74,11 @@ def runs_of(bit: Bit) -> str:
 def integer_literal(number: int, wide: bool) -> str:
     """The literal of an integer: a bigint where its type is `wide`, since other numbers of that size are inexact."""
     return f"{number}n" if wide else str(number)
+
+
+def code_literal(number: int, digits: int = 0) -> str:
+    """The literal of a code or a subcode, in hexadecimal with `digits`: a bigint only where a number is inexact."""
+    return (f"0x{number:0{digits}X}" if digits else str(number)) + "n" * (number > EXACT)
 
 
 def pairs_literal(intervals: Iterable[tuple[int, int]], wide: bool) -> str:

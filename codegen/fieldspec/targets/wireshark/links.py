@@ -14,7 +14,7 @@ from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.preamble import Preamble
 from fieldspec.targets.wireshark.filters import Filters, description, title_of
 from fieldspec.targets.wireshark.text import Data, line_text
-from fieldspec.targets.wireshark.values import bound, errata_data, intervals, is_wide, value_data
+from fieldspec.targets.wireshark.values import bound, code_data, errata_data, intervals, is_wide, value_data
 
 LONGEST = 0xFFFF
 """The bytes of a body that nothing bounds."""
@@ -59,8 +59,8 @@ def _exception(link: LinkLayout, exception: ExceptionResponse) -> dict[str, Data
     marks = next((part for part in link.response.header if part.name == exception.part), None)
     return {
         **({"mark": {"offset": mark.offset, "bytes": mark.pattern}} if mark is not None else {}),
-        "flag": exception.flag,
-        "code": exception.code,
+        "flag": code_data(exception.flag),
+        "code": code_data(exception.code),
         "part": exception.part or None,
         "normal": intervals(exception.normal, is_wide(marks.value if marks is not None else None)),
         "record": exception.record,
@@ -81,7 +81,7 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
         "stop": frame.end,
         "messages": [name for name, message in link.carried(direction).items() if message.message.code is not None],
         "subcodes": [_subcode(code, subcode) for code, subcode in link.subcodes(direction).items()],
-        **({"ambiguous": list(ambiguous)} if (ambiguous := link.ambiguous_codes(direction)) else {}),
+        **({"ambiguous": list(map(code_data, ambiguous))} if (ambiguous := link.ambiguous_codes(direction)) else {}),
         "parts": [_part(filters, layout, link, direction, part) for part in frame.parts],
         "header": frame.header_size,
         "trailer": frame.trailer_size,
@@ -100,9 +100,11 @@ def _preamble(preamble: Preamble | None) -> dict[str, Data] | None:
 
 def _subcode(code: int, subcode: Subcode) -> dict[str, Data]:
     """The subcode of messages that share a code, as data of the dissector."""
-    messages: list[Data] = [{"number": number, "name": message.name} for number, message in subcode.messages.items()]
+    messages: list[Data] = [
+        {"number": code_data(number), "name": message.name} for number, message in subcode.messages.items()
+    ]
     place: dict[str, Data] = {"offset": subcode.offset, "size": subcode.size, "order": subcode.order}
-    return {"code": code, **place, "messages": messages}
+    return {"code": code_data(code), **place, "messages": messages}
 
 
 def _tells_length(frame: FrameLayout) -> bool:

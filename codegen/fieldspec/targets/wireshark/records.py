@@ -12,7 +12,7 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.value import Value
 from fieldspec.targets.wireshark.filters import Filters, description, title_of
 from fieldspec.targets.wireshark.text import Data, line_text
-from fieldspec.targets.wireshark.values import errata_data, value_data
+from fieldspec.targets.wireshark.values import code_data, errata_data, value_data
 
 DIRECTIONS = ("request", "response")
 
@@ -133,8 +133,8 @@ def message_data(layout: DeviceLayout, message: MessageLayout, is_decoded: bool 
     data: dict[str, Data] = {
         "name": message.name,
         "title": line_text(own.title) or Name.of(message.name).title(),
-        "code": own.code,
-        "response_code": own.code_of("response"),
+        "code": code_data(own.code),
+        "response_code": code_data(own.code_of("response")),
         **({} if own.is_requested else {"is_unrequested": True}),
         "errata": list(errata_of_message(layout.device, own)) or None,
         **{direction: record_key(message, direction) for direction in DIRECTIONS},

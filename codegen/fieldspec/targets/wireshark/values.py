@@ -93,6 +93,11 @@ def bound(number: int, wide: bool) -> int | str:
     return f"{number & (1 << 64) - 1:016x}" if wide else number
 
 
+def code_data(code: int | None) -> int | str | None:
+    """A code or a subcode; one of more than six bytes as a text, whatever part it is sent in."""
+    return None if code is None else bound(code, code >> runtime_values.WIDEST_DOUBLE > 0)
+
+
 def intervals(ranges: Ranges | None, wide: bool = False) -> Data:
     """Ranges as pairs; None where there are none."""
     return None if ranges is None else [[bound(low, wide), bound(high, wide)] for low, high in ranges.intervals]

@@ -12,6 +12,7 @@ from fieldspec.language.model.encoding import Sign
 
 Bytes: TypeAlias = npt.NDArray[np.uint8]
 Numbers: TypeAlias = npt.NDArray[np.int64]
+Codes: TypeAlias = npt.NDArray[np.uint64]
 Mask: TypeAlias = npt.NDArray[np.bool_]
 Texts: TypeAlias = npt.NDArray[np.int32]
 """Places in a list of texts; -1 means that there is no text."""
@@ -42,6 +43,11 @@ def number_at(
             return np.where(bits >> highest & 1, -magnitude, magnitude)
         case _:
             assert_never(sign)
+
+
+def code_at(buffer: Bytes, offsets: Numbers, size: int, order: str) -> Codes:
+    """The unsigned numbers of `size` bytes at some places, as in `number_at`."""
+    return number_at(buffer, offsets, size, order).view(np.uint64)
 
 
 def _complement_at(

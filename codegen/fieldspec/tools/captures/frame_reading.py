@@ -16,7 +16,7 @@ from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.tools.captures.bodies import BodyReader, FieldRows, blame
 from fieldspec.tools.captures.checksums import are_right
-from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, numbers, runs
+from fieldspec.tools.captures.columns import Bytes, Codes, Mask, Numbers, code_at, numbers, runs
 from fieldspec.tools.captures.decoders import Decoders
 from fieldspec.tools.captures.meanings import is_in
 from fieldspec.tools.captures.part_numbers import lacks_digits, part_numbers
@@ -51,7 +51,7 @@ class ReadFrames:
     Their parts are `length` bytes from `at` on in `buffer`, which differs from the buffer of the capture where the
     link encodes or escapes them; `sent` are the parts before escapes are undone. `message` is a place in the messages
     of the link, NONE for none; `body` and `body_size` are the bytes between header and trailer. `fields` are the
-    values of messages without registers.
+    values of messages without registers. `code` is a place among the codes of requests.
     """
 
     buffer: Bytes
@@ -163,7 +163,7 @@ class FrameReader:
             measured = length if part.before_escape else frames.sent.length
             blame(verdict, number * part.unit_size + part.base != measured, WRONG_LENGTH)
         elif part.role == "code":
-            self._code(frames, number, request_messages, judges_body)
+            self._code(frames, number.view(np.uint64), request_messages, judges_body)
         elif part.role == "unit_address":
             frames.unit_address[:] = np.where(short, NONE, number)
         elif part.constant is not None or part.value.enum or part.value.flags or not part.part.same_as:
@@ -187,13 +187,13 @@ class FrameReader:
         if part.constant is None and has_meaning:
             frames.fields.append(FieldRows(rows, part.name, part.value.unit, values))
 
-    def _code(self, frames: ReadFrames, code: Numbers, request_messages: Numbers | None, judges_body: bool) -> None:
+    def _code(self, frames: ReadFrames, code: Codes, request_messages: Numbers | None, judges_body: bool) -> None:
         """The message of each frame by its code, and by its subcode or its request where several messages have it."""
         refusal = self.link.link.exception_response
         if refusal is not None and self.direction == "response":
             frames.is_refused[:] = self._refused(frames, code, refusal)
-            code = np.where(frames.is_refused, code & ~refusal.flag, code)
-        frames.code[:] = code & ~self._remote if self.direction == "request" else self._answered_code(code)
+            code = np.where(frames.is_refused, code & ~np.uint64(refusal.flag), code)
+        frames.code[:] = self._request_codes(code & ~np.uint64(self._remote))
         if refusal is not None and refusal.code is not None:
             frames.code[frames.is_refused] = NONE  # it answers any request
         places = {message.name: place for place, message in enumerate(self.messages)}
@@ -217,28 +217,31 @@ class FrameReader:
                     frames.message[rows] = np.where(np.isin(request_messages[rows], own), request_messages[rows], NONE)
         blame(frames.verdict, (frames.message == NONE) & ~frames.is_refused & ~is_open, UNKNOWN_CODE)
 
-    def _answered_code(self, code: Numbers) -> Numbers:
-        """The codes of the requests that responses with some codes answer; NONE where they may answer several."""
-        if not self.link.has_response_codes:
-            return code
-        request_codes: Numbers = code.copy()
-        own = [message.message for message in self.link.messages.values()]
-        for number in self.link.codes("response"):
-            codes = {m.code for m in own if m.code is not None and m.code_of("response") == number}
-            request_codes[code == number] = codes.pop() if len(codes) == 1 else NONE
-        return request_codes
+    def _request_codes(self, code: Codes) -> Numbers:
+        """The place of the code of each request, or of the request of each response; NONE for several requests."""
+        places = np.full(len(code), NONE - 1)  # codes that no message has answer nothing
+        own = [message.message for message in self.messages if message.message.code is not None]
+        codes = list(dict.fromkeys(message.code for message in own))
+        requests: dict[int | None, set[int]] = {}
+        for message in own:
+            number = message.code if self.direction == "request" else message.code_of("response")
+            requests.setdefault(number, set()).add(codes.index(message.code))
+        for number, indexes in requests.items():
+            places[code == number] = indexes.pop() if len(indexes) == 1 else NONE
+        return places
 
-    def _refused(self, frames: ReadFrames, code: Numbers, refusal: ExceptionResponse) -> Mask:
+    def _refused(self, frames: ReadFrames, code: Codes, refusal: ExceptionResponse) -> Mask:
         """A mask of the frames that are exception responses."""
         if refusal.part:
             part = next(part for part in self.shape.header if part.name == refusal.part)
             number = part_numbers(part, frames.buffer, frames.at + part.offset)
             return np.zeros(len(code), np.bool_) if refusal.normal is None else ~is_in(number, refusal.normal.intervals)
-        return np.not_equal(code & refusal.flag, 0) if refusal.code is None else np.equal(code, refusal.code)
+        expected, mask = (refusal.flag, refusal.flag) if refusal.code is None else (refusal.code, 2**64 - 1)
+        return np.isin(code & np.uint64(mask), [expected])
 
     def _by_subcode(self, frames: ReadFrames, rows: Numbers, shared: Subcode, places: dict[str, int]) -> None:
         """The messages of frames with one code. Bodies too short for a subcode count as bodies of the first message."""
-        number = number_at(frames.buffer, frames.body[rows] + shared.offset, shared.size, shared.order)
+        number = code_at(frames.buffer, frames.body[rows] + shared.offset, shared.size, shared.order)
         short = frames.body_size[rows] < shared.end
         for key, message in shared.messages.items():
             frames.message[rows[~short & (number == key)]] = places[message.name]
@@ -267,10 +270,10 @@ class FrameReader:
         if refusal is None or self.direction == "request":
             return
         if mark is None:
-            frames.is_refused[:] = self._refused(frames, frames.code, refusal)
+            frames.is_refused[:] = self._refused(frames, frames.code.view(np.uint64), refusal)
         else:
             rows = np.flatnonzero(frames.body_size >= mark.end)
-            number = number_at(frames.buffer, frames.body[rows] + mark.offset, mark.size, mark.order)
+            number = code_at(frames.buffer, frames.body[rows] + mark.offset, mark.size, mark.order)
             frames.is_refused[rows] = number == mark.number
 
     def _read_bodies(self, frames: ReadFrames) -> None:

@@ -8,6 +8,7 @@ import { CodecError } from "../error.js";
 import { accessedSpan, registerRows } from "./registers.js";
 import { ExplainedBody } from "./body.js";
 import { digitsNumber } from "../digit_texts.js";
+import { exactWhole, onBits } from "../number_bits.js";
 import { isWhole } from "./numbers.js";
 
 const NOTHING = new Map();
@@ -212,7 +213,7 @@ class ExplainedFrame {
 
   /** The message that a code names. An exception response marks the code. */
   codeValue(part, read) {
-    let code = Number(read.number);
+    let code = exactWhole(read.number);
     if (this.shape.escape?.remote !== undefined) {
       read = { ...read, number: code % 2 ** 30 };
       this.values.set(part.name, read.number);
@@ -221,7 +222,7 @@ class ExplainedFrame {
     const { exception } = link;
     if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
       this.error = true;
-      code = (code & ~exception.flag) >>> 0;
+      code = onBits(code, exception.flag, (bits, mask) => bits & ~mask);
       this.values.set(part.name, code);
       if (exception.code !== undefined) return this.refusingCode(read);
     }

@@ -218,7 +218,7 @@ function mismatchesOf(device, request, response) {
     if (role === "code" && response.error && link.exception?.code !== undefined) continue;
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
-      if (isWhole(have ?? "") && have !== responseCode) {
+      if (isWhole(have ?? "") && have != responseCode) {
         const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
         texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
       }

@@ -1,3 +1,4 @@
+import { exactWhole, onBits } from "../number_bits.js";
 import { inOrder, unsignedOf } from "./interpreter.js";
 import { bytesOfHex } from "./texts.js";
 
@@ -140,7 +141,7 @@ export function messageWithCode(link, direction, code, data, asked) {
   if (!shared || !data) return undefined;
   // Data that are too short count as those of the first message.
   if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
-  return shared.named.get(Number(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
+  return shared.named.get(exactWhole(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
 }
 
 /**
@@ -161,7 +162,7 @@ export function partNumberText({ size, value, numberSize = size }, number) {
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
 export function isException({ code: own, flag, part, normal }, code, number) {
   if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
-  return own === undefined ? Boolean(code & flag) : code === own;
+  return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
 }
 
 /** The member of an enum with a value. */

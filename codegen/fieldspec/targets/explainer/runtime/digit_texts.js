@@ -1,3 +1,5 @@
+import { exactWhole } from "./number_bits.js";
+
 const DIGIT_PATTERNS = { decimal: /^[0-9]+$/, upper_hex: /^[0-9A-F]+$/, lower_hex: /^[0-9a-f]+$/, bcd: /^[0-9]+$/, packed_decimal: /^[0-9]+$/ };
 const LAST_NIBBLES = { true: { c: 1n, d: -1n }, false: { f: 1n } };
 
@@ -24,21 +26,18 @@ export function digitsNumber(value, bytes) {
   }
   if (!DIGIT_PATTERNS[value.digits].test(text)) return undefined;
   const whole = BigInt(isHexadecimal(value) ? `0x${value.isLowFirst ? turned(text) : text}` : text);
-  return sized(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
+  return exactWhole(value.bits ? BigInt.asIntN(value.bits, whole) : sign === "-" ? -whole : whole);
 }
 
 /** What a codec has read, without the sign of a zero; undefined for what is no number of it. */
 const numberOfCodec = ({ low, high }, number) => (Number.isInteger(number) && low <= number && number <= high ? number + 0 : undefined);
-
-/** A number that a double has exactly as a number, any other as it is. */
-const sized = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
 
 /** The number of decimal digits, of which the first or the last one may be a sign; undefined for anything else. */
 function numberOfNibbles({ digits, signed }, text) {
   let [rest, sign] = [text, 1n];
   if (digits === "packed_decimal") [rest, sign] = [text.slice(0, -1), LAST_NIBBLES[Boolean(signed)][text.at(-1)]];
   else if (signed && text[0] === "f") [rest, sign] = [text.slice(1), -1n];
-  return sign !== undefined && DIGIT_PATTERNS.bcd.test(rest) ? sized(sign * BigInt(rest)) : undefined;
+  return sign !== undefined && DIGIT_PATTERNS.bcd.test(rest) ? exactWhole(sign * BigInt(rest)) : undefined;
 }
 
 function nibblesOf({ digits, size, signed }, whole) {
@@ -52,7 +51,7 @@ function numberBehindBlanks({ places = 0, signed }, text) {
   const [, sign, whole, fraction = ""] = /^ *(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?$/.exec(text) ?? [];
   if (whole === undefined || fraction.length !== places || (sign && !signed)) return undefined;
   const number = BigInt(whole + fraction);
-  return sized(sign ? -number : number);
+  return exactWhole(sign ? -number : number);
 }
 
 /** The bytes of the digits of a number, the most significant digit first. */

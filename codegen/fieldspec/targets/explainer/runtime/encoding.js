@@ -1,6 +1,6 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
-import { exceedsReal, realBits } from "../number_bits.js";
+import { exceedsReal, onBits, realBits } from "../number_bits.js";
 import { isPresent, sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
@@ -222,7 +222,7 @@ function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
   const code = codeIn(direction, message);
-  if (part.role === "code") return error ? link.exception.code ?? ((code | link.exception.flag) >>> 0) : code;
+  if (part.role === "code") return error ? link.exception.code ?? onBits(code, link.exception.flag, (bits, mask) => bits | mask) : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
   const addresses = part.role === "unit_address" ? link.addresses : undefined;

@@ -1,7 +1,8 @@
 import { begins, find } from "./escapes.js";
 import { withoutDelimiters } from "./delimiters.js";
 import { originalParts, wrongParts } from "./link.js";
-import { readPart } from "./parts.js";
+import { onBits } from "./number_bits.js";
+import { readCode, readPart } from "./parts.js";
 
 /**
  * Finds the frames of one direction in a stream of bytes that arrives in pieces of any size. It keeps at most the bytes
@@ -145,13 +146,14 @@ export function codeFramer(shape) {
   return new Framer(shape, (bytes, from) => {
     if (!begins(bytes, from, start)) return 0;
     const at = from + start.length;
-    const number = readPart(bytes, at + code.offset, code);
-    let extent = number & flag ? refusal : extents[number];
+    const number = readCode(bytes, at + code.offset, code);
+    if (Number.isNaN(number)) return 0;
+    let extent = onBits(number, flag, (bits, mask) => bits & mask) ? refusal : extents[number];
     const shared = extent === undefined ? subcodes?.[number] : undefined;
     if (shared !== undefined) {
       const needed = at + shared.offset + shared.size;
       if (needed > bytes.length) return foreign(shape, bytes, at) ? 0 : needed - from;
-      extent = shared.extents[readPart(bytes, at + shared.offset, shared)];
+      extent = shared.extents[readCode(bytes, at + shared.offset, shared)];
     }
     if (extent === undefined || foreign(shape, bytes, at)) return 0;
     if (extent.size === -2) {

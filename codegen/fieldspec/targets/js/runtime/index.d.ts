@@ -104,12 +104,12 @@ export interface RecordCodec<T, U = object, A = object> {
   encode(value: T): Uint8Array;
 }
 
-/** A message; `code` is null where frames do not carry one. */
-export interface Message<N extends string, Q, R> {
+/** A message; `code` is null where frames do not carry one, and a bigint only where a number does not have it exactly. */
+export interface Message<N extends string, Q, R, C = number> {
   readonly name: N;
-  readonly code: number | null;
+  readonly code: C | null;
   /** The code of the response: that of the request where the manual states no other. */
-  readonly responseCode: number | null;
+  readonly responseCode: C | null;
   readonly number: number | null;
   /** Null if only the device sends the message. */
   readonly request: [Q] extends [never] ? null : RecordCodec<Q>;
@@ -118,14 +118,14 @@ export interface Message<N extends string, Q, R> {
 }
 
 /** A message with the data of a request. */
-export type RequestOf<M> = M extends Message<string, infer Q, unknown> ? { readonly message: M; readonly data: Q } : never;
+export type RequestOf<M> = M extends Message<string, infer Q, unknown, unknown> ? { readonly message: M; readonly data: Q } : never;
 
 type DataOf<M, D extends "request" | "response"> =
-  M extends Message<string, infer Q, infer R> ? (D extends "request" ? Q : R) : never;
+  M extends Message<string, infer Q, infer R, unknown> ? (D extends "request" ? Q : R) : never;
 
 /** What a frame of one direction says: `name` is that of its message, and tells the type of `data`. */
 export type FrameOf<M, D extends "request" | "response", H> =
-  M extends Message<infer N, unknown, unknown>
+  M extends Message<infer N, unknown, unknown, unknown>
     ? { readonly kind: D; readonly name: N; readonly header: H; readonly message: M; readonly data: DataOf<M, D> }
     : never;
 
@@ -133,26 +133,26 @@ export type FrameOf<M, D extends "request" | "response", H> =
  * What an exception response says: why, and its `code`. This is that of the usual response, which is that of the request
  * unless a message has another one; or that of all exception responses.
  */
-export interface ExceptionFrame<M, H, E> {
+export interface ExceptionFrame<M, H, E, C = number> {
   readonly kind: "exception";
   readonly name: string | null;
   readonly header: H;
   readonly message: M | null;
-  readonly code: number;
+  readonly code: C;
   readonly data: E;
 }
 
-/** A link: its header in requests `Q` and in responses `R`, its messages `M`, the data of an exception response `E`, and its unit addresses `A`. */
-export interface Link<Q, R, M, E, A = number> {
+/** A link: its header in requests `Q` and in responses `R`, its messages `M`, the data of an exception response `E`, its unit addresses `A`, and its codes `C`. */
+export interface Link<Q, R, M, E, A = number, C = number> {
   readonly name: string;
   readonly messages: readonly M[];
   readonly unitAddresses: { readonly ranges: readonly (readonly [A, A])[] | null; readonly broadcast: A | null } | null;
   encodeRequest<K extends M>(header: Q, message: K, data: DataOf<K, "request">): Uint8Array;
   encodeResponse<K extends M>(header: R, message: K, data: DataOf<K, "response">): Uint8Array;
   /** The exception response in place of the usual response with a code; null where frames carry none. Throws CodecError. */
-  encodeExceptionResponse(header: R, code: number | null, data: E): Uint8Array;
+  encodeExceptionResponse(header: R, code: C | null, data: E): Uint8Array;
   decodeRequest<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "request", Q>;
-  decodeResponse<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "response", R> | ([E] extends [never] ? never : ExceptionFrame<M, R, E>);
+  decodeResponse<K extends M = M>(frame: Uint8Array, message?: K): FrameOf<K, "response", R> | ([E] extends [never] ? never : ExceptionFrame<M, R, E, C>);
 }
 
 /** Finds frames in a stream of bytes that arrives in pieces of any size. */

@@ -7,6 +7,11 @@ local function part_number(part, bytes)
     return #own == part.size and part.value and numbers.of(own, part.value) or nil
 end
 
+local function code_in(part, bytes)
+    local own = bytes:sub(part.offset + 1, part.offset + part.size)
+    return #own == part.size and numbers.code(own, part.value) or nil
+end
+
 local function with_role(shape, role)
     for _, part in ipairs(shape.parts) do
         if part.role == role then
@@ -77,7 +82,7 @@ local function message_with(shape, code, body, asked)
     if #own < subcode.size then
         return nil
     end
-    return subcode.by_number[numbers.unsigned(subcode.order == "little" and own:reverse() or own)]
+    return subcode.by_number[numbers.code(own, subcode)]
 end
 
 -- Whether parts with a code are an exception response: by a bit in the code, by the code, or by another part.
@@ -100,7 +105,7 @@ local function is_marked(link, direction, code, parts)
     if exception.code then
         return code == exception.code
     end
-    return numbers.band(code, exception.flag) ~= 0
+    return numbers.without(code, exception.flag) ~= code
 end
 
 -- Whether a response without a code is an exception response: by another part, or by bytes in its data.
@@ -123,7 +128,7 @@ function frames.message_of(link, direction, code, parts, body, asked, message)
             -- All exception responses have this code; only the request tells which message they answer.
             return asked and asked.message, true
         end
-        code = code - numbers.band(code, link.exception.flag)
+        code = numbers.without(code, link.exception.flag)
         if link.refused_by_code[code] == false then
             -- An exception response carries no subcode; only the request tells which message it answers.
             return asked and asked.message and asked.message.response_code == code and asked.message or nil, true, code
@@ -206,7 +211,7 @@ local function own_length(link, direction, bytes, asked, message)
         return nil, true
     end
     local code = with_role(shape, "code")
-    local number = code and part_number(code, parts)
+    local number = code and code_in(code, parts)
     local rest = parts:sub(shape.header + 1)
     local subcode = shape.shared[number]
     if subcode and not is_marked(link, direction, number, parts) and #rest < subcode.offset + subcode.size then
@@ -247,7 +252,7 @@ function frames.fits(link, direction, bytes, asked, message)
         elseif part.role == "length" and numbers.of(own, part.value) * part.unit_size + part.base ~= #parts then
             return false
         elseif part.role == "code" then
-            code = numbers.of(own, part.value)
+            code = numbers.code(own, part.value)
         elseif part.constant and not part.reserved then
             if numbers.of(own, part.value) ~= numbers.bound(part.constant, part.value) then
                 return false

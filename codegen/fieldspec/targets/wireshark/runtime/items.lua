@@ -48,12 +48,12 @@ local function show_part(context, part, at)
     end
     context.values[part.name] = number
     if part.role == "code" then
-        local shape = link[context.direction]
+        local shape, code = link[context.direction], numbers.code(bytes, part.value)
         local body = context.bytes:sub(shape.header + 1, math.max(shape.header, #context.bytes - shape.trailer))
         context.message, context.is_refusal =
-            frames.message_of(link, context.direction, number, context.bytes, body, context.open)
+            frames.message_of(link, context.direction, code, context.bytes, body, context.open)
         if context.is_refusal then
-            context.values[part.name] = number - numbers.band(number, link.exception.flag)
+            context.values[part.name] = numbers.bound(numbers.without(code, link.exception.flag), part.value)
         end
         if context.message then
             item:append_text(", " .. context.message.title .. (context.is_refusal and ", refused" or ""))

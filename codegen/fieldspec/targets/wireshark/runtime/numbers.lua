@@ -184,6 +184,31 @@ function numbers.bound(number, value)
     return number
 end
 
+-- A code as data have it: one of more than six bytes is 16 hexadecimal digits, whatever part it comes from.
+local function code_of(high, low)
+    return high < 65536 and high * 2 ^ 32 + low or string.format("%08x%08x", high, low)
+end
+
+local function halves_of(code)
+    if type(code) == "string" then
+        return tonumber(code:sub(1, 8), 16), tonumber(code:sub(9), 16)
+    end
+    return math.floor(code / 2 ^ 32), code % 2 ^ 32
+end
+
+-- The code in the bytes of a value.
+function numbers.code(bytes, value)
+    local ordered = ("\0"):rep(8 - #bytes) .. numbers.significant(bytes, value)
+    return code_of(numbers.unsigned(ordered:sub(1, 4)), numbers.unsigned(ordered:sub(5)))
+end
+
+-- A code without the bits of a flag.
+function numbers.without(code, flag)
+    local high, low = halves_of(code)
+    local flag_high, flag_low = halves_of(flag)
+    return code_of(high - band(high, flag_high), low - band(low, flag_low))
+end
+
 -- A number as text and as key of tables: no exponent, no decimal point for whole numbers.
 function numbers.text(number)
     if type(number) ~= "number" then

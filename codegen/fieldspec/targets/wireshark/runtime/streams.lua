@@ -94,14 +94,16 @@ local function head_of(link, direction, bytes, asked, message)
     head.message = message
     for _, part in ipairs(shape.parts) do
         if part.offset >= 0 and part.value and #parts >= part.offset + part.size then
-            local number = numbers.of(parts:sub(part.offset + 1, part.offset + part.size), part.value)
+            local own = parts:sub(part.offset + 1, part.offset + part.size)
+            local number = numbers.of(own, part.value)
             head.values[part.name] = number
             if part.role == "unit_address" then
                 head.unit = number
             elseif part.role == "code" then
                 local body = parts:sub(shape.header + 1)
-                local named, _, own = frames.message_of(link, direction, number, parts, body)
-                head.message, head.code, head.is_coded = named, own, own ~= nil
+                local code = numbers.code(own, part.value)
+                local named, _, answered = frames.message_of(link, direction, code, parts, body)
+                head.message, head.code, head.is_coded = named, answered, answered ~= nil
             end
         end
     end
