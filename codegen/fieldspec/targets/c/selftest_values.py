@@ -279,7 +279,7 @@ def _write_bytes(value: Value, order: tuple[str, bool], number: int, size: int) 
 
 
 def _answer(value: Value, order: tuple[str, bool], number: int) -> Iterator[Statement]:
-    """Writes the bytes of a read in place of those of a write, where their word order differs."""
+    """Writes the bytes of a read over the bytes of a write, where the word orders differ."""
     if value.write_word_order:
         for place, byte in enumerate(value_bytes(value, *order, number)):
             yield assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1))
