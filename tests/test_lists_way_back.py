@@ -19,6 +19,7 @@ WITHOUT = (
     *(
         "armband",
         "beacon",
+        "broker",
         "courier",
         "gateway",
         "grinder",
