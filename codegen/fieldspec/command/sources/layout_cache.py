@@ -7,7 +7,6 @@ stored as lines of JSON, and an object is rebuilt when it is first accessed.
 from __future__ import annotations
 
 import json
-import os
 from enum import Enum
 from importlib import import_module
 
@@ -48,7 +47,7 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
         display_path = origins.get(path) or (f"{folder}/{path}" if folder else path)
         return SourceFile(display_path, files[path].removeprefix(MARK).decode())
 
-    key = "" if anew else entry_key(text, files)
+    key = "" if anew else spec_files.entry_key(text, files)
     content = cache_folder.cached(KIND, key) if key else None
     if content is not None:
         try:
@@ -56,7 +55,7 @@ def layout(specs_option: str | None, text: str, anew: bool = False) -> DeviceLay
             return cached_layout
         except ValueError:
             pass  # another program has written it
-    content, depends_on_packages = _compiled(name, version, files, entry_key(name, files) if key else "")
+    content, depends_on_packages = _compiled(name, version, files, spec_files.entry_key(name, files) if key else "")
     if key and not depends_on_packages:
         cache_folder.store(KIND, key, content)
     new_layout: DeviceLayout = from_json(content, source)
@@ -70,7 +69,7 @@ def index(specs_option: str | None, text: str, anew: bool, names: Callable[[], l
     """
     name, version = spec_files.split(text)
     _, files = _files(specs_option, name)
-    key = "" if anew else entry_key(text, files)
+    key = "" if anew else spec_files.entry_key(text, files)
     content = cache_folder.cached(INDEXES, key) if key else None
     if content is None:
         from fieldspec.command.sources.specs import picked
@@ -89,15 +88,6 @@ def _files(specs_option: str | None, device: str) -> tuple[str, dict[str, bytes]
     """The folder of the specs, and the files that a device is read from. Raises UsageError."""
     path, contents = spec_files.of_devices(specs_option, frozenset([device]))
     return path, {name: content for name, content in contents.items() if not name.endswith(f"/{spec_files.INDEX}")}
-
-
-def entry_key(text: str, files: dict[str, bytes]) -> str:
-    """The key of what is computed from `DEVICE[@VERSION]`; empty where the files of the compiler cannot be read."""
-    try:
-        named_contents = [part for path, content in files.items() for part in (os.fsencode(path), content)]
-        return cache_folder.checksum(cache_folder.state().encode(), os.fsencode(text), *named_contents)
-    except OSError:
-        return ""
 
 
 def _compiled(name: str, version: str, files: dict[str, bytes], key: str) -> tuple[bytes, bool]:

@@ -7,6 +7,7 @@ import re
 
 import fieldspec
 from fieldspec.command.console.usage import UsageError, unknown
+from fieldspec.command.files import cache_folder
 from fieldspec.command.files.regular_file import NO_LINK, IrregularError, SizeError, content
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.foundation.source import Refused
@@ -272,3 +273,12 @@ def split(text: str) -> tuple[str, str]:
 def is_own(specs_option: str | None) -> bool:
     """Whether specs are read from a folder of the user. Raises UsageError where there is none."""
     return folder(specs_option) != INSTALLED
+
+
+def entry_key(text: str, files: dict[str, bytes]) -> str:
+    """The key of what is computed from `DEVICE[@VERSION]`; empty where the files of the compiler cannot be read."""
+    try:
+        named_contents = [part for path, content in files.items() for part in (os.fsencode(path), content)]
+        return cache_folder.checksum(cache_folder.state().encode(), os.fsencode(text), *named_contents)
+    except OSError:
+        return ""

@@ -9,10 +9,10 @@ from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import cache_folder, regular_file, storage
 from fieldspec.command.sources import spec_files
-from fieldspec.command.sources.layout_cache import entry_key
 from fieldspec.command.sources.spec_files import (
     FOLDER,
     VARIABLE,
+    entry_key,
     files,
     installed_protocols,
     of_devices,
