@@ -96,7 +96,7 @@ def test_each_version_is_compared_with_the_one_before_it() -> None:
 
 def test_changes_stand_below_whom_they_concern() -> None:
     text = files(mill())["mill/changes.md"]
-    newest, older = text.partition("## firmware changes, after 1.0")[::2]
+    newest, older = text.partition("## version changes, after 1.0")[::2]
     assert "### On the wire" in newest
     assert "torque" in newest.partition("### On the wire")[2]
     assert "### In behaviour" in older

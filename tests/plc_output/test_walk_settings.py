@@ -242,7 +242,7 @@ def test_an_answer_that_the_adapter_for_an_s7_awaits_may_be_the_longest_and_begi
 
 def test_the_character_gap_of_an_s7_is_in_bit_times() -> None:
     bits, characters, each = searched(
-        r"of (\d+) bit times, which are (\d+) characters of (\d+) bits", page("plc-tia.md")
+        r"of (\d+) bit times end a message: (\d+) characters of (\d+) bits", page("plc-tia.md")
     )
     assert int(bits) == int(characters) * int(each)
     assert int(each) == BITS_PER_BYTE

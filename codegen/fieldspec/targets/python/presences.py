@@ -36,7 +36,7 @@ def presence_tests(shaped: RecordShape, owner: str, offset: int) -> list[str]:
         if room is not None and room.count:
             continue
         is_stored_raw = (decider.is_raw or decider.deferred) and decider.stored
-        number = f"{owner}.{decider.slot}" if is_stored_raw else local(decider)
+        number = f"_index({owner}.{decider.slot})" if is_stored_raw else local(decider)
         elements = f"{owner}.{field.name}"
         wrong = _wrong(field, decider, number, elements, f", {offset + decider.field.offset}")
         lines += [f"if {fitting(field, number, elements, '!=')}:", f"    raise {wrong}"]
