@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, EnumDraft, RecordDraft, Spec
+from random_devices.drawn_presences import presence_decider
 from random_devices.drawn_values import size_of, value, varying_text, varying_value
 
 
@@ -338,21 +339,6 @@ def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
     return [*_inserted(draft, fields, selector), choice, *_behind(draft)]
 
 
-def _decider(draft: Draft) -> tuple[Spec, list[Spec]]:
-    """A field, and ways in which it can say whether others are sent: by its bits, or by the members of its enum."""
-    named = [enum for enum in draft.enums if all(0 <= number <= 0xFFFF for number in enum.members.values())]
-    kind = draft.pick(("u8", "u8", "u16", "u16", "u24" if draft.chance(20) else "u8"))
-    if named and draft.chance(40):
-        enum = draft.pick(named)
-        wide = any(number > 0xFF for number in enum.members.values())
-        decider = draft.fact(type="u16" if wide else kind, enum=enum.name)
-        members = list(enum.members)
-        return decider, [{"by": decider["name"], "when": members[: draft.number(1, len(members))]} for _ in range(2)]
-    decider = draft.fact(type=kind)
-    bits = [draft.number(0, 8 * size_of(decider) - 1) for _ in range(3)]
-    return decider, [{"by": decider["name"], "bit": bit, **({"is": 0} if draft.chance(20) else {})} for bit in bits]
-
-
 def _optional(draft: Draft, presence: Spec) -> Spec:
     """A field that another one says is sent or not."""
     nested = [*(record.name for record in draft.records if not record.apart), *draft.differing]
@@ -365,7 +351,7 @@ def _optional(draft: Draft, presence: Spec) -> Spec:
 
 def _optional_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """Fields with the one that decides on optional ones behind them, and some behind these, now and then."""
-    decider, ways = _decider(draft)
+    decider, ways = presence_decider(draft)
     optional = [field for way in ways for field in [_optional(draft, way), *_behind(draft)]]
     return [*_inserted(draft, fields, decider), *optional]
 

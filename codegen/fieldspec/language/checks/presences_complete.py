@@ -40,11 +40,13 @@ def presences_complete(device: Device) -> Iterator[Diagnostic]:
                 yield from _measured(layer, field)
     for message in device.messages.values():
         bodies = (message.request, message.response) if message.accesses else ()
-        own = next((field for body in bodies for field in nested_fields(device, body.fields) if field.presence), None)
-        if own is not None:
-            text = f"{message.name} reads or writes registers, and {own.name} is optional"
+        optional = next(
+            (field for body in bodies for field in nested_fields(device, body.fields) if field.presence), None
+        )
+        if optional is not None:
+            text = f"{message.name} reads or writes registers, and {optional.name} is optional"
             help = "remove `accesses`, or state a message for each case"
-            yield finding(_CODE, message.place, "accesses", text, help, label(own.place, _KEY, own.name))
+            yield finding(_CODE, message.place, "accesses", text, help, label(optional.place, _KEY, optional.name))
 
 
 def _decided(device: Device, layer: Record, field: Field, presence: Presence) -> Iterator[Diagnostic]:

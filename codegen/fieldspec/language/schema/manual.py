@@ -118,8 +118,8 @@ def _section(name: str) -> Iterator[str]:
     part = parts()[name]
     yield f"### {name}"
     yield ""
-    first = _SENTENCE.match(described(part))
-    yield first[0] if first and "." in name else described(part)  # the row of its key has the other sentences
+    sentence = _SENTENCE.match(described(part))
+    yield sentence[0] if sentence and "." in name else described(part)  # the row of its key has the other sentences
     yield from _words(part)
     own = {key: inner for key, inner in part.get("properties", {}).items() if not _shared_by(inner)}
     required = part.get("required", [])
