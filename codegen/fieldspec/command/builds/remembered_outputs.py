@@ -4,23 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from fieldspec.codec.layout.device import LAYOUT_ATTRIBUTES, DeviceLayout
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.observation import is_same_device, read_of_layout
 from fieldspec.command.builds.freshness import Hashes
-from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.foundation.observation import is_same, observed, read_attributes
+from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.choice import BlockChoice
-from fieldspec.language.model.device import Version, VersionLine
 from fieldspec.targets.usages import Rows
-
-
-def observed_layout(layout: DeviceLayout) -> DeviceLayout:
-    """A layout whose device knows what is read of it."""
-    return replace(layout, device=observed(layout.device, (VersionLine, Version)))
 
 
 @dataclass(frozen=True, slots=True)
 class _Basis:
-    """A version of a device as an output has read it. `LAYOUT_ATTRIBUTES` determine its layout except the identity."""
+    """A version of a device as an output has read it."""
 
     identity: str
     equal_versions: tuple[str, ...]
@@ -33,7 +27,7 @@ class _Basis:
             layout.identity,
             layout.equal_versions,
             layout.blocks,
-        ) and all(is_same(value, getattr(layout.device, name)) for name, value in self.attributes.items())
+        ) and is_same_device(self.attributes, layout.device)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,15 +76,6 @@ class RememberedOutputs:
     ) -> None:
         """Remembers an output that was made of observed layouts."""
         bases = tuple(
-            _Basis(
-                layout.identity,
-                layout.equal_versions,
-                layout.blocks,
-                {
-                    **{attribute: getattr(layout.device, attribute) for attribute in LAYOUT_ATTRIBUTES},
-                    **read_attributes(layout.device),
-                },
-            )
-            for layout in layouts
+            _Basis(layout.identity, layout.equal_versions, layout.blocks, read_of_layout(layout)) for layout in layouts
         )
         self._outputs[device, name] = RememberedOutput(request, bases, hashes, spellings)

@@ -12,10 +12,11 @@ from functools import partial
 from pathlib import Path
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.observation import observed_layout
 from fieldspec.command import pipeline
 from fieldspec.command.builds import spelling_cache
 from fieldspec.command.builds.freshness import Hashes, digest, file_digest
-from fieldspec.command.builds.remembered_outputs import RememberedOutput, observed_layout
+from fieldspec.command.builds.remembered_outputs import RememberedOutput
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.placement import Staging
 from fieldspec.foundation.caches import ByIdentity

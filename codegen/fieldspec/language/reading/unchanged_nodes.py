@@ -1,6 +1,6 @@
 """The nodes of an earlier tree in a new one, wherever they differ only in their places.
 
-A text that is parsed anew, and a device that is joined with its protocols and signals, consist of new nodes. Whatever
+A text that is parsed again, and a device that is joined with its protocols and signals, consist of new nodes. Whatever
 depends on a node alone is found again by the same node.
 """
 
