@@ -6,6 +6,7 @@ import argparse
 import random
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,6 +15,8 @@ from fieldspec.command.builds import workers
 from fieldspec.command.builds.build_memory import BuildMemory
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.verbs.build import build
+from fieldspec.foundation.spreadsheet import Workbook
+from fieldspec.targets import Output
 from spec_edits import Files, edited
 
 SPECS = Path(__file__).resolve().parent / "specs"
@@ -21,6 +24,7 @@ DEVICES = ("widget", "gizmo", "wattmeter", "protocols")
 """Several files with a protocol and versions; anchors; versions in files of their own."""
 OUTPUTS = "c,python,js,wireshark,docs"
 EDITS = 4
+NAME = "  name: Gizmo\n"
 
 
 class Place:
@@ -78,3 +82,29 @@ def test_after_random_edits_memory_changes_neither_outputs_nor_findings(
         expected = place.result(remembered=False)
         assert place.result(remembered=True) == expected
         files = edited(files, sound, choose)
+
+
+def test_outputs_that_have_not_read_what_has_changed_are_not_built_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "cache"))
+    place, built_outputs, output_files = Place(tmp_path, capsys), [], Output.files
+
+    def files(output: Output, *arguments: Any) -> dict[str, str | Workbook]:
+        built_outputs.append(output.name)
+        return output_files(output, *arguments)
+
+    monkeypatch.setattr(Output, "files", files)
+    sound = {path: text for path, text in sound_files().items() if path.startswith(("gizmo/", "protocols/"))}
+    titled = {path: text.replace(NAME, f"{NAME}  title: A gimmick\n", 1) for path, text in sound.items()}
+    place.write(sound)
+    place.result(remembered=True)
+    built_outputs.clear()
+    place.write(titled)
+    place.result(remembered=True)
+    assert built_outputs == ["python", "js", "docs"]
+    built_outputs.clear()
+    next((place.folders[True] / "c").glob("gizmo*.h")).unlink()
+    place.write(sound)
+    place.result(remembered=True)
+    assert built_outputs == ["c", "python", "js", "docs"]

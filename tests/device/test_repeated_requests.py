@@ -76,15 +76,20 @@ def test_what_signals_show_goes_on_in_a_motion_while_the_same_request_is_repeate
 @pytest.mark.parametrize("change", CHANGES)
 def test_a_noted_dictionary_counts(change: str) -> None:
     words: Noted[int, int] = Noted()
+    words.watch([1, 2])
     words.replace({1: 5})
     before = words.changes
     CHANGES[change](words)
     assert words.changes > before
 
 
-def test_a_noted_dictionary_does_not_count_what_is_there_already() -> None:
+@pytest.mark.parametrize(("watched_key", "value"), [(1, 5), (2, 6)])
+def test_a_noted_dictionary_does_not_count_what_is_there_already_or_is_not_watched(
+    watched_key: int, value: int
+) -> None:
     words: Noted[int, int] = Noted()
+    words.watch([watched_key])
     words.replace({1: 5})
     before = words.changes
-    words[1] = 5
+    words[1] = value
     assert words.changes == before

@@ -52,7 +52,7 @@ else:
 
     def replace(instance, /, **changes):
         """The same object with some attributes changed."""
-        return instance.__class__._replaced(instance, **changes)
+        return type(instance)._replaced(instance, **changes)
 
     def _data_class(cls, frozen, eq, kw_only):
         fields = {

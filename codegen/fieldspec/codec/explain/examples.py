@@ -2,23 +2,58 @@
 
 from __future__ import annotations
 
+from collections import deque
+
 from fieldspec.codec.explain.explanation import Explanation, explained, explained_after
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.observation import is_same_layout, observed_layout
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.observation import read_attributes
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Erratum, Example
 
-_EXPLANATIONS: ByIdentity[DeviceLayout, dict[str, Explanation]] = ByIdentity(limit=64)
-"""By layout and example. Several outputs ask for each."""
+_MOST_LAYOUTS = 64
+
+
+@dataclass(frozen=True, slots=True)
+class _Explained:
+    """The explanations of examples by id, and a layout whose device knows what they have read."""
+
+    layout: DeviceLayout
+    explanations: dict[str, Explanation]
+
+
+_EXPLAINED: ByIdentity[DeviceLayout, _Explained] = ByIdentity(_MOST_LAYOUTS)
+"""By layout. Several outputs ask for each explanation, and the next build asks again."""
+_LAST: deque[_Explained] = deque(maxlen=_MOST_LAYOUTS)
 
 
 def explained_example(layout: DeviceLayout, example: Example) -> Explanation:
-    """The explanation of an example's frame, computed once for each layout."""
-    explanations = _EXPLANATIONS.get_or_compute(layout, lambda _: {})
+    """The explanation of an example's frame, computed once for layouts in which it reads the same."""
+    explained_layout = _EXPLAINED.get_or_compute(layout, _explained)
+    explanations = explained_layout.explanations
     if example.id not in explanations:
-        explanations[example.id] = _explanation(layout, example)
+        explanations[example.id] = explained_anew(explained_layout.layout, example)
     return explanations[example.id]
+
+
+def _explained(layout: DeviceLayout) -> _Explained:
+    """The explanations for a layout, with the explanations of an earlier layout in which they have read the same."""
+    earlier = next((last for last in reversed(_LAST) if is_same_layout(last.layout, layout)), None)
+    result = _Explained(observed_layout(layout), {**earlier.explanations} if earlier is not None else {})
+    for name in read_attributes(earlier.layout.device) if earlier is not None else ():
+        getattr(result.layout.device, name)
+    _EXPLAINED[result.layout] = result  # for the request of a response
+    _LAST.append(result)
+    return result
+
+
+def explained_anew(layout: DeviceLayout, example: Example) -> Explanation:
+    """The same, computed again, with the rows of its registers."""
+    explanation = _explanation(layout, example)
+    assert explanation.registers is not None  # which read the layout when they are first asked for
+    return explanation
 
 
 def _explanation(layout: DeviceLayout, example: Example) -> Explanation:

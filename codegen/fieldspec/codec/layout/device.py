@@ -82,6 +82,10 @@ class DeviceLayout:
     blocks: BlockChoice | None = None
 
 
+LAYOUT_ATTRIBUTES = ("links", "messages", "records", "enums", "spaces", "groups", "tables")
+"""The attributes of a device from which its layout follows, but for the identity."""
+
+
 def device_layout(device: Device) -> DeviceLayout:
     """The layout of a device without findings. For any other device, it may raise any exception."""
     orders = Orders(device.byte_order, device.word_order)

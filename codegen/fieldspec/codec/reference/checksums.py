@@ -22,13 +22,13 @@ def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
 
 def _remainder(kind: Checksum, data: bytes, _order: str) -> int:
     """The remainder of the division of the data by the polynomial; numbers begin with the last of their bytes."""
-    top, register = 1 << kind.width - 1, kind.initial
+    top, register, mask = 1 << kind.width - 1, kind.initial, kind.mask
     for step in range(-(-len(data) // kind.unit_size) * kind.unit_size):
         place = step + kind.unit_size - 1 - 2 * (step % kind.unit_size)
         byte = data[place] if place < len(data) else 0
         for bit in range(8) if kind.reflect_in else reversed(range(8)):
             is_divided = bool(register & top) != bool(byte >> bit & 1)
-            register = (register << 1 & kind.mask) ^ (kind.polynomial if is_divided else 0)
+            register = (register << 1 & mask) ^ (kind.polynomial if is_divided else 0)
     if kind.reflect_out:
         register = sum((register >> place & 1) << kind.width - 1 - place for place in range(kind.width))
     return register ^ kind.final_xor

@@ -102,10 +102,6 @@ def _build_stale(
     refused = set(project.broken)
     misnamed = []
 
-    def needs_spellings(plan: _Plan) -> bool:
-        """Whether spellings are cached. Who waits at every save does not wait for what somebody may ask some day."""
-        return memory is None or DOCUMENTATION in plan.outputs
-
     tasks = []
     for spec in project.devices.values():
         plan = plans.get(spec.id, _Plan(True, (), {}))
@@ -131,16 +127,14 @@ def _build_stale(
                     build_request.required,
                     manual,
                     build_request.project.choice(spec.id),
-                    # Who waits at every save does not wait for what the documentation may ask some day.
-                    ""
-                    if memory is not None and DOCUMENTATION not in plan.outputs
-                    else earlier.key(spec.id, spec.files),
+                    # A process that remembers keeps spellings itself.
+                    earlier.key(spec.id, spec.files) if memory is None else "",
                     adds=build_request.adds,
                 )
             )
     lacking = [name for name in build_request.outputs if name not in shared]
     common = {name: pipeline.shared(name) for name in lacking}  # before processes are forked, which then know them
-    work = Work(project, earlier.out, staging, pieces=memory.pieces if memory is not None else None)
+    work = Work(project, earlier.out, staging, memory=memory)
     done = {result.device: result for result in task_results(work, tasks, sum(map(len, files.values())))}
     findings = in_order([*project.findings, *(finding for result in done.values() for finding in result.findings)])
     located = [*misnamed, *_from_here(findings, spec_files.relative_path(path), spec_files.origins(files))]

@@ -8,26 +8,31 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.observation import observed_layout
 from fieldspec.command import pipeline
 from fieldspec.command.builds import spelling_cache
 from fieldspec.command.builds.freshness import Hashes, digest, file_digest
+from fieldspec.command.builds.remembered_outputs import RememberedOutput
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.placement import Staging
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field, replace
 from fieldspec.foundation.names import stem
 from fieldspec.language.diagnostics import Diagnostic, has_errors
 from fieldspec.language.model.choice import Choice, VersionChoice
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import Project
-from fieldspec.targets import OUTPUTS
+from fieldspec.targets import BUILT_IN, OUTPUTS
 from fieldspec.targets.pieces import Pieces, using_pieces
 from fieldspec.targets.usages import Spellings, using
 from fieldspec.tools.proofs.running import Outcome, outcome
 
 if TYPE_CHECKING:
+    from fieldspec.command.builds.build_memory import BuildMemory
     from fieldspec.tools.audit.manual_lines import ManualIndex
 
 DOCUMENTATION = "docs"
@@ -91,15 +96,14 @@ class TaskResult:
 class Work:
     """What all tasks share: the project, the folder of outputs, and the staging folder, None to write nothing.
 
-    `known` has the outcomes of checks that have run already. With `pieces`, all is built in this process, which
-    remembers them.
+    `known` has the outcomes of checks that have run already. With a `memory`, all is built in this process.
     """
 
     project: Project
     out: Path
     beside: Staging | None
     known: Mapping[str, Outcome] = field(default_factory=dict)
-    pieces: Pieces | None = None
+    memory: BuildMemory | None = None
 
 
 def task_results(work: Work, tasks: Sequence[Task], size: int) -> list[TaskResult]:
@@ -127,7 +131,7 @@ def _separate_results(work: Work, tasks: Sequence[Task], size: int) -> list[Task
     devices = work.project.devices
     tasks = sorted(tasks, key=lambda task: -_size(devices[task.device]))  # the last one to finish has little to do
     processes = _processors()
-    if work.pieces is not None or processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
+    if work.memory is not None or processes < 2 or not tasks or size < WORTH_IT or sys.platform != "linux":
         return [task_result(work, task) for task in tasks]
     if len(tasks) >= processes:
         return _in_processes(work, tasks, processes)
@@ -224,7 +228,11 @@ def task_result(work: Work, task: Task) -> TaskResult:
         name: task.chosen(name, with_blocks if OUTPUTS[name].has_blocks else layouts)
         for name in {*task.judged, *task.outputs}
     }
-    refusals = {name: OUTPUTS[name].refusals(chosen[name]) for name in task.judged}
+    request = task.versions, task.adds, task.choice
+    remembered = _remembered(work, task, request, chosen)
+    if work.memory is not None:
+        chosen = _observed(chosen)
+    refusals = {name: OUTPUTS[name].refusals(chosen[name]) if name not in remembered else [] for name in task.judged}
     refusing = {name for name, refused in refusals.items() if has_errors(refused)}
     if (refusing and task.required) or not task.outputs:
         return TaskResult(task.device, findings, {}, {}, [], refusals)
@@ -238,11 +246,17 @@ def task_result(work: Work, task: Task) -> TaskResult:
     is_documented = DOCUMENTATION in task.outputs
     spellings = {**(spelling_cache.stored(task.key) if is_documented else {}), **task.spellings}
     known = {name: {*versions} for name, versions in spellings.items()}
-    pieces = work.pieces or (Pieces() if len(layouts) > 1 else None)  # versions share facts, too
-    with using(spellings if task.key or is_documented or task.lends else None), using_pieces(pieces):
+    pieces = Pieces() if len(layouts) > 1 else None  # versions share facts, too
+    if work.memory is not None:
+        pieces = work.memory.pieces
+        spellings |= {name: dict(output.spellings) for name, output in remembered.items()}
+    with using(spellings if task.key or is_documented or task.lends or work.memory else None), using_pieces(pieces):
         for name in sorted(task.outputs, key=lambda name: name == DOCUMENTATION):  # the last, as it asks the others
             if name in refusing:
                 hashes[name] = {}
+                continue
+            if name in remembered:
+                hashes[name] = remembered[name].hashes
                 continue
             if name == DOCUMENTATION and (task.adds or not task.versions):
                 from fieldspec.command.rendering.audit_pages import LINK, pages
@@ -254,8 +268,41 @@ def task_result(work: Work, task: Task) -> TaskResult:
                 files = pipeline.output(name, chosen[name])
                 files = _without_tests(name, files, task, chosen[name])
             hashes[name] = stage_changes(work, files, stale)
+            if work.memory is not None and _is_observed(name) and not refusals.get(name):
+                rows = dict(spellings.get(name, {}))
+                work.memory.outputs.remember(spec.id, name, request, chosen[name], hashes[name], rows)
     spelling_cache.store(task.key, {name: rows for name, rows in spellings.items() if {*rows} - known.get(name, set())})
     return TaskResult(task.device, findings, identities, hashes, stale, refusals, spellings if task.lends else {})
+
+
+def _is_observed(output: str) -> bool:
+    """Whether an output follows from its layouts alone. The documentation asks the other outputs for code."""
+    return output in BUILT_IN and output != DOCUMENTATION
+
+
+def _remembered(
+    work: Work, task: Task, request: object, chosen: Mapping[str, Sequence[DeviceLayout]]
+) -> dict[str, RememberedOutput]:
+    """The outputs of a task that would be as they are, if they were built again."""
+    if work.memory is None:
+        return {}
+    hash_of = partial(file_digest, work.out)
+    outputs = {
+        name: work.memory.outputs.unchanged(task.device, name, request, chosen[name], hash_of)
+        for name in task.outputs
+        if _is_observed(name)
+    }
+    return {name: output for name, output in outputs.items() if output is not None}
+
+
+def _observed(chosen: Mapping[str, list[DeviceLayout]]) -> dict[str, list[DeviceLayout]]:
+    """Layouts for each output that know what it reads. Outputs of a family, which share results, share them."""
+    families: dict[str, ByIdentity[DeviceLayout, DeviceLayout]] = {}
+    layouts = {**chosen}
+    for name in filter(_is_observed, chosen):
+        of_family = families.setdefault(OUTPUTS[name].family or name, ByIdentity())
+        layouts[name] = [of_family.get_or_compute(layout, observed_layout) for layout in chosen[name]]
+    return layouts
 
 
 def _chosen(choice: VersionChoice, layouts: Sequence[DeviceLayout]) -> list[DeviceLayout]:

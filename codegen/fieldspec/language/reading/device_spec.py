@@ -11,6 +11,7 @@ from fieldspec.language.reading.building.context import Reused
 from fieldspec.language.reading.building.device import built
 from fieldspec.language.reading.findings import bounded
 from fieldspec.language.reading.nodes import Mapping
+from fieldspec.language.reading.unchanged_nodes import with_unchanged
 from fieldspec.language.reading.versions import Lines, selected
 
 JOINT = "+"
@@ -23,7 +24,8 @@ class DeviceSpec:
 
     `trees` are the trees of the versions that are written as changes of others, `bases` the versions that they change.
     A version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths
-    of all files that it was read from, including protocols. `kept` and the following attributes cache results.
+    of all files that it was read from, including protocols. `earlier` has the trees that were selected for versions of
+    the device when it was read before. `reused` and the following attributes cache results.
     """
 
     id: str
@@ -32,6 +34,7 @@ class DeviceSpec:
     trees: Table[str, Mapping]
     bases: Table[str, str]
     files: frozenset[str]
+    earlier: Table[str, Mapping] = field(default_factory=dict, repr=False, compare=False)
     reused: Reused = field(default_factory=dict, repr=False, compare=False)
     picked: dict[str, Mapping] = field(default_factory=dict, repr=False, compare=False)
     built: dict[str, tuple[Device, list[Diagnostic]]] = field(default_factory=dict, repr=False, compare=False)
@@ -54,5 +57,5 @@ class DeviceSpec:
             whole = next((self.trees[identifier] for identifier in picked if identifier in self.trees), self.tree)
             tree = selected(whole, picked, self.lines)
             assert isinstance(tree, Mapping)
-            self.picked[version] = tree
+            self.picked[version] = with_unchanged(tree, self.earlier.get(version))
         return self.picked[version]

@@ -12,6 +12,7 @@ from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Mapping
 from fieldspec.language.reading.revision import revised
 from fieldspec.language.reading.scalars import typed
+from fieldspec.language.reading.unchanged_nodes import with_unchanged
 from fieldspec.language.reading.yaml_reader import decoded, parsed
 
 MOST_TURNS = 100
@@ -96,5 +97,5 @@ def file_read(path: str, data: bytes, earlier: FileRead | None) -> FileRead:
         result, type_findings = typed(node)
         findings += type_findings
         if isinstance(result, Mapping) and not findings:
-            return FileRead(data, file, [], [], result)
+            return FileRead(data, file, [], [], with_unchanged(result, before))
     return FileRead(data, file, [], findings, before)

@@ -19,6 +19,7 @@ from fieldspec.language.reading.joining import joined, merged_over
 from fieldspec.language.reading.memory import DeviceRead, Memory, file_read
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence
 from fieldspec.language.reading.overlays import applied
+from fieldspec.language.reading.unchanged_nodes import with_unchanged
 from fieldspec.language.reading.versions import Lines, overlays, unportable
 from fieldspec.language.reading.yaml_reader import key_span
 
@@ -252,15 +253,19 @@ class _Reader:
             self.findings += bounded(findings + lines.unknown(overlay) + missing)
         whole, findings = expanded(whole)
         self.findings += bounded(findings)
+        earlier = before.spec if before is not None else None
+        whole = with_unchanged(whole, earlier.tree if earlier is not None else None)
         self._placed(whole, head, folder, _NOT_OF_A_DEVICE)
         identity = head.values["id"]
         assert isinstance(identity, Scalar)
         expanded_trees = {}
         for version, tree in layers.items():
-            expanded_trees[version], version_findings = expanded(tree)
+            tree, version_findings = expanded(tree)
+            expanded_trees[version] = with_unchanged(tree, earlier.trees.get(version) if earlier is not None else None)
             self.findings += bounded([finding for finding in version_findings if finding not in self.findings])
         used = frozenset([*paths, *(f"{PROTOCOLS}/{name}.yaml" for name in self._used(""))])
-        return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used, reused)
+        picked = dict(earlier.picked) if earlier is not None else {}
+        return DeviceSpec(identity.text, whole, lines, expanded_trees, versions.bases, used, picked, reused)
 
     def _are_new(self, folder: str, paths: set[str]) -> bool:
         """Whether files that cannot be used have been no part of a device yet, which is then judged without them."""

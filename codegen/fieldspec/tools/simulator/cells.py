@@ -42,14 +42,28 @@ class WordCell(Cell):
     def __init__(self, path: str, memory: Memory, space: str, occupant: Occupant) -> None:
         super().__init__(path, occupant.value)
         self.memory, self.space, self.occupant = memory, space, occupant
+        self._addresses = [(space, address) for address in range(occupant.address, occupant.address + occupant.words)]
+        memory.words.watch(self._addresses)
+        self._read: tuple[list[int], Raw] = [], 0
+        self._written: tuple[list[int], str] = [], ""
+        """The words after the last reading and the last writing, with the raw value, and with its exact text."""
+
+    def _words(self) -> list[int]:
+        return [*map(self.memory.words.__getitem__, self._addresses)]
 
     def read(self) -> Raw:
         """The raw value."""
-        return self.memory.read(self.space, self.occupant)
+        words = self._words()
+        if words != self._read[0]:
+            self._read = words, self.memory.read(self.space, self.occupant)
+        return self._read[1]
 
     def write(self, raw: Raw) -> None:
         """Sets the raw value."""
-        self.memory.write(self.space, self.occupant, raw)
+        text = repr(raw)
+        if (self._words(), text) != self._written:
+            self.memory.write(self.space, self.occupant, raw)
+            self._written = self._words(), text
 
 
 class ElementCell(Cell):
@@ -58,6 +72,7 @@ class ElementCell(Cell):
     def __init__(self, path: str, memory: Memory, element: Element, value: Value) -> None:
         super().__init__(path, value)
         self.memory, self.element = memory, element
+        memory.elements.watch([element])
 
     def read(self) -> Raw:
         """The raw value."""
@@ -75,6 +90,7 @@ class FieldCell(Cell):
         super().__init__(path, value)
         self.memory = memory
         self.default: Raw = default_raw(memory.layout.device, value) if value is not None else 0
+        memory.fields.watch([path])
 
     def read(self) -> Raw:
         """The raw value."""

@@ -41,6 +41,8 @@ class Engine(Operation):
         self._rules = behaviour.of_kind("rule")
         self._levels = [rule for rule in self._rules if rule.get("when") is None and "refused" not in rule.keys]
         self._edges = [rule for rule in self._rules if {"rises", "falls"} & (rule.get("when") or {}).keys()]
+        self._written: dict[str, list[Part]] = {}
+        """The rules of requests that write operands, by the paths that have been written."""
         self._shows = behaviour.of_kind("show")
         self._shown: tuple[object, ...] | None = None
         """What decided on what signals show, if writing that has changed nothing."""
@@ -131,15 +133,22 @@ class Engine(Operation):
 
     def follow_write(self, paths: Iterable[str]) -> None:
         """A request has written the values of some operands. Raises Refusal, before any other rule has acted."""
-        rules = [rule for path in paths for rule in self._rules if self._writes(rule, path)]
+        rules = [rule for path in paths for rule in self._rules_of_write(path)]
         guards = [rule for rule in rules if rule.subject[0].kind == "refuse"]
         self.run(guards)
         self.run(rule for rule in rules if rule not in guards)
         self.follow()
 
-    def _writes(self, rule: Part, path: str) -> bool:
-        name = (rule.get("when") or {}).get("write")
-        return name is not None and any(cell.path == path for cell in self.cells.of(name))
+    def _rules_of_write(self, path: str) -> list[Part]:
+        """The rules of requests that write an operand."""
+        if path not in self._written:
+            self._written[path] = [
+                rule
+                for rule in self._rules
+                if (name := (rule.get("when") or {}).get("write")) is not None
+                and any(cell.path == path for cell in self.cells.of(name))
+            ]
+        return self._written[path]
 
     def follow(self) -> None:
         """Carries out the rules of bits that have changed, then those without an event whose condition is new."""

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.codec.layout.accepted import passes, range_conditions
+from fieldspec.codec.layout.accepted import Condition, passes, range_conditions
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.frames import FrameCodec
 from fieldspec.codec.reference.records import CodecError
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Any
+
+_CONDITIONS: ByIdentity[Device, ByIdentity[Value, tuple[Condition, ...]]] = ByIdentity(limit=8)
+"""The conditions of values of the last devices."""
 
 DAMAGED = ("wrong_mark", "not_hex", "wrong_checksum")
 _REASONS = {
@@ -47,7 +52,9 @@ def _out_of_range(device: Device, field: FieldLayout, values: Mapping[str, Any])
     value, raw = field.value, values.get(field.name)
     if value is None or not isinstance(raw, int) or isinstance(raw, bool):
         return ""
-    return "" if all(passes(own.test, raw) for own in range_conditions(device, value)) else field.name
+    of_device = _CONDITIONS.get_or_compute(device, lambda _: ByIdentity())
+    conditions = of_device.get_or_compute(value, lambda value: range_conditions(device, value))
+    return "" if all(passes(own.test, raw) for own in conditions) else field.name
 
 
 def recognised_message(frames: FrameCodec, frame: bytes) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 Key = TypeVar("Key")
@@ -10,14 +10,22 @@ Value = TypeVar("Value")
 
 
 class Noted(dict[Key, Value]):
-    """A dictionary; `changes` is another number after everything that may have changed it."""
+    """A dictionary; `changes` is another number after everything that may have changed it.
+
+    A single value that is set counts only under a watched key.
+    """
 
     def __init__(self) -> None:
         super().__init__()
         self.changes = 0
+        self._watched: set[Key] = set()
+
+    def watch(self, keys: Iterable[Key]) -> None:
+        """Counts changes of the values under some keys from now on."""
+        self._watched.update(keys)
 
     def __setitem__(self, key: Key, value: Value) -> None:
-        self.changes += key not in self or self[key] != value
+        self.changes += key in self._watched and (key not in self or self[key] != value)
         super().__setitem__(key, value)
 
     def replace(self, content: Mapping[Key, Value]) -> None:

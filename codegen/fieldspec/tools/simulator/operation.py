@@ -31,6 +31,7 @@ class Operation(ABC):
         self.layout, self.behaviour = layout, behaviour
         self.memory = Memory(layout)
         self.cells = Cells(self.memory, behaviour, message)
+        self._named_numbers: dict[tuple[Cell, str], Raw | None] = {}
         axis = next(iter(behaviour.of_kind("axis")), None)
         self.axis_keys: dict[str, Any] = dict(axis.subject) if axis is not None else {}
         self.axis = Axis(float(self.axis_keys.get("start", 0)))
@@ -95,15 +96,25 @@ class Operation(ABC):
         if isinstance(value, bool):
             return int(value)
         if isinstance(value, str):
-            enum = cell.enum if isinstance(cell, BitCell) else cell.value.enum if cell.value is not None else ""
-            member = self.layout.device.enums[enum].named(value) if enum else None
-            if member is not None:
-                return member.value
-            for sentinel in cell.value.sentinels if cell.value is not None else ():
-                if sentinel.name == value and cell.value is not None:
-                    return number_of_sentinel(cell.value, sentinel)
+            key = cell, value
+            if key not in self._named_numbers:
+                self._named_numbers[key] = self._named_number(cell, value)
+            named_number = self._named_numbers[key]
+            if named_number is not None:
+                return named_number
         number = self.number(value)
         return number if isinstance(number, int | float) else float(number)
+
+    def _named_number(self, cell: Cell, name: str) -> Raw | None:
+        """The raw value of a member or a special value of a cell; None for other names."""
+        enum = cell.enum if isinstance(cell, BitCell) else cell.value.enum if cell.value is not None else ""
+        member = self.layout.device.enums[enum].named(name) if enum else None
+        if member is not None:
+            return member.value
+        for sentinel in cell.value.sentinels if cell.value is not None else ():
+            if sentinel.name == name and cell.value is not None:
+                return number_of_sentinel(cell.value, sentinel)
+        return None
 
     def names_nothing(self, cell: Cell, text: str) -> bool:
         """Whether a text is not a value of a cell, and no signal either."""

@@ -28,10 +28,11 @@ def _real(bound: Decimal) -> float:
 class Entry:
     """A mapping of the tree with its path and what it inherits: the section and the sources around it.
 
-    `defaults` are keys of an enclosing group, for keys that are missing here.
+    `stated` is the mapping as the tree has it, `node` the same with its checked keys among the others. `defaults` are
+    keys of an enclosing group, for keys that are missing here.
     """
 
-    __slots__ = ("defaults", "findings", "node", "own", "path", "section", "sources")
+    __slots__ = ("defaults", "findings", "node", "own", "path", "section", "sources", "stated")
 
     def __init__(
         self,
@@ -42,6 +43,7 @@ class Entry:
         sources: tuple[Citation, ...] = (),
         defaults: Mapping | None = None,
     ) -> None:
+        self.stated = node
         if CHECKED in node.values:
             node = with_checked_keys(node)
         if defaults is not None and CHECKED in defaults.values:
@@ -154,7 +156,7 @@ class Entry:
 
     def place(self) -> Place:
         """The place of this entry in the spec."""
-        return Place(self.path, self.node, self.own)
+        return Place(self.path, self.stated, self.own)
 
     def span(self, key: str) -> Span:
         """The span of a key's value, or of the name."""

@@ -11,6 +11,7 @@ from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.address_space import WORDS, AddressSpace
 from fieldspec.language.model.device import Detection, Device, Manual, Version, VersionLine
+from fieldspec.language.model.machines import StateMachine
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.language.model.texts import Erratum, Note
 from fieldspec.language.reading.building import enums, links, machines, records, registers, tasks, texts, values
@@ -45,7 +46,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             title=head.text("title"),
             doc=head.text("doc"),
             manual=_manual(head),
-            lines=tuple(_line(entry) for entry in root.entries("versions", "line")),
+            lines=_lines(root, reused),
             links=_by_name(root, "links", links.link, reused),
             messages=_by_name(root, "messages", lambda entry: records.message(entry, reused), reused),
             records=_by_name(root, "records", lambda entry: records.record(entry, reused), reused),
@@ -57,7 +58,9 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
             tables=_by_name(root, "tables", registers.table, reused),
             parameters=_by_name(root, "parameters", lambda entry: registers.parameter_set(entry, reused), reused),
             signals=signals,
-            conversions=_by_name(root, "conversions", lambda entry: values.conversion(entry, types), {}),
+            conversions=_by_name(
+                root, "conversions", lambda entry: values.conversion(entry, types), reused, "name", *types.items()
+            ),
             lookups=tuple(_by_name(root, "lookups", texts.lookup, reused).values()),
             limits=tuple(_by_name(root, "limits", texts.limit, reused).values()),
             tasks=tuple(_by_name(root, "tasks", tasks.task, reused).values()),
@@ -67,7 +70,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
                 _with_row(tree, erratum) for erratum in _by_name(root, "errata", texts.erratum, reused, "id").values()
             ),
             accepts=tuple(texts.acceptance(entry) for entry in root.named("accepts", "accepts")),
-            machines=machines.state_machines(root),
+            machines=_machines(root, reused),
             stated_changes=tuple(texts.stated_change(entry) for entry in root.named("changes", "changes")),
         ),
         findings,
@@ -87,11 +90,20 @@ def _with_rows(tree: Mapping, note: Note) -> Note:
 
 
 def _by_name(
-    root: Entry, section: str, build: Callable[[Entry], Item], reused: Reused, name: str = "name"
+    root: Entry,
+    section: str,
+    build: Callable[[Entry], Item],
+    reused: Reused,
+    name: str = "name",
+    *dependencies: object,
 ) -> dict[str, Item]:
-    """The objects of a section by name. A name that occurs twice is a finding; the same node gives the same object."""
+    """The objects of a section by name. A name that occurs twice is a finding; the same node gives the same object.
+
+    They depend on `dependencies` too.
+    """
     sequence = root.own.get(section)
-    sections, same = reused.setdefault((section, "whole"), ByIdentity()), reused.setdefault(section, ByIdentity())
+    sections = reused.setdefault((section, "whole", *dependencies), ByIdentity())
+    same = reused.setdefault((section, *dependencies), ByIdentity())
     if sequence in sections:
         return cast("dict[str, Item]", sections[sequence])
     items: dict[str, Item] = {}
@@ -125,6 +137,12 @@ def _span(item: Mapping, name: str) -> Span:
     return Entry(item, "", []).span(name)
 
 
+def _machines(root: Entry, reused: Reused) -> tuple[StateMachine, ...]:
+    same = reused.setdefault("machines", ByIdentity())
+    behaviour = root.own.get("behaviour")
+    return cast("tuple[StateMachine, ...]", same.get_or_compute(behaviour, lambda _: machines.state_machines(root)))
+
+
 def _groups(root: Entry, spaces: dict[str, AddressSpace], reused: Reused) -> tuple[RegisterGroup, ...]:
     sizes = {name: space.unit_size for name, space in spaces.items()}
     sizes.setdefault("", next(iter(sizes.values()), WORDS.unit_size))
@@ -149,6 +167,11 @@ def _manual(head: Entry) -> Manual:
         url=entry.text("url"),
         read=entry.text("read"),
     )
+
+
+def _lines(root: Entry, reused: Reused) -> tuple[VersionLine, ...]:
+    same = reused.setdefault("versions", ByIdentity())
+    return reused_items(root, "versions", "versions", "line", None, same, _line)
 
 
 def _line(entry: Entry) -> VersionLine:
