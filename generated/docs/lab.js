@@ -1328,8 +1328,13 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
   });
 }
 
+const WIRE = {
+  adding, avoiding, canIdentifier, cobs, crc16, crcOf, fletcherOf, followedBy, inserting, lrc, replacing, sum8, swapping, totalOf,
+};
+
 class ExplainedDevice {
-  constructor(data) {
+  constructor(dataOf) {
+    const data = dataOf(WIRE);
     this.data = data;
     this.enums = new Map(Object.entries(data.enums).map(([name, listing]) => [name, indexedEnum(listing)]));
     this.flags = new Map(Object.entries(data.flags));
@@ -1425,10 +1430,8 @@ function indexedRecord(record) {
 
 function indexedFrame(frame) {
   const parts = [...frame.header, ...frame.trailer];
-  const escape = frame.escape && { ...frame.escape, pattern: bytesOfHex(frame.escape.pattern ?? "") };
   return {
     ...frame,
-    escape,
     parts,
     checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
     lengths: parts.filter((part) => part.role === "length"),
@@ -1869,30 +1872,9 @@ function sliceOf(data, start, stop) {
   return data.subarray(first, Math.max(first, last));
 }
 
-const FUNCTIONS = new WeakMap();
-
-function functionOf(algorithm) {
-  if (algorithm.codec) return algorithm.codec;
-  if (!FUNCTIONS.has(algorithm)) {
-    const initial = BigInt(algorithm.initial);
-    let compute = algorithm.method === "crc"
-      ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
-      : algorithm.method === "fletcher"
-        ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
-        : totalOf({ ...algorithm, initial });
-    if (algorithm.method === "crc" && algorithm.unitSize) compute = swapping(compute, algorithm.unitSize);
-    if (algorithm.suffix) compute = followedBy(compute, bytesOfHex(algorithm.suffix));
-    const { avoided, replacements } = algorithm;
-    if (avoided) compute = avoiding(compute, Math.ceil(algorithm.width / 8), bytesOfHex(avoided), bytesOfHex(replacements));
-    FUNCTIONS.set(algorithm, compute);
-  }
-  return FUNCTIONS.get(algorithm);
-}
-
 function checksumOf(part, data) {
   const covered = sliceOf(data, part.start ?? 0, part.stop);
-  const algorithm = functionOf(part.algorithm);
-  return Uint8Array.from(checksumBytes({ ...part, algorithm }, covered, 0, covered.length));
+  return Uint8Array.from(checksumBytes(part, covered, 0, covered.length));
 }
 
 function lengthNumber(part, length) {
@@ -1910,20 +1892,9 @@ function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   }
 }
 
-function escaping({ method, pairs, pattern, inserted, bits, fields, remote }) {
-  switch (method) {
-    case "can": return canIdentifier(bits, fields, remote);
-    case "cobs": return cobs;
-    case "add": return adding(inserted);
-    case "replace": return replacing(pairs);
-    case "insert": return inserting([...pattern], inserted);
-    default: throw new RangeError(`unknown escape: ${method}`);
-  }
-}
-
 function originalPlaces(escape, data) {
   const places = [];
-  escaping(escape).walk(data, (byte, at) => places.push([byte, at]));
+  escape.bytes.walk(data, (byte, at) => places.push([byte, at]));
   return places;
 }
 
@@ -1935,15 +1906,11 @@ function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
 }
 
-function escapedBytes(escape, data) {
-  return escaping(escape).escaped(data);
-}
-
-function mostEscaped({ method, pattern, fields }, size) {
+function mostEscaped({ method, patternSize, fields }, size) {
   if (method === "can") return size + 8 - identifierSize({ fields });
   if (method === "add") return size;
   if (method === "replace") return 2 * size;
-  return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
+  return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / patternSize);
 }
 
 function parameterNumbered(words, number) {
@@ -3856,7 +3823,7 @@ function charactersOf(bytes) {
 function sentBytes(shape, data) {
   if (!shape.escape) return data;
   const stop = data.length + shape.escapeStop;
-  const inner = escapedBytes(shape.escape, data.subarray(shape.escapeStart, stop));
+  const inner = shape.escape.bytes.escaped(data.subarray(shape.escapeStart, stop));
   return joinedBytes([data.subarray(0, shape.escapeStart), inner, data.subarray(stop)]);
 }
 
@@ -5165,7 +5132,8 @@ class Lab {
 
 
   add(data, requests) {
-    this.loads.get(data.version)?.({ device: new ExplainedDevice(data), requests });
+    const device = new ExplainedDevice(data);
+    this.loads.get(device.data.version)?.({ device, requests });
   }
 
   load(page, version) {

@@ -1,4 +1,4 @@
-fieldspecLab.add({
+fieldspecLab.add(() => ({
  "device": "hiwin-e",
  "version": "2.14.4",
  "name": "E1/E2 PROFINET",
@@ -336,7 +336,7 @@ fieldspecLab.add({
   {"id": "ramp-generator-without-bits", "fact": "enums/operating_mode/speed_with_ramp_generator", "printed": {}, "reason": "The mode with a ramp function generator has none of its bits: in the telegrams of speed the bits 4 to 6 of STW1, where PROFIdrive has them, are reserved."},
   {"id": "modulo-bits-that-cannot-be", "fact": "flags/operation_warnings", "printed": {}, "reason": "Bit 12 tells of a lower end above 0 and bit 13 of an upper end below 0. The ranges of Pt25C and Pt25B allow neither, so that a write of such a value would be refused before."},
  ],
-}, {
+}), {
  "reads": {
   "cyclic": [],
   "parameter_channel": ["read_parameter"],
