@@ -232,22 +232,14 @@ function mismatchesOf(device, request, response) {
     }
   }
   const message = response.error ? undefined : device.messages.get(response.message);
-  const { access, bitAccess } = message ?? {};
-  if (access?.operation === "read") {
-    const want = access.count ? request.values.get(access.count) : 1;
-    const have = response.values.get(access.values);
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
-      const unit = access.unitSize === 1 ? "bytes" : "words";
-      texts.push(`the request asks for ${want} ${unit}, but the response has ${have.length}`);
-    }
-  }
-  if (bitAccess?.operation === "read" && bitAccess.count) {
-    const want = request.values.get(bitAccess.count);
-    const have = response.values.get(bitAccess.values);
-    const size = isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : 0;
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length !== size) {
-      const text = `the request asks for ${want} bits, which take ${size} bytes`;
-      texts.push(`${text}, but the response has ${have.length}`);
+  const { operation, count, values, unit = "word" } = message?.access ?? {};
+  if (operation === "read" && (count || unit !== "bit")) {
+    const want = count ? request.values.get(count) : 1;
+    const have = response.values.get(values);
+    const size = unit === "bit" && isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : want;
+    if (isWhole(want ?? "") && Array.isArray(have) && have.length != size) {
+      const taken = unit === "bit" ? `, which take ${size} bytes` : "";
+      texts.push(`the request asks for ${want} ${unit}s${taken}, but the response has ${have.length}`);
     }
   }
   return texts;
