@@ -276,10 +276,7 @@ def text_letters(value: Value, order: str) -> str:
     """The arguments of the form of a text: its encoding, its bytes, its padding and its terminator."""
     form = value.text_form
     assert form is not None
-    end = "-" if form.terminator is None else str(form.terminator)
-    side = "right" if form.is_right else "left"
-    codec = form.encoding if form.is_packed else form.codec(order)
-    return f"{codec} {value.size} {form.padding} {end} {side}{' turned' * form.is_turned}"
+    return form.arguments(value.size, order)
 
 
 def text_form(value: Value, order: str) -> str:
