@@ -1893,13 +1893,6 @@ function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
 }
 
-function mostEscaped({ method, patternSize, fields }, size) {
-  if (method === "can") return size + 8 - identifierSize({ fields });
-  if (method === "add") return size;
-  if (method === "replace") return 2 * size;
-  return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / patternSize);
-}
-
 function parameterNumbered(words, number) {
   return words.parameters.find((row) => row.number <= number && number < row.number + (row.count ?? 1));
 }
@@ -2770,21 +2763,10 @@ function numberOf({ offset, size, order, value }, data) {
   return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
 }
 
-function lengthsOf(link, direction, message) {
-  const { headerSize, trailerSize } = link[direction];
-  const record = message[direction];
-  return [record.least + headerSize + trailerSize, (record.most ?? Infinity) + headerSize + trailerSize];
-}
-
 function namesOfLength(link, direction, frame) {
   const { length } = unwrapped(link, direction, frame).data;
-  const { escape } = link[direction];
-  const fitting = [...link.carriedMessages[direction].values()].filter((message) => {
-    const [least, most] = lengthsOf(link, direction, message);
-    if (escape) return most === Infinity || length <= mostEscaped(escape, most);
-    return least <= length && length <= most;
-  });
-  return fitting.map(({ name }) => name);
+  const fitting = link.lengths[direction].filter(([, least, most]) => least <= length && (most === null || length <= most));
+  return fitting.map(([name]) => name);
 }
 
 function readingData([link, direction, message, error]) {
@@ -3110,11 +3092,8 @@ function otherLengths(device, chosen, options) {
   const all = new Set([...known.request.keys(), ...known.response.keys()]);
   const names = all.has(options.message) ? [options.message] : [...all];
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
-  const escape = link.request.escape?.method === "can" ? link.request.escape : null;
-  const identifier = escape ? identifierSize(escape) : 0;
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [least, most] = lengthsOf(link, direction, device.messages.get(name)).map((bound) => bound - identifier);
-    const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
+    const [, , , size] = link.lengths[direction].find(([other]) => other === name);
     return `${messageText(link, direction, name)} has ${size}`;
   }));
   return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fieldspec.codec.explain.frame_sizes import bounds_text
+from fieldspec.codec.explain.recognition import lengths, sent_lengths
 from fieldspec.codec.layout.exception_mark import ExceptionMark
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
@@ -51,6 +53,7 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
         **stated({"openings": _openings(link)}),
         **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
         "directionNames": {"request": own.request_name, "response": own.response_name},
+        "lengths": {direction: _lengths(link, direction) for direction in DIRECTIONS},
         "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
         "repeated": [[part.name, repetition.name] for part, repetition in repeated_parts(link)],
         "request": _frame(link.request),
@@ -89,6 +92,18 @@ def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
             "messages": [[number, message.name] for number, message in shared.messages.items()],
         }
         for code, shared in link.subcodes(direction).items()
+    ]
+
+
+def _lengths(link: LinkLayout, direction: str) -> list[Data]:
+    """The messages that frames may be by their length: the least and the most bytes that are sent, and in words."""
+    frame = link.frame(direction)
+    if frame.role("code") is not None and not link.ambiguous_codes(direction):
+        return []
+    identifier = frame.escape.fields_size if frame.escape is not None else 0
+    return [
+        [name, least, most, bounds_text(*lengths(link, direction, name), identifier)]
+        for name, least, most in sent_lengths(link, direction)
     ]
 
 
@@ -151,5 +166,4 @@ def _escape(escape: Escape | None) -> Data:
     if escape is None:
         return None
     fields = {"fields": escape.fields, "remote": escape.remote} if escape.method == "can" else {}
-    data = {"method": escape.method, "bytes": Code(escape_object(escape)), "patternSize": len(escape.pattern), **fields}
-    return stated(data)
+    return stated({"method": escape.method, "bytes": Code(escape_object(escape)), **fields})

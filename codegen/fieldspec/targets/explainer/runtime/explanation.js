@@ -3,7 +3,7 @@ import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } fro
 import { wholeOf } from "./interpreter.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue } from "./values.js";
 import { endRows, escapeRow, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
-import { checksumOf, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
+import { checksumOf, lengthNumber, originalPlaces, partOffset, unwrapped } from "./frames.js";
 import { CodecError } from "../error.js";
 import { accessedSpans, NOTHING, registerRows } from "./registers.js";
 import { ExplainedBody } from "./body.js";
@@ -315,23 +315,11 @@ function numberOf({ offset, size, order, value }, data) {
   return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
 }
 
-/** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
-export function lengthsOf(link, direction, message) {
-  const { headerSize, trailerSize } = link[direction];
-  const record = message[direction];
-  return [record.least + headerSize + trailerSize, (record.most ?? Infinity) + headerSize + trailerSize];
-}
-
 /** The names of the messages whose body can be as long as that of a frame. */
 export function namesOfLength(link, direction, frame) {
   const { length } = unwrapped(link, direction, frame).data;
-  const { escape } = link[direction];
-  const fitting = [...link.carriedMessages[direction].values()].filter((message) => {
-    const [least, most] = lengthsOf(link, direction, message);
-    if (escape) return most === Infinity || length <= mostEscaped(escape, most);
-    return least <= length && length <= most;
-  });
-  return fitting.map(({ name }) => name);
+  const fitting = link.lengths[direction].filter(([, least, most]) => least <= length && (most === null || length <= most));
+  return fitting.map(([name]) => name);
 }
 
 /** Readings as data: link, direction, message and whether it is an exception response. */

@@ -93,11 +93,3 @@ export function identifierSize({ fields }) {
 export function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
 }
-
-/** The most bytes that are sent for `size` bytes. */
-export function mostEscaped({ method, patternSize, fields }, size) {
-  if (method === "can") return size + 8 - identifierSize({ fields });
-  if (method === "add") return size;
-  if (method === "replace") return 2 * size;
-  return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / patternSize);
-}

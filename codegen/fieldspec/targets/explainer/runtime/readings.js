@@ -1,8 +1,7 @@
 import { codeIn, isAmbiguous, partNumberText } from "./device.js";
-import { identifierSize } from "./frames.js";
 import { isWhole } from "./numbers.js";
 import { enumeration, hexOf } from "./texts.js";
-import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
+import { explained, namesOfLength, reasonsOf } from "./explanation.js";
 
 export const DIRECTIONS = ["request", "response"];
 
@@ -340,11 +339,8 @@ function otherLengths(device, chosen, options) {
   const all = new Set([...known.request.keys(), ...known.response.keys()]);
   const names = all.has(options.message) ? [options.message] : [...all];
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
-  const escape = link.request.escape?.method === "can" ? link.request.escape : null;
-  const identifier = escape ? identifierSize(escape) : 0;
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [least, most] = lengthsOf(link, direction, device.messages.get(name)).map((bound) => bound - identifier);
-    const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
+    const [, , , size] = link.lengths[direction].find(([other]) => other === name);
     return `${messageText(link, direction, name)} has ${size}`;
   }));
   return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];
