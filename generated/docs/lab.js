@@ -1025,10 +1025,6 @@ function decimalOf(text) {
   return { coefficient: BigInt(whole + places), exponent: -places.length };
 }
 
-function decimalProduct(number, { coefficient, exponent }) {
-  return { coefficient: BigInt(number) * coefficient, exponent };
-}
-
 function decimalSum(left, right) {
   const exponent = Math.min(left.exponent, right.exponent);
   const at = (decimal) => decimal.coefficient * 10n ** BigInt(decimal.exponent - exponent);
@@ -1057,12 +1053,8 @@ function decimalQuotient(above, below, digits) {
   let coefficient = scaled / bottom;
   const isExact = scaled % bottom === 0n;
   if (!isExact) coefficient = coefficient * 10n + 1n;
-  let result = decimalRounded({ coefficient, exponent: -places - (isExact ? 0 : 1) }, digits);
-  if (isExact) {
-    while (result.exponent < 0 && result.coefficient % 10n === 0n) {
-      result = { coefficient: result.coefficient / 10n, exponent: result.exponent + 1 };
-    }
-  }
+  const rounded = decimalRounded({ coefficient, exponent: -places - (isExact ? 0 : 1) }, digits);
+  const result = isExact ? shortest(rounded) : rounded;
   return negative ? { ...result, coefficient: -result.coefficient } : result;
 }
 
@@ -1488,7 +1480,10 @@ function sentinelOf(value, number) {
 function quantityOf(value, number) {
   const { scale = "1", offset = "0" } = value;
   const [above, below] = scale.split("/");
-  if (below === undefined) return decimalSum(decimalProduct(number, decimalOf(scale)), decimalOf(offset));
+  if (below === undefined) {
+    const { coefficient, exponent } = decimalOf(scale);
+    return decimalSum({ coefficient: BigInt(number) * coefficient, exponent }, decimalOf(offset));
+  }
   const share = decimalQuotient(BigInt(number) * BigInt(above), BigInt(below), EXACT_DIGITS);
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }

@@ -241,9 +241,9 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         actual = response.values.get(access.values)
         if isinstance(expected, int) and isinstance(actual, list):
             size = packed_size(expected) if unit == BIT else expected
-            taken = f", which take {size} bytes" if unit == BIT else ""
+            size_text = f", which take {size} bytes" if unit == BIT else ""
             if len(actual) != size:
-                yield f"the request asks for {expected} {unit}s{taken}, but the response has {len(actual)}"
+                yield f"the request asks for {expected} {unit}s{size_text}, but the response has {len(actual)}"
 
 
 def _has_code_of_its_own(layout: DeviceLayout, response: Explanation) -> bool:

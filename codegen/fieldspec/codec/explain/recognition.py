@@ -66,15 +66,17 @@ def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     """The messages whose body can be as long as that of the frame."""
     length = len(unwrapped(link.link, direction, frame).data)
     bounds = sent_lengths(link, direction)
-    return [name for name, least, most in bounds if least <= length and (most is None or length <= most)]
+    return [name for name, minimum, maximum in bounds if minimum <= length and (maximum is None or length <= maximum)]
 
 
 def sent_lengths(link: LinkLayout, direction: str) -> Iterator[tuple[str, int, int | None]]:
     """The messages of a direction, with the least and the most bytes between delimiters; None is unbounded."""
     escape = link.frame(direction).escape
     for name in link.carried(direction):
-        least, most = lengths(link, direction, name)
-        yield name, least if escape is None else 0, most if escape is None or most is None else escape.most(most)
+        minimum, maximum = lengths(link, direction, name)
+        if escape is not None:
+            minimum, maximum = 0, None if maximum is None else escape.most(maximum)
+        yield name, minimum, maximum
 
 
 def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:

@@ -82,7 +82,7 @@ def accessed(
     offset: int,
     data: bytes,
 ) -> Span | None:
-    """The words or bits that a message accesses, by its own values or those of the request that it answers.
+    """The words or bits that a message accesses, by its own values or values of the request that it answers.
 
     `data` are the bytes of the words, at `offset` in the parts; empty if the message does not carry them. None if the
     words are unknown.
@@ -98,8 +98,8 @@ def accessed(
         return Span(access.space, start, 1, offset, data, (bit,))
     carried = 8 * len(data) if is_bits else len(data) // size
     count = values.get(access.count, request_values.get(access.count)) if access.count else None
-    least = carried if access.count else 1 if is_bits else max(carried, 1)
-    words = count if isinstance(count, int) else least
+    unstated = carried if access.count else 1 if is_bits else max(carried, 1)
+    words = count if isinstance(count, int) else unstated
     if is_bits:
         return Span(access.space, start, words, offset, data, tuple(unpacked_bits(data))[:words])
     return Span(access.space, start, words, offset, data[: carried * size], unit_size=size)
@@ -113,7 +113,7 @@ def accessed_spans(
     values: Mapping[str, Raw],
     request_values: Mapping[str, Raw] | None,
 ) -> Iterator[tuple[RegisterAccess, Span]]:
-    """The accesses of a message with what they access. Of several accesses, a response has those that read.
+    """The accesses of a message with what they access. If there are several, a response has the reading ones.
 
     `body` is where the data begin in the parts of a frame, and their bytes. `request_values` are the values of the
     request that a response answers, None for a request.

@@ -102,8 +102,8 @@ def _lengths(link: LinkLayout, direction: str) -> list[Data]:
         return []
     identifier = frame.escape.fields_size if frame.escape is not None else 0
     return [
-        [name, least, most, bounds_text(*lengths(link, direction, name), identifier)]
-        for name, least, most in sent_lengths(link, direction)
+        [name, minimum, maximum, bounds_text(*lengths(link, direction, name), identifier)]
+        for name, minimum, maximum in sent_lengths(link, direction)
     ]
 
 
