@@ -15,7 +15,7 @@ from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.reading.project import read
 from fieldspec.targets.c.backend import files
-from fieldspec.targets.explainer.device import device_data
+from fieldspec.targets.explainer.device import explainer_data
 from fieldspec.targets.js.backend import shared
 from fieldspec.tools.proofs.running import outcome
 from fieldspec_devices import errors, tc100
@@ -161,9 +161,10 @@ def test_structured_text_refuses_it(layout: DeviceLayout, tmp_path: Path) -> Non
 ENCODE = """
 import { ExplainedDevice } from "./runtime/explain/device.js";
 import { encodeFrame } from "./runtime/explain/encoding.js";
+import { dataOf } from "./data.js";
 import { readFileSync } from "node:fs";
-const { data, asked } = JSON.parse(readFileSync(process.argv[2], "utf8"));
-const device = new ExplainedDevice(data);
+const { asked } = JSON.parse(readFileSync(process.argv[2], "utf8"));
+const device = new ExplainedDevice(dataOf);
 for (const [direction, message, values] of asked) {
   try {
     encodeFrame(device, { link: "bus", direction, message }, new Map(Object.entries(values)));
@@ -182,7 +183,8 @@ def test_the_lab_refuses_it(layout: DeviceLayout, tmp_path: Path) -> None:
         place.write_text(text, "utf-8")
     (tmp_path / "encode.js").write_text(ENCODE, "utf-8")
     asked = [(direction, message, values_of(message, station)) for direction, message, station in ANSWERS]
-    (tmp_path / "asked.json").write_text(json.dumps({"data": device_data(layout), "asked": asked}), "utf-8")
+    (tmp_path / "data.js").write_text(f"export const dataOf = {explainer_data(layout)};", "utf-8")
+    (tmp_path / "asked.json").write_text(json.dumps({"asked": asked}), "utf-8")
     command = [require_tool("node"), str(tmp_path / "encode.js"), str(tmp_path / "asked.json")]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr

@@ -197,7 +197,7 @@ def test_keys_of_specs_follow_the_glossary() -> None:
 
 def generated_names() -> Iterator[tuple[str, str]]:
     """The names in the runtime of the generated Python, which every user of it reads."""
-    for path in sorted((PACKAGE / "targets" / "python" / "runtime").glob("*.py")):
+    for path in sorted((PACKAGE / "foundation" / "runtime").glob("*.py")):
         for token in tokenize.generate_tokens(io.StringIO(path.read_text("utf-8")).readline):
             if token.type == tokenize.NAME and not keyword.iskeyword(token.string):
                 yield path.name, token.string

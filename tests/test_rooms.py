@@ -19,9 +19,6 @@ OUTPUTS = "outputs"
 REACHING = {
     # Streams are cut into frames by the framers of the generated Python: there is no second framing.
     "tools/simulator/codecs.py": {"fieldspec.targets.python.backend"},
-    # Versions are detected by the function that generated clients carry, and not by another one.
-    "tools/simulator/reported_version.py": {"fieldspec.targets.python.runtime._firmware"},
-    "tools/live/firmware.py": {"fieldspec.targets.python.runtime._firmware"},
 }
 
 # What the modules of targets import of the rooms below theirs.

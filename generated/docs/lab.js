@@ -1033,10 +1033,6 @@ function decimalOf(text) {
   return { coefficient: BigInt(whole + places), exponent: -places.length };
 }
 
-function decimalProduct(number, { coefficient, exponent }) {
-  return { coefficient: BigInt(number) * coefficient, exponent };
-}
-
 function decimalSum(left, right) {
   const exponent = Math.min(left.exponent, right.exponent);
   const at = (decimal) => decimal.coefficient * 10n ** BigInt(decimal.exponent - exponent);
@@ -1065,12 +1061,8 @@ function decimalQuotient(above, below, digits) {
   let coefficient = scaled / bottom;
   const isExact = scaled % bottom === 0n;
   if (!isExact) coefficient = coefficient * 10n + 1n;
-  let result = decimalRounded({ coefficient, exponent: -places - (isExact ? 0 : 1) }, digits);
-  if (isExact) {
-    while (result.exponent < 0 && result.coefficient % 10n === 0n) {
-      result = { coefficient: result.coefficient / 10n, exponent: result.exponent + 1 };
-    }
-  }
+  const rounded = decimalRounded({ coefficient, exponent: -places - (isExact ? 0 : 1) }, digits);
+  const result = isExact ? shortest(rounded) : rounded;
   return negative ? { ...result, coefficient: -result.coefficient } : result;
 }
 
@@ -1284,28 +1276,16 @@ function loaded(field, raw, index) {
   return { field, raw, image, content, number: numberOfContent(field, content, raw, image) };
 }
 
-function run(device, record, data, start, stop, path, rows) {
-  const values = new Map();
-  const beside = new Map();
-  for (const field of record.fields) {
-    const first = start + field.offset;
-    const count = field.count ?? Math.floor((stop - first) / field.size);
-    const sizes = field.isList ? new Array(count).fill(field.size) : [field.span ? stop - first : field.size];
-    const contents = runEach(device, field, data, first, sizes, path, rows, beside);
-    values.set(field.name, field.isList ? contents : contents[0]);
-  }
-  return values;
-}
-
-function runAround(device, record, parts, data, start, stop, path, rows) {
-  const { extents } = extentsIn(parts, data.subarray(start, stop));
-  const byName = new Map(parts.lists.map(({ name }, number) => [name, extents[number]]));
+function run(device, record, parts, data, start, stop, path, rows) {
+  const { extents } = parts ? extentsIn(parts, data.subarray(start, stop)) : { extents: [] };
+  const byName = new Map(extents.map((extent, number) => [parts.lists[number].name, extent]));
   const values = new Map();
   const beside = new Map();
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
     const field = formOfField(record, record.named.get(name), values);
-    const { size, elements, numbers } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
+    const isOpen = field.span || field.count === undefined;
+    const { size, elements, numbers } = byName.get(name) ?? { size: isOpen ? stop - at : field.size * field.count, elements: [] };
     const count = numbers ?? field.count ?? Math.floor(size / field.size);
     const all = field.isList ? new Array(count).fill(field.size) : [size];
     const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
@@ -1322,8 +1302,7 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
     stop += size;
     const own = `${path}${field.name}${field.isList ? `[${index}]` : ""}`;
     const record = field.record && device.records.get(field.record);
-    if (field.parts) return runAround(device, record, field.parts, data, offset, stop, `${own}.`, rows);
-    if (record) return run(device, record, data, offset, stop, `${own}.`, rows);
+    if (record) return run(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
     const row = { ...loaded(field, data.subarray(first, last), index), path: own, index, offset: first, beside };
     if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share
@@ -1336,8 +1315,13 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
   });
 }
 
+const WIRE = {
+  adding, avoiding, canIdentifier, cobs, crc16, crcOf, fletcherOf, followedBy, inserting, lrc, replacing, sum8, swapping, totalOf,
+};
+
 class ExplainedDevice {
-  constructor(data) {
+  constructor(dataOf) {
+    const data = dataOf(WIRE);
     this.data = data;
     this.enums = new Map(Object.entries(data.enums).map(([name, listing]) => [name, indexedEnum(listing)]));
     this.flags = new Map(Object.entries(data.flags));
@@ -1433,10 +1417,8 @@ function indexedRecord(record) {
 
 function indexedFrame(frame) {
   const parts = [...frame.header, ...frame.trailer];
-  const escape = frame.escape && { ...frame.escape, pattern: bytesOfHex(frame.escape.pattern ?? "") };
   return {
     ...frame,
-    escape,
     parts,
     checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
     lengths: parts.filter((part) => part.role === "length"),
@@ -1506,7 +1488,10 @@ function sentinelOf(value, number) {
 function quantityOf(value, number) {
   const { scale = "1", offset = "0" } = value;
   const [above, below] = scale.split("/");
-  if (below === undefined) return decimalSum(decimalProduct(number, decimalOf(scale)), decimalOf(offset));
+  if (below === undefined) {
+    const { coefficient, exponent } = decimalOf(scale);
+    return decimalSum({ coefficient: BigInt(number) * coefficient, exponent }, decimalOf(offset));
+  }
   const share = decimalQuotient(BigInt(number) * BigInt(above), BigInt(below), EXACT_DIGITS);
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
@@ -1877,30 +1862,9 @@ function sliceOf(data, start, stop) {
   return data.subarray(first, Math.max(first, last));
 }
 
-const FUNCTIONS = new WeakMap();
-
-function functionOf(algorithm) {
-  if (algorithm.codec) return algorithm.codec;
-  if (!FUNCTIONS.has(algorithm)) {
-    const initial = BigInt(algorithm.initial);
-    let compute = algorithm.method === "crc"
-      ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
-      : algorithm.method === "fletcher"
-        ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
-        : totalOf({ ...algorithm, initial });
-    if (algorithm.method === "crc" && algorithm.unitSize) compute = swapping(compute, algorithm.unitSize);
-    if (algorithm.suffix) compute = followedBy(compute, bytesOfHex(algorithm.suffix));
-    const { avoided, replacements } = algorithm;
-    if (avoided) compute = avoiding(compute, Math.ceil(algorithm.width / 8), bytesOfHex(avoided), bytesOfHex(replacements));
-    FUNCTIONS.set(algorithm, compute);
-  }
-  return FUNCTIONS.get(algorithm);
-}
-
 function checksumOf(part, data) {
   const covered = sliceOf(data, part.start ?? 0, part.stop);
-  const algorithm = functionOf(part.algorithm);
-  return Uint8Array.from(checksumBytes({ ...part, algorithm }, covered, 0, covered.length));
+  return Uint8Array.from(checksumBytes(part, covered, 0, covered.length));
 }
 
 function lengthNumber(part, length) {
@@ -1918,20 +1882,9 @@ function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
   }
 }
 
-function escaping({ method, pairs, pattern, inserted, bits, fields, remote }) {
-  switch (method) {
-    case "can": return canIdentifier(bits, fields, remote);
-    case "cobs": return cobs;
-    case "add": return adding(inserted);
-    case "replace": return replacing(pairs);
-    case "insert": return inserting([...pattern], inserted);
-    default: throw new RangeError(`unknown escape: ${method}`);
-  }
-}
-
 function originalPlaces(escape, data) {
   const places = [];
-  escaping(escape).walk(data, (byte, at) => places.push([byte, at]));
+  escape.bytes.walk(data, (byte, at) => places.push([byte, at]));
   return places;
 }
 
@@ -1941,17 +1894,6 @@ function identifierSize({ fields }) {
 
 function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
-}
-
-function escapedBytes(escape, data) {
-  return escaping(escape).escaped(data);
-}
-
-function mostEscaped({ method, pattern, fields }, size) {
-  if (method === "can") return size + 8 - identifierSize({ fields });
-  if (method === "add") return size;
-  if (method === "replace") return 2 * size;
-  return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
 }
 
 function parameterNumbered(words, number) {
@@ -2101,6 +2043,8 @@ function bytesAgain(value, field, row) {
   return { bytes: bytesOfNumber(row.number, value.size, "big", value.signed), order: undefined };
 }
 
+const NOTHING = new Map();
+
 function partialText(unit, isAtomic) {
   return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
 }
@@ -2136,25 +2080,32 @@ class AddressSpan {
   }
 }
 
-function accessedSpan(access, isBits, values, asked, at, data) {
+function accessedSpan(access, values, asked, at, data) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
   if (!isWhole(start ?? "")) return null;
-  const size = access.unitSize ?? 2;
-  const carried = Math.floor(data.length / size);
-  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
-  const known = isWhole(count ?? "");
-  if (!isBits) {
-    return new AddressSpan(access.space, Number(start), known ? Number(count) : carried, at, data.subarray(0, carried * size), null, size);
-  }
+  const spanOf = (...more) => new AddressSpan(access.space, Number(start), ...more);
   if (access.set !== undefined) {
     const number = data.length ? values.get(access.values) : undefined;
-    const bit = number == access.clear ? 0 : number == access.set ? 1 : null;
-    return new AddressSpan(access.space, Number(start), 1, at, data, [number === undefined ? null : bit]);
+    return spanOf(1, at, data, [number == access.clear ? 0 : number == access.set ? 1 : null]);
   }
-  const words = known ? Number(count) : 8 * data.length;
-  const bits = Array.from({ length: Math.min(words, 8 * data.length) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1);
-  return new AddressSpan(access.space, Number(start), words, at, data, bits);
+  const [isBits, size] = [access.unit === "bit", access.unit === "byte" ? 1 : 2];
+  const carried = isBits ? 8 * data.length : Math.floor(data.length / size);
+  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
+  const words = isWhole(count ?? "") ? Number(count) : carried;
+  if (!isBits) return spanOf(words, at, data.subarray(0, carried * size), null, size);
+  return spanOf(words, at, data, Array.from({ length: Math.min(words, carried) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1));
+}
+
+function accessedSpans({ access: single, steps }, record, start, data, values, asked) {
+  return (steps ?? [single]).flatMap((access) => {
+    if (!access || (asked && !single && access.operation === "write")) return [];
+    const field = single || (access.operation === "read") === Boolean(asked) ? record.named.get(access.values) : undefined;
+    const { offset = 0, size = 0, count } = field ?? { count: 0 };
+    const carried = data.subarray(offset, count === undefined ? data.length : offset + size * count);
+    const span = accessedSpan(access, single || !asked ? values : NOTHING, asked ?? NOTHING, start + offset, carried);
+    return span ? [[access, span]] : [];
+  });
 }
 
 function registerRows(device, span, spot, operation) {
@@ -2334,7 +2285,7 @@ class ExplainedBody {
     this.beside = new Map();
     const { inner, spans } = this.record;
     Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    const traced = [...(spans ? this.tracedVarying() : inner ? this.tracedAround(inner) : this.traced())];
+    const traced = [...(spans ? this.tracedVarying() : this.traced())];
     this.rows = this.explained(traced);
   }
 
@@ -2349,84 +2300,70 @@ class ExplainedBody {
   }
 
   *traced() {
+    const { inner } = this.record;
+    const fields = inner ? inner.sent.map((name) => this.record.named.get(name)) : this.record.fields;
     let at = this.start;
-    for (const [number, field] of this.record.fields.entries()) {
+    let numberOfList = 0;
+    for (const [number, field] of fields.entries()) {
       if (field.cases) {
         yield this.undecidedRow(field, at);
         return;
+      }
+      if (inner?.lists.some(({ name }) => name === field.name)) {
+        if (numberOfList === this.extents.length) {
+          yield this.unknownListRow(fields.slice(number), inner.lists[numberOfList], at);
+          return;
+        }
+        const extent = this.extents[numberOfList++];
+        yield* this.tracedList(field, extent, at);
+        at += extent.size;
+        continue;
       }
       const count = this.countOf(field);
       const room = field.size ? Math.max(0, Math.min(count, Math.floor((this.end - at) / field.size))) : 0;
       yield this.tracedField(field, at, new Array(room).fill(field.size));
       at += room * field.size;
       if (room < count) {
-        yield this.missingRow(this.record.fields.slice(number), at);
+        yield this.missingRow(fields.slice(number), at);
         return;
       }
     }
     if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  *tracedAround(inner) {
-    const sent = inner.sent.map((name) => this.record.named.get(name));
-    let at = this.start;
-    let numberOfList = 0;
-    for (const [number, field] of sent.entries()) {
-      if (!inner.lists.some(({ name }) => name === field.name)) {
-        const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
-        yield this.tracedField(field, at, new Array(room).fill(field.size));
-        at += room * field.size;
-        if (room < field.count) {
-          yield this.missingRow(sent.slice(number), at);
-          return;
-        }
-        continue;
-      }
-      if (numberOfList === this.extents.length) {
-        yield this.unknownListRow(sent.slice(number), inner.lists[numberOfList], at);
-        return;
-      }
-      const { size, elements } = this.extents[numberOfList++];
-      const stop = at + size;
-      const count = this.itemsOf(field);
-      yield this.tracedField(formOfField(this.record, field, this.values), at, elements.length ? elements : new Array(count).fill(field.size));
-      at = elements.length || field.packing ? stop : at + count * field.size;
-      if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
-      else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
-      at = stop;
-    }
+  *tracedList(field, { size, elements }, start) {
+    const [stop, count] = [start + size, this.itemsOf(field)];
+    yield this.tracedField(formOfField(this.record, field, this.values), start, elements.length ? elements : new Array(count).fill(field.size));
+    const end = elements.length || field.packing ? stop : start + count * field.size;
+    if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], end, stop);
+    else if (end < stop) yield surplusRow(this.spot, end, this.data.subarray(end, stop));
   }
 
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
+    const { decision, packing, parts, presence, countName } = list;
+    let { reason } = this.fault;
+    let text;
     if (this.hasWrongCount(list)) {
-      const text = `${list.countName} is not a number of ${name}, so it is unknown where they end`;
-      return this.wrongRow(fields[0], at, "wrong_measure", text);
+      text = `${countName} is not a number of ${name}, so it is unknown where they end`;
+    } else if (decision && reason === "unknown_value") {
+      text = `${decision.name} ${valueText(this.values.get(decision.name))} does not decide the type of ${name}`;
+    } else if (decision && reason === "wrong_length") {
+      text = `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`;
+    } else if (packing && reason === "wrong_length") {
+      text = `${name} has more bytes than its numbers of ${packing.bits} bits`;
+    } else if (parts) {
+      text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
+    } else if (this.end - this.start < this.record.least) {
+      return this.missingRow(fields, at);
+    } else if (decision) {
+      text = `${decision.name} decides that ${name} has more bytes than there are`;
+    } else if (presence) {
+      [reason, text] = ["incomplete", `${countName} says that ${name} is sent, but its bytes are missing`];
+    } else {
+      [reason, text] = ["incomplete", `${countName} counts more ${name} than there are`];
     }
-    if (list.decision) {
-      const [by, size] = [list.decision.name, this.end - this.start];
-      const { reason } = this.fault;
-      if (reason === "unknown_value") {
-        const text = `${by} ${valueText(this.values.get(by))} does not decide the type of ${name}`;
-        return this.wrongRow(fields[0], at, reason, text);
-      }
-      if (reason === "wrong_length") {
-        return this.wrongRow(fields[0], at, reason, `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`);
-      }
-      if (size < this.record.least) return this.missingRow(fields, at);
-      return this.wrongRow(fields[0], at, reason, `${by} decides that ${name} has more bytes than there are`);
-    }
-    if (list.packing && this.fault.reason === "wrong_length") {
-      const text = `${name} has more bytes than its numbers of ${list.packing.bits} bits`;
-      return this.wrongRow(fields[0], at, this.fault.reason, text);
-    }
-    if (list.parts) {
-      const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
-      return this.wrongRow(fields[0], at, this.fault.reason, text);
-    }
-    if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
-    const text = list.presence ? `says that ${name} is sent, but its bytes are missing` : `counts more ${name} than there are`;
-    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} ${text}`);
+    return this.wrongRow(fields[0], at, reason, text);
   }
 
   itemsOf(field) {
@@ -2513,20 +2450,28 @@ class ExplainedBody {
   }
 
   measured(field, read) {
-    if (field.bitsOf) return this.bitCount(field, read);
     const [of, name, plus = 0] = field.measures ?? [];
-    const other = this.record.named.get(name);
+    const other = this.record.named.get(field.bitsOf ?? name);
     if (!other || other.cases) return read;
-    const text = this.record.spans?.find((span) => span.name === name && span.count !== undefined);
-    if (text) {
-      const isRight = read.number >= plus && read.number <= text.most + plus;
-      return judged(read, isRight, isRight ? read.number : `${plus} to ${text.most + plus}`, "wrong_measure");
+    const { inner, spans } = this.record;
+    const text = spans?.find((span) => span.name === name && span.count !== undefined);
+    const room = this.end - this.start - other.offset;
+    const numberOf = (items) => (of === "bytes" ? items * other.size : items) + plus;
+    let [low, high] = [0, 0];
+    if (field.bitsOf) {
+      high = 8 * Math.max(0, Math.min(this.countOf(other), room));
+      low = Math.max(0, high - 7);
+    } else if (text) {
+      [low, high] = [plus, text.most + plus];
+    } else if (inner && other.repeat) {
+      const number = inner.lists.findIndex((list) => list.name === name);
+      if (number >= this.extents.length) return this.wrongCount(inner.lists[number], field, read);
+      low = high = numberOf(this.itemsOf(other));
+    } else {
+      const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
+      low = high = numberOf(other.isList ? most : 1);
     }
-    if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
-    const most = this.record.spans ? this.countOf(other) : this.itemsAtEnd(other);
-    const items = other.isList ? most : 1;
-    const should = (of === "bytes" ? items * other.size : items) + plus;
-    return judged(read, sameValue(read.number, should), should, "wrong_measure");
+    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : `${low} to ${high}`, "wrong_measure");
   }
 
   itemsAtEnd(field) {
@@ -2547,23 +2492,9 @@ class ExplainedBody {
     return read;
   }
 
-  bitCount(field, read) {
-    const packed = this.record.named.get(field.bitsOf);
-    const size = Math.max(0, Math.min(this.countOf(packed), this.end - this.start - packed.offset));
-    const should = size ? `${8 * size - 7} to ${8 * size}` : 0;
-    return judged(read, Math.ceil(Number(read.number) / 8) === size, should, "wrong_measure");
-  }
-
-  measuredList(field, other, read) {
-    const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
-    if (number < this.extents.length) {
-      const [of, , plus = 0] = field.measures;
-      const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
-      return judged(read, sameValue(read.number, should), should, "wrong_measure");
-    }
-    const list = this.record.inner.lists[number];
+  wrongCount(list, field, read) {
     const { countName, least, most, unit, plus = 0 } = list;
-    if (number !== this.extents.length || countName !== field.name || !this.hasWrongCount(list)) return read;
+    if (countName !== field.name || !this.hasWrongCount(list)) return read;
     return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 
@@ -2572,8 +2503,6 @@ class ExplainedBody {
     return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
   }
 }
-
-const NOTHING = new Map();
 
 function explained(device, link, direction, frame, message = "", request = null) {
   return new ExplainedFrame(device, link, direction, frame, message, request).explanation();
@@ -2603,7 +2532,7 @@ class ExplainedFrame {
 
   explanation() {
     if (this.unreadable !== null) return this.unreadableFrame(this.unreadable);
-    const rows = [...startRows(this.wrapped), ...this.headRows()];
+    const rows = [...startRows(this.wrapped), ...this.partRows(this.shape.header, 0)];
     let registers = [];
     if (this.data.length >= this.shape.headerSize) {
       this.error ||= this.isMarked();
@@ -2712,15 +2641,16 @@ class ExplainedFrame {
     return [data, nothing];
   }
 
-  headRows() {
+  partRows(parts, base) {
     const rows = [];
-    for (const part of this.shape.header) {
-      const data = this.data.subarray(part.offset, part.offset + part.size);
+    for (const part of parts) {
+      const at = base + part.offset;
+      const data = this.data.subarray(at, at + part.size);
       if (data.length < part.size) {
-        if (this.wrapped.whole || data.length) rows.push(this.shortRow(part, part.offset, data));
+        if (this.wrapped.whole || data.length) rows.push(this.shortRow(part, at, data));
         return rows;
       }
-      rows.push(this.partRow(part, part.offset, data));
+      rows.push(this.partRow(part, at, data));
     }
     return rows;
   }
@@ -2828,32 +2758,10 @@ class ExplainedFrame {
     const body = new ExplainedBody(this.device, record, message ?? record, isRequest, this.data, start, end, this.spot, asked);
     for (const [name, value] of body.values) this.values.set(name, value);
     const rows = body.rows.filter((row) => this.wrapped.whole || row.kind !== "unexplained" || row.length);
-    const access = this.error ? undefined : message?.access ?? message?.bitAccess;
-    if (!access) return { rows, registers: this.error ? [] : this.stepRows(record, body.values, start, end) };
-    const values = record.named.get(access.values);
-    const at = values ? start + values.offset : start;
-    const isOpen = !values || values.count === undefined;
-    const last = isOpen ? end : Math.min(end, start + values.offset + values.size * values.count);
-    const data = values ? this.data.subarray(at, Math.max(at, last)) : this.data.subarray(0, 0);
-    const isBits = access === message.bitAccess;
-    const span = accessedSpan(access, isBits, body.values, asked, at, data);
-    return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
-  }
-
-  stepRows(record, values, start, end) {
-    const isRequest = this.direction === "request";
-    const known = isRequest ? values : this.asked?.values ?? NOTHING;
-    const rows = [];
-    for (const step of this.message?.steps ?? []) {
-      if (!isRequest && step.operation === "write") continue;
-      const field = (step.operation === "read") === !isRequest ? record.named.get(step.values) : undefined;
-      const at = start + (field?.offset ?? 0);
-      const last = field?.count === undefined ? end : Math.min(end, at + field.size * field.count);
-      const data = this.data.subarray(at, field ? Math.max(at, last) : at);
-      const span = accessedSpan(step, false, known, NOTHING, at, data);
-      if (span) rows.push(...registerRows(this.device, span, this.spot, step.operation));
-    }
-    return rows;
+    if (!message || this.error) return { rows, registers: [] };
+    const answered = this.direction === "request" ? null : asked;
+    const spans = accessedSpans(message, record, start, this.data.subarray(start, Math.max(start, end)), body.values, answered);
+    return { rows, registers: spans.flatMap(([{ operation }, span]) => registerRows(this.device, span, this.spot, operation)) };
   }
 
   unknownRows(start, end) {
@@ -2867,19 +2775,8 @@ class ExplainedFrame {
   }
 
   tailRows() {
-    if (!this.wrapped.whole) return [];
-    const rows = [];
-    const start = Math.max(this.shape.headerSize, this.data.length - this.shape.trailerSize);
-    for (const part of this.shape.trailer) {
-      const at = start + this.shape.trailerSize + part.offset;
-      const data = this.data.subarray(at, at + part.size);
-      if (data.length < part.size) {
-        rows.push(this.shortRow(part, at, data));
-        return rows;
-      }
-      rows.push(this.partRow(part, at, data));
-    }
-    return rows;
+    const { headerSize, trailerSize, trailer } = this.shape;
+    return this.wrapped.whole ? this.partRows(trailer, Math.max(headerSize + trailerSize, this.data.length)) : [];
   }
 }
 
@@ -2889,21 +2786,10 @@ function numberOf({ offset, size, order, value }, data) {
   return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
 }
 
-function lengthsOf(link, direction, message) {
-  const { headerSize, trailerSize } = link[direction];
-  const record = message[direction];
-  return [record.least + headerSize + trailerSize, (record.most ?? Infinity) + headerSize + trailerSize];
-}
-
 function namesOfLength(link, direction, frame) {
   const { length } = unwrapped(link, direction, frame).data;
-  const { escape } = link[direction];
-  const fitting = [...link.carriedMessages[direction].values()].filter((message) => {
-    const [least, most] = lengthsOf(link, direction, message);
-    if (escape) return most === Infinity || length <= mostEscaped(escape, most);
-    return least <= length && length <= most;
-  });
-  return fitting.map(({ name }) => name);
+  const fitting = link.lengths[direction].filter(([, least, most]) => least <= length && (most === null || length <= most));
+  return fitting.map(([name]) => name);
 }
 
 function readingData([link, direction, message, error]) {
@@ -3130,22 +3016,14 @@ function mismatchesOf(device, request, response) {
     }
   }
   const message = response.error ? undefined : device.messages.get(response.message);
-  const { access, bitAccess } = message ?? {};
-  if (access?.operation === "read") {
-    const want = access.count ? request.values.get(access.count) : 1;
-    const have = response.values.get(access.values);
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
-      const unit = access.unitSize === 1 ? "bytes" : "words";
-      texts.push(`the request asks for ${want} ${unit}, but the response has ${have.length}`);
-    }
-  }
-  if (bitAccess?.operation === "read" && bitAccess.count) {
-    const want = request.values.get(bitAccess.count);
-    const have = response.values.get(bitAccess.values);
-    const size = isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : 0;
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length !== size) {
-      const text = `the request asks for ${want} bits, which take ${size} bytes`;
-      texts.push(`${text}, but the response has ${have.length}`);
+  const { operation, count, values, unit = "word" } = message?.access ?? {};
+  if (operation === "read" && (count || unit !== "bit")) {
+    const want = count ? request.values.get(count) : 1;
+    const have = response.values.get(values);
+    const size = unit === "bit" && isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : want;
+    if (isWhole(want ?? "") && Array.isArray(have) && have.length != size) {
+      const taken = unit === "bit" ? `, which take ${size} bytes` : "";
+      texts.push(`the request asks for ${want} ${unit}s${taken}, but the response has ${have.length}`);
     }
   }
   return texts;
@@ -3237,11 +3115,8 @@ function otherLengths(device, chosen, options) {
   const all = new Set([...known.request.keys(), ...known.response.keys()]);
   const names = all.has(options.message) ? [options.message] : [...all];
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
-  const escape = link.request.escape?.method === "can" ? link.request.escape : null;
-  const identifier = escape ? identifierSize(escape) : 0;
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [least, most] = lengthsOf(link, direction, device.messages.get(name)).map((bound) => bound - identifier);
-    const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
+    const [, , , size] = link.lengths[direction].find(([other]) => other === name);
     return `${messageText(link, direction, name)} has ${size}`;
   }));
   return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];
@@ -3887,7 +3762,7 @@ function charactersOf(bytes) {
 function sentBytes(shape, data) {
   if (!shape.escape) return data;
   const stop = data.length + shape.escapeStop;
-  const inner = escapedBytes(shape.escape, data.subarray(shape.escapeStart, stop));
+  const inner = shape.escape.bytes.escaped(data.subarray(shape.escapeStart, stop));
   return joinedBytes([data.subarray(0, shape.escapeStart), inner, data.subarray(stop)]);
 }
 
@@ -4084,9 +3959,8 @@ class FrameTable {
     const registers = byId("registers");
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
-      const { access, bitAccess } = device.messages.get(explanation.message);
-      const single = access ?? bitAccess;
-      const caption = single ? `What the frame ${single.operation}s` : "Registers that the frame accesses";
+      const { access } = device.messages.get(explanation.message);
+      const caption = access ? `What the frame ${access.operation}s` : "Registers that the frame accesses";
       this.showTable(registers, caption, REGISTER_COLUMNS, explanation.registers, addressText);
     }
     byId("faults").replaceChildren(...faultTexts(explanation).map((text) => element("li", { textContent: text })));
@@ -4129,7 +4003,7 @@ class FrameTable {
   rawForms({ link, direction, message, error, rows }) {
     const { device } = this.lab;
     const { code, checks } = device.links.get(link)[direction];
-    const { access, bitAccess, [direction]: record } = device.messages.get(message) ?? {};
+    const { access, [direction]: record } = device.messages.get(message) ?? {};
     const fields = error ? [] : record?.fields ?? [];
     const isHexadecimal = ({ name, value }) => {
       if (value?.flags) return true;
@@ -4140,7 +4014,7 @@ class FrameTable {
     };
     return {
       hidden: checks.map(({ name }) => name),
-      hexadecimal: [code?.name, (access ?? bitAccess)?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
+      hexadecimal: [code?.name, access?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
     };
   }
 
@@ -4541,7 +4415,7 @@ class MessageForm {
   access() {
     const { message, error } = this.choice;
     const own = this.lab.device.messages.get(message);
-    return error ? undefined : own.access ?? own.bitAccess;
+    return error ? undefined : own.access;
   }
 
   isAddress(field) {
@@ -5196,7 +5070,8 @@ class Lab {
 
 
   add(data, requests) {
-    this.loads.get(data.version)?.({ device: new ExplainedDevice(data), requests });
+    const device = new ExplainedDevice(data);
+    this.loads.get(device.data.version)?.({ device, requests });
   }
 
   load(page, version) {

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import pytest
 
 from fieldspec.codec.layout.detection import version_detection
+from fieldspec.foundation.runtime._firmware import module_name, version_in
 from fieldspec.language.behaviour.reading import behaviour_of
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import read
-from fieldspec.targets.python.runtime._firmware import module_name, version_in
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.reported_version import reported_version
 from layouts import layout_at

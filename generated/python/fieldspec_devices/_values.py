@@ -325,8 +325,8 @@ class Boolean(Value[bool]):
         return refused_number(name, value, 0, 1)
 
 
-class Text(Value[str]):
-    """ASCII characters, filled up with zeros. `length` is how many there may be."""
+class _Sequence(Value[T]):
+    """Characters or bytes. `length` is how many there may be."""
 
     __slots__ = ("length",)
 
@@ -334,9 +334,15 @@ class Text(Value[str]):
         super().__init__(letters)
         self.length = length
 
-    def of_carried(self, name: str, raw: Any) -> str:
-        """The characters of the bytes that a message carries. Raises CodecError."""
+    def of_carried(self, name: str, raw: Any) -> T:
+        """The value of the bytes that a message carries. Raises CodecError."""
         return self.decode(name, raw)
+
+
+class Text(_Sequence[str]):
+    """ASCII characters, filled up with zeros. `length` is how many there may be."""
+
+    __slots__ = ()
 
     def of_raw(self, name: str, raw: bytes) -> str:
         return text(name, raw, 0)
@@ -348,18 +354,10 @@ class Text(Value[str]):
         return refused_text(name, value, self.length)
 
 
-class Bytes(Value[bytes]):
+class Bytes(_Sequence[bytes]):
     """Bytes as they are. `length` is how many there are."""
 
-    __slots__ = ("length",)
-
-    def __init__(self, letters: str, length: int) -> None:
-        super().__init__(letters)
-        self.length = length
-
-    def of_carried(self, name: str, raw: Any) -> bytes:
-        """The bytes that a message carries. Raises CodecError."""
-        return self.decode(name, raw)
+    __slots__ = ()
 
     def of_raw(self, name: str, raw: bytes) -> bytes:
         return raw

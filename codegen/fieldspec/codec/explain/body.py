@@ -9,9 +9,8 @@ from fieldspec.codec.explain.parameters import with_parameter
 from fieldspec.codec.explain.registers import exponent_applied
 from fieldspec.codec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
 from fieldspec.codec.explain.values import DecodedValue, Meaning, decimal_text, decoded_row, in_unit
-from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.inner_lists import InnerList, ListExtent
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import Raw
@@ -104,9 +103,9 @@ class Body:
         inner = self.record.inner_lists
         self.extents, self.fault = ([], None) if inner is None else inner.extents_in(data[start:end])
         self._rows_by_name: dict[str, Row] = {}
-        traced = self._traced() if inner is None else self._traced_around(inner)
         # A scale may be after the value that it applies to, so all bytes are read before any row is written.
-        self.rows = list(self._explained(list(self._traced_varying() if self.record.spans else traced)))
+        traced = self._traced_varying() if self.record.spans else self._traced()
+        self.rows = list(self._explained(list(traced)))
 
     def _explained(self, traced: list[_TracedField | ExplanationRow]) -> Iterator[ExplanationRow]:
         known = dict(self.asked)
@@ -123,82 +122,68 @@ class Body:
                     assert_never(part)
 
     def _traced(self) -> Iterator[_TracedField | ExplanationRow]:
-        offset = self.start
-        for number, field in enumerate(self.record.fields):
+        """The parts of a record in the order of the wire."""
+        inner, fields = self.record.inner_lists, self.record.sent_fields
+        offset, known = self.start, iter(self.extents)
+        for number, field in enumerate(fields):
             if field.splits_record:
                 yield self._undecided(field, offset)
                 return
+            if inner is not None and field.varies:
+                extent = next(known, None)
+                if extent is None:
+                    yield self._unknown_list(fields[number:], inner.lists[len(self.extents)], offset)
+                    return
+                yield from self._list(field, extent, offset)
+                offset += extent.size
+                continue
             count = self._count(field)
             room = max(0, min(count, (self.end - offset) // field.size)) if field.size else 0
             yield self._field(field, offset, [field.size] * room)
             offset += room * field.size
             if room < count:
-                yield self._missing(self.record.fields[number:], offset)
+                yield self._missing(fields[number:], offset)
                 return
         if offset < self.end:
             yield surplus_row(self.spot, offset, self.data[offset : self.end])
 
-    def _traced_around(self, inner: InnerLists) -> Iterator[_TracedField | ExplanationRow]:
-        """The parts of a record with fields after a list, in the order of the wire."""
-        fields = self.record.sent_fields
-        offset, number_of_list = self.start, 0
-        for number, field in enumerate(fields):
-            if not field.varies:
-                count = field.count or 0
-                room = max(0, min(count, (self.end - offset) // field.size))
-                yield self._field(field, offset, [field.size] * room)
-                offset += room * field.size
-                if room < count:
-                    yield self._missing(fields[number:], offset)
-                    return
-                continue
-            if number_of_list == len(self.extents):
-                yield self._unknown_list(fields[number:], inner.lists[number_of_list], offset)
-                return
-            extent = self.extents[number_of_list]
-            stop = offset + extent.size
-            number_of_list += 1
-            count = self._items(field)
-            sizes = extent.elements or [field.size] * count
-            form = self.record.decided_by(self.values).named(field.name)
-            assert form is not None
-            yield self._field(form, offset, sizes)
-            offset += sum(sizes) if field.packing is None else extent.size
-            if field.field.repeat is not None and count < field.field.repeat.low:
-                yield self._missing((field,), offset, stop)
-            elif offset < stop:
-                yield surplus_row(self.spot, offset, self.data[offset:stop])
-            offset = stop
+    def _list(self, field: FieldLayout, extent: ListExtent, offset: int) -> Iterator[_TracedField | ExplanationRow]:
+        """The parts of a list that has other fields after it."""
+        stop, count = offset + extent.size, self._items(field)
+        sizes = extent.elements or [field.size] * count
+        form = self.record.decided_by(self.values).named(field.name)
+        assert form is not None
+        yield self._field(form, offset, sizes)
+        end = stop if field.packing is not None else offset + sum(sizes)
+        if field.field.repeat is not None and count < field.field.repeat.low:
+            yield self._missing((field,), end, stop)
+        elif end < stop:
+            yield surplus_row(self.spot, end, self.data[end:stop])
 
     def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, offset: int) -> ExplanationRow:
         """The row from the first list on whose bytes are not known."""
         assert self.fault is not None
+        name, reason = fields[0].name, self.fault.reason
         if self._has_wrong_count(inner):
-            text = f"{inner.count} is not a number of {fields[0].name}, so it is unknown where they end"
-            return self._wrong(fields[0], offset, "wrong_measure", text)
-        if inner.decision is not None and self.fault.reason == "unknown_value":
-            number = self.values[inner.decision.name]
-            text = f"{inner.decision.name} {number!r} does not decide the type of {fields[0].name}"
-            return self._wrong(fields[0], offset, "unknown_value", text)
-        if inner.decision is not None and self.fault.reason == "wrong_length":
+            text = f"{inner.count} is not a number of {name}, so it is unknown where they end"
+        elif inner.decision is not None and reason == "unknown_value":
+            text = f"{inner.decision.name} {self.values[inner.decision.name]!r} does not decide the type of {name}"
+        elif inner.decision is not None and reason == "wrong_length":
             text = f"{inner.name} has {self.fault.at - (offset - self.start)} bytes, and more follow"
-            return self._wrong(fields[0], offset, "wrong_length", text)
-        if inner.packing is not None and self.fault.reason == "wrong_length":
+        elif inner.packing is not None and reason == "wrong_length":
             text = f"{inner.name} has more bytes than its numbers of {inner.packing.number.bits} bits"
-            return self._wrong(fields[0], offset, "wrong_length", text)
-        if inner.parts is not None:
+        elif inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
-            text = f"the elements of {fields[0].name} do not end with their bytes: see {place}"
-            return self._wrong(fields[0], offset, self.fault.reason, text)
-        if self.end - self.start < self.record.least:
+            text = f"the elements of {name} do not end with their bytes: see {place}"
+        elif self.end - self.start < self.record.least:
             return self._missing(fields, offset)
-        if inner.decision is not None:
-            text = f"{inner.decision.name} decides that {fields[0].name} has more bytes than there are"
-            return self._wrong(fields[0], offset, "incomplete", text)
-        text = f"{inner.count} counts more {fields[0].name} than there are"
-        if inner.presence is not None:
-            text = f"{inner.count} says that {fields[0].name} is sent, but its bytes are missing"
-        return self._wrong(fields[0], offset, "incomplete", text)
+        elif inner.decision is not None:
+            text = f"{inner.decision.name} decides that {name} has more bytes than there are"
+        elif inner.presence is not None:
+            reason, text = "incomplete", f"{inner.count} says that {name} is sent, but its bytes are missing"
+        else:
+            reason, text = "incomplete", f"{inner.count} counts more {name} than there are"
+        return self._wrong(fields[0], offset, reason, text)
 
     def _has_wrong_count(self, inner: InnerList) -> bool:
         """Whether the first list whose bytes are not known has an impossible count."""
@@ -247,16 +232,6 @@ class Body:
         if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
             return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - offset} follow"
         return "wrong_measure", f"{self.record.spans[span.count].name} is not a number of bytes of {span.name}"
-
-    def _measured_text(self, field: FieldLayout, read: DecodedValue) -> DecodedValue | None:
-        """The value of a field with the number of bytes of a text, judged by what these may be; None for others."""
-        name = field.field.measures.field if field.field.measures is not None else ""
-        span = next((span for span in self.record.spans if span.name == name and span.count is not None), None)
-        if span is None or span.value is None:
-            return None
-        if isinstance(read.number, int) and 0 <= read.number - span.plus <= span.value.width:
-            return read.judged(True, read.number, "wrong_measure")
-        return read.judged(False, f"{span.plus} to {span.value.width + span.plus}", "wrong_measure")
 
     def _count(self, field: FieldLayout) -> int:
         """The number of elements that the field should have: all that fit if their number is free."""
@@ -322,20 +297,31 @@ class Body:
 
     def _measured(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The value of a field that measures another one, judged by the size of that field."""
-        if field.bits_of:
-            return self._bit_count(field, read)
         measure = field.field.measures
-        other = self.record.named(measure.field) if measure else None
-        if measure is None or other is None or other.cases:
+        other = self.record.named(field.bits_of or (measure.field if measure is not None else ""))
+        if other is None or other.cases:
             return read
-        if (text := self._measured_text(field, read)) is not None:
-            return text
-        if self.record.inner_lists is not None and other.count is None:
-            return self._measured_list(self.record.inner_lists, field, other, read)
-        items = self._items_at_end(other) if other.is_list else 1
-        items = (other.count or 0) if self.record.spans else items
-        expected = measure.number(items, other.size)
-        return read.judged(read.number == expected, expected, "wrong_measure")
+        inner = self.record.inner_lists
+        span = next((span for span in self.record.spans if span.name == other.name and span.count is not None), None)
+        room = self.end - self.start - other.offset
+        if field.bits_of:
+            size = max(0, min(self._count(other), room))
+            low, high = (8 * size - 7, 8 * size) if size else (0, 0)
+        elif measure is None:
+            return read
+        elif span is not None and span.value is not None:
+            low, high = span.plus, span.value.width + span.plus
+        elif inner is not None and other.count is None:
+            number = next(number for number, inner_list in enumerate(inner.lists) if inner_list.name == other.name)
+            if number >= len(self.extents):
+                return self._wrong_count(inner.lists[number], field, read)
+            low = high = measure.number(self._items(other), other.size)
+        else:
+            items = self._items_at_end(other) if other.is_list else 1
+            items = (other.count or 0) if self.record.spans else items
+            low = high = measure.number(items, other.size)
+        is_right = isinstance(read.number, int) and low <= read.number <= high
+        return read.judged(is_right, low if low == high else f"{low} to {high}", "wrong_measure")
 
     def _items_at_end(self, field: FieldLayout) -> int:
         """How many elements of a list that ends the body there are."""
@@ -359,29 +345,11 @@ class Body:
         names = [inner.name for inner in self.record.inner_lists.lists[: len(self.extents)]]
         return self._items(field) if field.name in names else None
 
-    def _bit_count(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
-        """The number of bits in a list of bytes, judged by how many there are."""
-        packed = self.record.named(field.bits_of)
-        assert packed is not None
-        size = max(0, min(self._count(packed), self.end - self.start - packed.offset))
-        fits = isinstance(read.number, int) and packed_size(read.number) == size
-        return read.judged(fits, f"{8 * size - 7} to {8 * size}" if size else 0, "wrong_measure")
-
-    def _measured_list(
-        self, inner: InnerLists, field: FieldLayout, other: FieldLayout, read: DecodedValue
-    ) -> DecodedValue:
-        """The value of a field that measures a list of a record with fields after a list."""
-        measure = field.field.measures
-        assert measure is not None
-        number = next(number for number, inner_list in enumerate(inner.lists) if inner_list.name == other.name)
-        if number < len(self.extents):
-            items = self._items(other)
-            expected = measure.number(items, other.size)
-            return read.judged(read.number == expected, expected, "wrong_measure")
-        own = inner.lists[number]
-        if number != len(self.extents) or own.count != field.name or not self._has_wrong_count(own):
+    def _wrong_count(self, inner: InnerList, field: FieldLayout, read: DecodedValue) -> DecodedValue:
+        """The value of a field, which is wrong if the bytes of the list are not known because of its number."""
+        if inner.count != field.name or not self._has_wrong_count(inner):
             return read
-        low, high = (size // own.unit + own.plus for size in (own.least, own.most))
+        low, high = (size // inner.unit + inner.plus for size in (inner.least, inner.most))
         return read.judged(False, f"{low} to {high}", "wrong_measure")
 
     def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:

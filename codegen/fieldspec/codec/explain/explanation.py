@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from fieldspec.codec.explain.access_steps import step_spans
 from fieldspec.codec.explain.body import Body
 from fieldspec.codec.explain.explained_frame import Explanation
 from fieldspec.codec.explain.registers import NO_REGISTERS, RegisterRows
@@ -26,7 +25,7 @@ from fieldspec.codec.explain.row import (
     unwrapped,
     wrong_row,
 )
-from fieldspec.codec.explain.spans import accessed, accessed_bits
+from fieldspec.codec.explain.spans import accessed_spans
 from fieldspec.codec.explain.values import DecodedValue, Meaning, decode_value, whole
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.escapes import EscapeError, original_places
@@ -111,7 +110,7 @@ class _Frame:
         """The whole explanation. The header comes first, because its code determines the body."""
         if self.unreadable is not None:
             return self._unreadable(self.unreadable)
-        rows = [*start_rows(self.wrapped), *self._head()]
+        rows = [*start_rows(self.wrapped), *self._parts(self.shape.header, 0)]
         registers = NO_REGISTERS
         if len(self.data) >= self.shape.header_size:
             self.error = self.error or self._is_marked()
@@ -219,14 +218,16 @@ class _Frame:
             return data[:stated], data[stated:]
         return data, b""
 
-    def _head(self) -> Iterator[ExplanationRow]:
-        for part in self.shape.header:
-            data = self.data[part.offset : part.offset + part.size]
+    def _parts(self, parts: Iterable[PartLayout], base: int) -> Iterator[ExplanationRow]:
+        """The rows of parts, whose offsets count from `base`, up to the first one that is not whole."""
+        for part in parts:
+            offset = base + part.offset
+            data = self.data[offset : offset + part.size]
             if len(data) < part.size:
                 if self.wrapped.whole or data:
-                    yield self._short(part, part.offset, data)
+                    yield self._short(part, offset, data)
                 return
-            yield self._part(part, part.offset, data, self._part_text(part, data))
+            yield self._part(part, offset, data, self._part_text(part, data))
 
     def _part(self, part: PartLayout, offset: int, data: bytes, read: DecodedValue) -> ExplanationRow:
         return fact_row(self.layout.device, "part", part.name, part.part, self.spot, offset, data, read, self.link)
@@ -351,26 +352,13 @@ class _Frame:
         rows = [row for row in body.rows if self.wrapped.whole or row.kind != "unexplained" or row.length]
         if message is None or self.error:
             return rows, NO_REGISTERS
-        access, bits = self.layout.device.register_access(message), self.layout.device.bit_access(message)
-        access = access or bits
-        if access is None:
-            body_bytes = start, self.data[start:end]
-            answered_values = request_values if self.direction == "response" else None
-            steps = step_spans(self.layout, message, record, body_bytes, body.values, answered_values)
-            return rows, RegisterRows(self.layout, self.spot, [(step.operation, span) for step, span in steps])
-        values = record.named(access.values)
-        values_start = start + values.offset if values else start
-        last = min(end, start + values.end) if values and values.end is not None else end
-        data = self.data[values_start:last] if values else b""
-        if bits is not None:
-            span = accessed_bits(bits, body.values, request_values, values_start, data)
-        else:
-            unit_size = self.layout.device.space(access.space).unit_size
-            span = accessed(access, body.values, request_values, values_start, data, unit_size)
-        if span is None:
-            return rows, NO_REGISTERS
-        self.accessed = span.address, span.end - 1
-        return rows, RegisterRows(self.layout, self.spot, [(access.operation, span)])
+        answered_values = request_values if self.direction == "response" else None
+        body_bytes = start, self.data[start:end]
+        accesses = list(accessed_spans(self.layout, message, record, body_bytes, body.values, answered_values))
+        if message.single_access is not None and accesses:
+            ((_, span),) = accesses
+            self.accessed = span.address, span.end - 1
+        return rows, RegisterRows(self.layout, self.spot, [(access.operation, span) for access, span in accesses])
 
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
         """The row of a body that nothing describes."""
@@ -382,16 +370,8 @@ class _Frame:
             yield replace(row, verdict="", doc="The data of an unknown message.")
 
     def _tail(self) -> Iterator[ExplanationRow]:
-        if not self.wrapped.whole:
-            return
-        start = max(self.shape.header_size, len(self.data) - self.shape.trailer_size)
-        for part in self.shape.trailer:
-            offset = start + self.shape.trailer_size + part.offset
-            data = self.data[offset : offset + part.size]
-            if len(data) < part.size:
-                yield self._short(part, offset, data)
-                return
-            yield self._part(part, offset, data, self._part_text(part, data))
+        end = max(self.shape.header_size + self.shape.trailer_size, len(self.data))
+        return self._parts(self.shape.trailer if self.wrapped.whole else (), end)
 
 
 def _is_right(checks: Iterable[PartLayout], data: bytes) -> bool:

@@ -11,6 +11,7 @@ from fieldspec.codec.explain.recognition import Reading, closest, lengths, recog
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.link import Link
 
 DIRECTIONS = ("request", "response")
@@ -233,20 +234,16 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         if row.verdict.startswith("wrong") and not row.reason:
             yield f"{row.path} {_NOT_REPEATED}: {row.verdict.removeprefix('wrong: ')}"
     message = layout.messages.get(response.message)
-    accesses = layout.device.register_access(message.message) if message and not response.error else None
-    if accesses is not None and accesses.operation == "read":
-        expected = request.values.get(accesses.count) if accesses.count else 1
-        actual = response.values.get(accesses.values)
-        words = len(actual) if isinstance(actual, list) else None
-        if isinstance(expected, int) and words is not None and words != expected:
-            unit = layout.device.space(accesses.space).unit
-            yield f"the request asks for {expected} {unit}s, but the response has {words}"
-    bits = layout.device.bit_access(message.message) if message and not response.error else None
-    if bits is not None and bits.operation == "read" and bits.count:
-        expected, actual = request.values.get(bits.count), response.values.get(bits.values)
-        if isinstance(expected, int) and isinstance(actual, list) and len(actual) != packed_size(expected):
-            text = f"the request asks for {expected} bits, which take {packed_size(expected)} bytes"
-            yield f"{text}, but the response has {len(actual)}"
+    access = message.message.single_access if message and not response.error else None
+    if access is not None and access.operation == "read":
+        unit = layout.device.space(access.space).unit
+        expected = request.values.get(access.count) if access.count else None if unit == BIT else 1
+        actual = response.values.get(access.values)
+        if isinstance(expected, int) and isinstance(actual, list):
+            size = packed_size(expected) if unit == BIT else expected
+            size_text = f", which take {size} bytes" if unit == BIT else ""
+            if len(actual) != size:
+                yield f"the request asks for {expected} {unit}s{size_text}, but the response has {len(actual)}"
 
 
 def _has_code_of_its_own(layout: DeviceLayout, response: Explanation) -> bool:

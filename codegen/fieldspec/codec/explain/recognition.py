@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from fieldspec.codec.explain.explanation import explained, is_damaged
 from fieldspec.codec.explain.row import unwrapped
 from fieldspec.codec.layout.device import DeviceLayout
@@ -63,12 +65,18 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
 def _of_length(link: LinkLayout, direction: str, frame: bytes) -> list[str]:
     """The messages whose body can be as long as that of the frame."""
     length = len(unwrapped(link.link, direction, frame).data)
+    bounds = sent_lengths(link, direction)
+    return [name for name, minimum, maximum in bounds if minimum <= length and (maximum is None or length <= maximum)]
+
+
+def sent_lengths(link: LinkLayout, direction: str) -> Iterator[tuple[str, int, int | None]]:
+    """The messages of a direction, with the least and the most bytes between delimiters; None is unbounded."""
     escape = link.frame(direction).escape
-    if escape is not None:
-        bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-        return [name for name, (_, maximum) in bounds if maximum is None or length <= escape.most(maximum)]
-    bounds = ((name, lengths(link, direction, name)) for name in link.carried(direction))
-    return [name for name, (minimum, maximum) in bounds if minimum <= length and (maximum is None or length <= maximum)]
+    for name in link.carried(direction):
+        minimum, maximum = lengths(link, direction, name)
+        if escape is not None:
+            minimum, maximum = 0, None if maximum is None else escape.most(maximum)
+        yield name, minimum, maximum
 
 
 def lengths(link: LinkLayout, direction: str, message: str) -> tuple[int, int | None]:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from fieldspec.codec.layout.bits import unpacked_bits
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.values import Raw
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import BIT, BYTE, WORD
-from fieldspec.language.model.record import RegisterAccess
+from fieldspec.language.model.device import Device
+from fieldspec.language.model.record import Message, RegisterAccess
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,40 +75,59 @@ class Span:
 
 
 def accessed(
+    device: Device,
     access: RegisterAccess,
     values: Mapping[str, Raw],
     request_values: Mapping[str, Raw],
     offset: int,
     data: bytes,
-    unit_size: int = 2,
 ) -> Span | None:
-    """The words that a message accesses, by its own values or the values of the request that it answers; None if
-    unknown.
+    """The words or bits that a message accesses, by its own values or values of the request that it answers.
 
-    `data` are the bytes of the words, at `offset` in the parts; empty if the message does not carry them. In a space of
-    bytes, the `unit_size` is 1.
+    `data` are the bytes of the words, at `offset` in the parts; empty if the message does not carry them. None if the
+    words are unknown.
     """
     start = values.get(access.start, request_values.get(access.start))
-    whole = data[: len(data) // unit_size * unit_size]
-    carried = len(whole) // unit_size
-    count = values.get(access.count, request_values.get(access.count)) if access.count else max(carried, 1)
     if not isinstance(start, int):
         return None
-    words = count if isinstance(count, int) else carried
-    return Span(access.space, start, words, offset, whole, unit_size=unit_size)
-
-
-def accessed_bits(
-    access: RegisterAccess, values: Mapping[str, Raw], request_values: Mapping[str, Raw], offset: int, data: bytes
-) -> Span | None:
-    """The same as `accessed` for a space of bits."""
-    start = values.get(access.start, request_values.get(access.start))
-    count = values.get(access.count, request_values.get(access.count)) if access.count else 1
-    if not isinstance(start, int):
-        return None
+    space = device.space(access.space)
+    is_bits, size = space.unit == BIT, space.unit_size
     if access.set is not None:
         number = values.get(access.values) if data else None
         bit = {access.set: 1, access.clear: 0}.get(number) if isinstance(number, int) else None
         return Span(access.space, start, 1, offset, data, (bit,))
-    words = count if isinstance(count, int) else 8 * len(data)
-    return Span(access.space, start, words, offset, data, tuple(unpacked_bits(data))[:words])
+    carried = 8 * len(data) if is_bits else len(data) // size
+    count = values.get(access.count, request_values.get(access.count)) if access.count else None
+    unstated = carried if access.count else 1 if is_bits else max(carried, 1)
+    words = count if isinstance(count, int) else unstated
+    if is_bits:
+        return Span(access.space, start, words, offset, data, tuple(unpacked_bits(data))[:words])
+    return Span(access.space, start, words, offset, data[: carried * size], unit_size=size)
+
+
+def accessed_spans(
+    layout: DeviceLayout,
+    message: Message,
+    record: RecordLayout,
+    body: tuple[int, bytes],
+    values: Mapping[str, Raw],
+    request_values: Mapping[str, Raw] | None,
+) -> Iterator[tuple[RegisterAccess, Span]]:
+    """The accesses of a message with what they access. If there are several, a response has the reading ones.
+
+    `body` is where the data begin in the parts of a frame, and their bytes. `request_values` are the values of the
+    request that a response answers, None for a request.
+    """
+    start, data = body
+    is_single, is_response = message.single_access is not None, request_values is not None
+    for access in message.accesses:
+        if is_response and not is_single and access.operation == "write":
+            continue
+        is_carried = is_single or (access.operation == "read") == is_response
+        field = record.named(access.values) if is_carried else None
+        offset, carried = (field.offset, data[field.offset : field.end]) if field is not None else (0, b"")
+        # The request of what a response answers may have fields of the same names as the response.
+        own = values if is_single or not is_response else {}
+        span = accessed(layout.device, access, own, request_values or {}, start + offset, carried)
+        if span is not None:
+            yield access, span

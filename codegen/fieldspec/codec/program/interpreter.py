@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 
 from fieldspec.codec.layout.accepted import Condition, passes
 from fieldspec.codec.layout.inner_lists import InnerLists, ListExtent
@@ -87,10 +86,21 @@ def read_value(program: Program, data: bytes) -> Row:
     return rows[0]
 
 
-def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, Row]) -> dict[str, Raw]:
-    """The contents that a program gives, by name. Adds their origins to `rows`, and to the rows of the same record."""
+def run(
+    program: Program, place: Place, rows: list[Row], rows_beside: dict[str, Row], lists: InnerLists | None = None
+) -> dict[str, Raw]:
+    """The contents that a program gives, by name. Adds their origins to `rows`, and to the rows of the same record.
+
+    `lists` are the lists of a record that differs in size, whose size has been judged.
+    """
     values: dict[str, Raw] = {}
-    for operation in program:
+    extents: dict[str, ListExtent] = {}
+    if lists is not None:
+        own, _ = lists.extents_in(place.data[place.start : place.stop])
+        extents = {inner.name: extent for inner, extent in zip(lists.lists, own, strict=True)}
+    start = place.start
+    for part in program:
+        operation = _decided(part, rows_beside) if isinstance(part, Decided) else part
         match operation:
             case Load() | LoadPacked() | LoadVarying():
                 row = rows_beside[operation.variable.name] = _loaded(operation, place, rows_beside)
@@ -100,41 +110,20 @@ def run(program: Program, place: Place, rows: list[Row], rows_beside: dict[str, 
                 if rows[-1].failed is None and not passes(operation.condition.test, rows[-1].content):
                     rows[-1].failed = operation.condition
             case Inner():
-                path = f"{place.path}{operation.name}{place.suffix}."
-                inner = Place(place.data, place.start, place.stop, path)
-                run_inner = run if operation.lists is None else partial(_run_around, operation.lists)
-                values[operation.name] = run_inner(operation.program, inner, rows, {})
+                inner = Place(place.data, place.start, place.stop, f"{place.path}{operation.name}{place.suffix}.")
+                values[operation.name] = run(operation.program, inner, rows, {}, operation.lists)
             case Each():
-                first, size = place.start + operation.offset, operation.size
-                count = (place.stop - first) // size if operation.count is None else operation.count
-                sizes = [size] * count if operation.is_list else [place.stop - first]
-                contents = run_each(operation, replace(place, start=first), sizes, rows, rows_beside)
+                is_open = operation.count is None or (lists is None and not operation.is_list)
+                extent = ListExtent(place.stop - start if is_open else operation.size * (operation.count or 0))
+                extent = extents.get(operation.name, extent)
+                count = extent.size // operation.size if operation.count is None else operation.count
+                count = extent.numbers if operation.packing is not None and operation.name in extents else count
+                sizes = extent.elements or ([operation.size] * count if operation.is_list else [extent.size])
+                contents = run_each(operation, replace(place, start=start), sizes, rows, rows_beside)
                 values[operation.name] = contents if operation.is_list else contents[0]
-            case Decided():
-                values |= run((_decided(operation, rows_beside),), place, rows, rows_beside)
+                start += operation.size if is_open and not operation.is_list else extent.size
             case _:
                 assert_never(operation)
-    return values
-
-
-def _run_around(
-    lists: InnerLists, program: Program, place: Place, rows: list[Row], rows_beside: dict[str, Row]
-) -> dict[str, Raw]:
-    """What `run` gives, of a record that differs in size, whose size has been judged."""
-    extents, _ = lists.extents_in(place.data[place.start : place.stop])
-    by_name = {inner.name: extent for inner, extent in zip(lists.lists, extents, strict=True)}
-    values: dict[str, Raw] = {}
-    start = place.start
-    for part in program:
-        operation = _decided(part, rows_beside) if isinstance(part, Decided) else part
-        assert isinstance(operation, Each)
-        extent = by_name.get(operation.name, ListExtent(operation.size * (operation.count or 0)))
-        count = extent.size // operation.size if operation.count is None else operation.count
-        count = count if operation.packing is None else extent.numbers
-        sizes = extent.elements or ([operation.size] * count if operation.is_list else [extent.size])
-        contents = run_each(operation, replace(place, start=start), sizes, rows, rows_beside)
-        values[operation.name] = contents if operation.is_list else contents[0]
-        start += extent.size
     return values
 
 

@@ -63,7 +63,7 @@ def field_program(device: Device, record: RecordLayout, field: FieldLayout) -> E
 
 def _each(device: Device, record: RecordLayout, field: FieldLayout) -> Each:
     element = _element(device, record, field)
-    return Each(field.name, field.offset, field.size, field.count, field.is_list, element, field.packing)
+    return Each(field.name, field.size, field.count, field.is_list, element, field.packing)
 
 
 def _element(device: Device, record: RecordLayout, field: FieldLayout) -> Program:

@@ -87,7 +87,6 @@ class Each:
     """
 
     name: str
-    offset: int
     size: int
     count: int | None
     is_list: bool

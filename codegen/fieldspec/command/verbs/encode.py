@@ -11,7 +11,7 @@ from fieldspec.codec.explain.parameters import parameter_number
 from fieldspec.codec.explain.readings import DIRECTIONS
 from fieldspec.codec.explain.registers import Occupant, forbidden, occupant_at
 from fieldspec.codec.explain.row import ExplanationRow
-from fieldspec.codec.explain.spans import accessed, accessed_bits
+from fieldspec.codec.explain.spans import accessed
 from fieldspec.codec.layout.bits import packed_bits
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.value_texts import spec_text
@@ -24,7 +24,7 @@ from fieldspec.command.frames.frame_options import frame_options, number_of
 from fieldspec.command.sources import layout_cache
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.quantity import count_of
-from fieldspec.language.model.record import Message, RegisterAccess
+from fieldspec.language.model.record import RegisterAccess
 
 _MOST = 20
 _WRITE = "write"
@@ -231,34 +231,14 @@ def _with_words(layout: DeviceLayout, message: str, texts: dict[str, object]) ->
 
 def _refuse_access(layout: DeviceLayout, frame_kind: _Way, values: Mapping[str, Raw]) -> None:
     """Refuses to write what can only be read, and to read what can only be written. Raises UsageError."""
-    own = layout.messages[frame_kind.message].message
-    accesses, bits = layout.device.register_access(own), layout.device.bit_access(own)
     if frame_kind.direction != "request":
         return
-    if bits is not None:
-        span = accessed_bits(bits, values, {}, 0, b"")
-        objection = forbidden(layout, span, bits.operation) if span is not None else ""
-        if objection:
-            raise UsageError(f"{objection}; no frame is written")
-    _refuse_steps(layout, own, values)
-    if accesses is None:
-        return
-    words = values.get(accesses.values)
-    size = layout.device.space(accesses.space).unit_size
-    carried = bytes(size * (len(words) if isinstance(words, list) else 0 if words is None else 1))
-    span = accessed(accesses, values, {}, 0, carried, size)
-    objection = forbidden(layout, span, accesses.operation) if span is not None else ""
-    if objection:
-        raise UsageError(f"{objection}; no frame is written")
-
-
-def _refuse_steps(layout: DeviceLayout, message: Message, values: Mapping[str, Raw]) -> None:
-    """The same for each step of a message that accesses registers in several ones."""
-    for step in message.access_steps:
-        words, size = values.get(step.values), layout.device.space(step.space).unit_size
-        count = len(words) if isinstance(words, list) else 1
-        span = accessed(step, values, {}, 0, bytes(size * count if step.operation == "write" else 0), size)
-        objection = forbidden(layout, span, step.operation) if span is not None else ""
+    for access in layout.messages[frame_kind.message].message.accesses:
+        words = values.get(access.values)
+        count = len(words) if isinstance(words, list) else 0 if words is None else 1
+        carried = bytes(layout.device.space(access.space).unit_size * count) if access.operation == "write" else b""
+        span = accessed(layout.device, access, values, {}, 0, carried)
+        objection = forbidden(layout, span, access.operation) if span is not None else ""
         if objection:
             raise UsageError(f"{objection}; no frame is written")
 

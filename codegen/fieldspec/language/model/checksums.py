@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, partial
 
-from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
+from fieldspec.foundation.runtime._checksums import Avoiding, Crc, Fletcher, Followed, Sum, Swapped, Xor
+from fieldspec.language.model import codecs
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,20 +60,24 @@ class Checksum:
         """The greatest result."""
         return (1 << self.width) - 1
 
-    def arranged(self, data: bytes) -> bytes:
-        """The bytes in the order in which a CRC takes them."""
-        if self.unit_size == 1:
-            return data
-        filled = data + bytes(-len(data) % self.unit_size)
-        starts = range(0, len(filled), self.unit_size)
-        return b"".join(filled[start : start + self.unit_size][::-1] for start in starts)
-
-    def as_sent(self, number: int) -> int:
-        """The result with a replacement in place of each byte that it avoids."""
-        if not self.avoided:
-            return number
-        table = bytes.maketrans(self.avoided, self.replacements)
-        return int.from_bytes(number.to_bytes(self.size, "big").translate(table), "big")
+    def function(self, order: str) -> Callable[[bytes], int]:
+        """What computes it. `order` is that of the bytes which all but a CRC take as one number."""
+        if self.codec:
+            return partial(codecs.computed, self.codec)
+        of_units: Literal["big", "little"] = "little" if (self.unit_order or order) == "little" else "big"
+        function: Callable[[bytes], int]
+        if self.method == "crc":
+            flags = self.reflect_in, self.reflect_out
+            function = Crc(self.width, self.polynomial, self.initial, *flags, self.final_xor)
+            function = function if self.unit_size == 1 else Swapped(function, self.unit_size)
+        elif self.method == "fletcher":
+            function = Fletcher(self.width, self.initial, self.modulus, self.unit_size, of_units)
+        else:
+            method = Sum if self.method == "sum" else Xor
+            function = method(self.width, self.initial, self.complement, self.unit_size, of_units)
+        function = Followed(function, self.suffix) if self.suffix else function
+        pairs = dict(zip(self.avoided, self.replacements, strict=True))
+        return Avoiding(function, self.size, pairs) if pairs else function
 
 
 SIMPLE = {
@@ -198,36 +208,8 @@ def preceded(checksum: Checksum, prefix: bytes, order: str) -> Checksum:
     `order` is that of the bytes which a sum, an xor or a Fletcher checksum takes as one number; the prefix has whole
     numbers.
     """
-    number = checksum.initial
-    if checksum.method == "crc":
-        highest = checksum.width - 1
-        for byte in checksum.arranged(prefix):
-            for bit in range(8) if checksum.reflect_in else reversed(range(8)):
-                feedback = number >> highest & 1 ^ byte >> bit & 1
-                number = (number << 1 & checksum.mask) ^ (checksum.polynomial if feedback else 0)
-        return replace(checksum, initial=number)
-    return replace(checksum, initial=combined(checksum, prefix, order))
-
-
-def combined(checksum: Checksum, data: bytes, order: str) -> int:
-    """The numbers of some data as a sum, an xor or a Fletcher checksum combines them, before any complement."""
-    size, number = checksum.unit_size, checksum.initial
-    filled = data + bytes(-len(data) % size)
-    order = checksum.unit_order or order
-    units = [
-        int.from_bytes(filled[offset : offset + size], "little" if order == "little" else "big")
-        for offset in range(0, len(filled), size)
-    ]
-    if checksum.method == "fletcher":
-        half, modulus = checksum.width // 2, checksum.modulus
-        upper, lower = divmod(number, 1 << half)
-        for unit in units:
-            lower = (lower + unit) % modulus
-            upper = (upper + lower) % modulus
-        return upper << half | lower
-    for unit in units:
-        number = number + unit if checksum.method == "sum" else number ^ unit
-    return number & checksum.mask
+    begin = replace(checksum, final_xor=0, complement="", suffix=b"", avoided=b"", replacements=b"")
+    return replace(checksum, initial=replace(begin, reflect_out=False).function(order)(prefix))
 
 
 DIGITS = {"decimal": 10, "upper_hex": 16, "lower_hex": 16}

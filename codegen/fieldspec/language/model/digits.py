@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.foundation.runtime._digits import LETTERS, digits
 from fieldspec.language.model import codecs
 from fieldspec.language.model.encoding import is_signed
 
@@ -15,9 +16,9 @@ if TYPE_CHECKING:
         """The type of the number that the digits represent."""
 
         @property
-        def encoding(self) -> Encoding: ...
+        def name(self) -> str: ...
         @property
-        def high(self) -> int: ...
+        def encoding(self) -> Encoding: ...
 
     class Digits(Protocol):
         """What matters of a `Value` that is sent as digits. The model of values is made of this module."""
@@ -55,17 +56,6 @@ NIBBLES = (BCD, PACKED_DECIMAL)
 NO_CHARACTERS = (*NIBBLES, CODEC)
 """The forms without characters."""
 
-_LAST_NIBBLES = {False: {"f": 1}, True: {"c": 1, "d": -1}}
-
-_SIGNS = {0x2B: 1, 0x2D: -1}
-_CHARACTERS = {
-    "decimal": b"0123456789",
-    "upper_hex": b"0123456789ABCDEF",
-    "lower_hex": b"0123456789abcdef",
-    BCD: b"0123456789",
-    PACKED_DECIMAL: b"0123456789",
-}
-
 
 def has_sign(value: Digits) -> bool:
     """Whether a sign has a place of its own before the digits.
@@ -93,7 +83,7 @@ def digit_count(value: Digits) -> int:
 
 def digits_letters(value: Digits) -> bytes:
     """The characters that may be digits of a value."""
-    return _CHARACTERS[value.digits]
+    return LETTERS[value.digits]
 
 
 def widest_digits(value: Digits) -> int:
@@ -126,90 +116,27 @@ def _least_below_zero(value: Digits, count: int) -> int:
     return 1 - 10 ** (count - 1) if count - 1 > value.places else 0
 
 
+def digits_arguments(value: Digits, is_reversed: bool = False, form: str = "") -> str:
+    """The arguments of the runtime for digits: order and type, their form, the bytes, and the places after a point.
+
+    `is_reversed` if the lowest byte comes first; `form` stands for a codec.
+    """
+    form = form or ("blank_decimal" if value.has_blanks else value.digits)
+    return f"{'<' if is_reversed or value.is_low_first else '>'}{value.type.name} {form} {value.size} {value.places}"
+
+
 def digits_number(value: Digits, data: bytes) -> int | None:
     """The number of digits in `data`, the most significant digit first; None for anything but such digits."""
     if value.codec:
         return codecs.decoded(value.codec, data)
-    if value.digits in NIBBLES:
-        return _number_of_nibbles(value, data.hex())
-    if value.is_low_first:
-        data = low_first(data)
-    if value.has_blanks:
-        return _number_behind_blanks(value, data)
-    text = data
-    sign = 1
-    if has_sign(value):
-        if text[0] not in _SIGNS:
-            return None
-        sign, text = _SIGNS[text[0]], text[1:]
-    if value.places:
-        point = len(text) - value.places - 1
-        if text[point : point + 1] != b".":
-            return None
-        text = text[:point] + text[point + 1 :]
-    known = _CHARACTERS[value.digits]
-    if any(character not in known for character in text):
-        return None
-    if value.digits == "decimal":
-        return sign * int(text)
-    number = int(text, 16)
-    return number - 16 ** len(text) if is_signed(value.type.encoding) and number > value.type.high else number
-
-
-def low_first(data: bytes) -> bytes:
-    """The digits of a number whose lowest byte comes first, two characters for each, in the other order."""
-    return b"".join(data[place : place + 2] for place in range(len(data) - 2, -1, -2))
-
-
-def _number_of_nibbles(value: Digits, nibbles: str) -> int | None:
-    sign: int | None = 1
-    if value.digits == PACKED_DECIMAL:
-        sign, nibbles = _LAST_NIBBLES[is_signed(value.type.encoding)].get(nibbles[-1]), nibbles[:-1]
-    elif nibbles.startswith("f") and is_signed(value.type.encoding):
-        sign, nibbles = -1, nibbles[1:]
-    return sign * int(nibbles) if sign is not None and nibbles.isdecimal() else None
-
-
-def _nibbles_of(value: Digits, number: int) -> str:
-    if value.digits == PACKED_DECIMAL:
-        last = next(
-            nibble for nibble, sign in _LAST_NIBBLES[is_signed(value.type.encoding)].items() if sign * number >= 0
-        )
-        return f"{abs(number):0{digit_count(value)}d}{last}"
-    return f"f{-number:0{digit_count(value) - 1}d}" if number < 0 else f"{number:0{digit_count(value)}d}"
-
-
-def _number_behind_blanks(value: Digits, data: bytes) -> int | None:
-    """The number of ` -1.25`: blanks, `-` below zero, and digits of which the first is a zero only before the point."""
-    text = data.lstrip(b" ")
-    is_negative = is_signed(value.type.encoding) and text.startswith(b"-")
-    fraction_width = value.places + 1 if value.places else 0
-    whole = text[is_negative : max(len(text) - fraction_width, 0)]
-    fraction = text[is_negative + len(whole) :]
-    if not whole or (whole.startswith(b"0") and len(whole) > 1) or (value.places and not fraction.startswith(b".")):
-        return None
-    digits = whole + fraction[1:]
-    if any(character not in _CHARACTERS["decimal"] for character in digits):
-        return None
-    return -int(digits) if is_negative else int(digits)
+    return digits(digits_arguments(value)).unpack(data)[0]
 
 
 def digits_bytes(value: Digits, number: int) -> bytes:
     """The digits of a number within the bounds of a value, the most significant digit first."""
     if value.codec:
         return codecs.encoded(value.codec, number)
-    count = digit_count(value)
-    if value.digits in NIBBLES:
-        return bytes.fromhex(_nibbles_of(value, number))
-    if value.digits != "decimal":
-        text = f"{number % 16**count:0{count}{'X' if value.digits == 'upper_hex' else 'x'}}"
-        return low_first(text.encode("ascii")) if value.is_low_first else text.encode("ascii")
-    text = f"{abs(number):0{value.places + 1 if value.has_blanks else count}d}"
-    if value.places:
-        text = f"{text[: -value.places]}.{text[-value.places :]}"
-    if value.has_blanks:
-        return f"{'-' * (number < 0)}{text}".rjust(value.size).encode("ascii")
-    return ((("-" if number < 0 else "+") if has_sign(value) else "") + text).encode("ascii")
+    return digits(digits_arguments(value)).pack(number)
 
 
 def digits_text(value: Digits) -> str:

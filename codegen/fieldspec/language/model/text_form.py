@@ -9,6 +9,8 @@ from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, field
 if TYPE_CHECKING:
     from typing import Protocol
 
+    from fieldspec.foundation.runtime import _texts
+
     class Text(Protocol):
         """What matters of a `Value` that is a text. The model of values is made of this module."""
 
@@ -76,42 +78,12 @@ class TextForm:
             return False
         return not self.is_packed or _PACKABLE.fullmatch(text) is not None
 
-    def content(self, data: bytes, order: str) -> bytes | None:
-        """The bytes of the characters alone; None where the terminator is missing."""
-        codec = self.codec(order)
-        data = turned_words(data) if self.is_turned else data
-        data = unpacked(data) if self.is_packed else data
-        if self.terminator is not None:
-            end = chr(self.terminator).encode(codec)
-            places = range(0, len(data) - self.unit + 1, self.unit)
-            return next((data[:place] for place in places if data[place : place + self.unit] == end), None)
-        padding = chr(self.padding).encode(codec)
-        first, last = 0, len(data)
-        while not self.is_right and last > first and data[last - self.unit : last] == padding:
-            last -= self.unit
-        while self.is_right and last > first and data[first : first + self.unit] == padding:
-            first += self.unit
-        return data[first:last]
-
-
-def turned_words(data: bytes) -> bytes:
-    """Words of 16 bits with the two bytes of each exchanged."""
-    return b"".join(data[offset : offset + 2][::-1] for offset in range(0, len(data), 2))
-
-
-def unpacked(data: bytes) -> bytes:
-    """The characters of packed ASCII, of which each has a byte. The highest of its seven bits is not sent."""
-    number, count = int.from_bytes(data, "big"), len(data) // 3 * 4
-    codes = (number >> 6 * place & 0x3F for place in reversed(range(count)))
-    return bytes(code | (~code & 0x20) << 1 for code in codes)
-
-
-def packed(data: bytes) -> bytes:
-    """The bytes of characters of packed ASCII, four of which are in three bytes."""
-    number = 0
-    for character in data:
-        number = number << 6 | character & 0x3F
-    return number.to_bytes(len(data) // 4 * 3, "big")
+    def arguments(self, size: int, order: str) -> str:
+        """The arguments of the runtime for a text of `size` bytes: encoding, bytes, padding, terminator and side."""
+        end = "-" if self.terminator is None else str(self.terminator)
+        side = "right" if self.is_right else "left"
+        codec = self.encoding if self.is_packed else self.codec(order)
+        return f"{codec} {size} {self.padding} {end} {side}{' turned' * self.is_turned}"
 
 
 def text_form(encoding: str, padding: str, align: str, terminator: int | None, byte_order: str) -> TextForm | None:
@@ -126,13 +98,18 @@ def decoded_text(value: Text, order: str, data: bytes) -> str | None:
     """The characters of the bytes of a text; None for bytes that its encoding does not have, and for a zero in it."""
     form = value.text_form
     try:
-        if form is None:
-            return data.rstrip(b"\0").decode("ascii")
-        content = form.content(data, order)
-        text = None if content is None else content.decode(form.codec(order))
-    except UnicodeDecodeError:
+        return (
+            data.rstrip(b"\0").decode("ascii") if form is None else _runtime_form(form, value, order).text("", data, 0)
+        )
+    except ValueError:
         return None
-    return None if text is None or "\0" in text else text
+
+
+def _runtime_form(form: TextForm, value: Text, order: str) -> _texts.TextForm:
+    """What reads and writes the text."""
+    from fieldspec.foundation.runtime import _texts
+
+    return _texts.text_form(form.arguments(value.size, order))
 
 
 def text_fault(value: Text, order: str, text: str) -> tuple[str, str] | None:
@@ -167,12 +144,7 @@ def text_bytes(value: Text, order: str, text: str) -> bytes:
     while len(data) > form.room(value.size):
         text = text[:-1]
         data = text.encode(codec, "replace")
-    end = b"" if form.terminator is None else chr(form.terminator).encode(codec)
-    filler = chr(form.padding).encode(codec)
-    padding = filler * ((form.room(value.size) - len(data)) // form.unit)
-    whole = padding + data if form.is_right else data + end + padding
-    whole = packed(whole) if form.is_packed else whole
-    return turned_words(whole) if form.is_turned else whole
+    return _runtime_form(form, value, order).data(data.decode(codec))
 
 
 def encoding_title(value: Text) -> str:

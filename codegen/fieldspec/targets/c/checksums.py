@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from fieldspec.codec.layout.checksums import reflected
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.classes import replace
+from fieldspec.foundation.runtime._checksums import reflected
 from fieldspec.language.model.checksums import DIGITS, SIMPLE, Checksum, algorithm_name, checksum_named
 from fieldspec.language.model.codecs import checksum_codec
 from fieldspec.targets.c.declarations import Declaration, Source

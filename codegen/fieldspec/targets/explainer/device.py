@@ -16,17 +16,18 @@ from fieldspec.targets.explainer.literals import Data, lines
 from fieldspec.targets.explainer.records import message_data, record_data
 from fieldspec.targets.explainer.registers import gaps_data, register_data, set_data, table_data
 from fieldspec.targets.explainer.values import enum_data, stated, word_data
+from fieldspec.targets.explainer.wire import used_functions
 
 _LINES = 2
 """The depth down to which each entry has a line of its own."""
 
 
 def explainer_data(layout: DeviceLayout) -> str:
-    """The data of the explainer as an expression of JavaScript: a literal, or after codecs the result of a function."""
+    """The data of the explainer, as a function of JavaScript. Its argument has what checksums and escapes call."""
     data, codecs = lines(device_data(layout), _LINES), codec_constants(layout)
-    if not codecs:
-        return data
-    return "\n".join(["(() => {", *codecs, f"return {data};", "})()"])
+    body = "\n".join(["{", *codecs, f"return {data};", "}"]) if codecs else f"({data})"
+    functions = ", ".join(used_functions(layout))
+    return f"({{ {functions} }}) => {body}" if functions else f"() => {body}"
 
 
 def device_data(layout: DeviceLayout) -> dict[str, Data]:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from fieldspec.codec.explain.frame_sizes import bounds_text
+from fieldspec.codec.explain.recognition import lengths, sent_lengths
 from fieldspec.codec.layout.exception_mark import ExceptionMark
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.repeated_parts import repeated_parts
-from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.escape import Escape
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.preamble import Preamble
-from fieldspec.targets.explainer.codecs import constant_name
 from fieldspec.targets.explainer.literals import Code, Data
 from fieldspec.targets.explainer.values import fact_data, intervals, stated, value_data
+from fieldspec.targets.explainer.wire import checksum_function, escape_object
 
 DIRECTIONS = ("request", "response")
 
@@ -52,6 +53,7 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
         **stated({"openings": _openings(link)}),
         **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
         "directionNames": {"request": own.request_name, "response": own.response_name},
+        "lengths": {direction: _lengths(link, direction) for direction in DIRECTIONS},
         "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
         "repeated": [[part.name, repetition.name] for part, repetition in repeated_parts(link)],
         "request": _frame(link.request),
@@ -93,6 +95,18 @@ def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
     ]
 
 
+def _lengths(link: LinkLayout, direction: str) -> list[Data]:
+    """The messages that frames may be by their length: the least and the most bytes that are sent, and in words."""
+    frame = link.frame(direction)
+    if frame.role("code") is not None and not link.ambiguous_codes(direction):
+        return []
+    identifier = frame.escape.fields_size if frame.escape is not None else 0
+    return [
+        [name, minimum, maximum, bounds_text(*lengths(link, direction, name), identifier)]
+        for name, minimum, maximum in sent_lengths(link, direction)
+    ]
+
+
 def _openings(link: LinkLayout) -> dict[str, Data]:
     """What people see at the beginning of frames that they write as characters."""
     if not link.link.sends_characters:
@@ -115,7 +129,7 @@ def _frame(frame: FrameLayout) -> dict[str, Data]:
         "header": [_part(part) for part in frame.header],
         "trailer": [_part(part) for part in frame.trailer],
         "checksums": [part.name for part in frame.checksums],
-        **stated({"escape": _escape(frame.escape) if frame.escape is not None else None}),
+        **stated({"escape": _escape(frame.escape)}),
         "escapeStart": frame.escape_start,
         "escapeStop": frame.escape_stop or 0,
     }
@@ -132,7 +146,7 @@ def _part(part: PartLayout) -> dict[str, Data]:
             {
                 "order": part.order,
                 "value": value_data(part.value, part.order) if part.value is not None else None,
-                "algorithm": _algorithm(part) if part.algorithm else None,
+                "algorithm": Code(checksum_function(part.algorithm, part.order)) if part.algorithm else None,
                 "digits": part.digits,
                 "start": part.start,
                 "stop": part.stop,
@@ -148,52 +162,8 @@ def _part(part: PartLayout) -> dict[str, Data]:
     }
 
 
-def _algorithm(part: PartLayout) -> dict[str, Data]:
-    """The parameters of a checksum; numbers that may be wide are texts of digits."""
-    kind = checksum_named(part.algorithm)
-    if kind.codec:
-        return {"codec": Code(constant_name(kind.codec))}
-    surrounding: dict[str, Data] = {
-        key: code.hex()
-        for key, code in (("suffix", kind.suffix), ("avoided", kind.avoided), ("replacements", kind.replacements))
-        if code
-    }
-    if kind.method == "crc":
-        return {
-            **surrounding,
-            **({"unitSize": kind.unit_size} if kind.unit_size > 1 else {}),
-            "method": "crc",
-            "width": kind.width,
-            "polynomial": str(kind.polynomial),
-            "initial": str(kind.initial),
-            "reflectIn": kind.reflect_in,
-            "reflectOut": kind.reflect_out,
-            "finalXor": str(kind.final_xor),
-        }
-    return {
-        **surrounding,
-        "method": kind.method,
-        "width": kind.width,
-        "initial": str(kind.initial),
-        **({"modulus": str(kind.modulus)} if kind.modulus else {"complement": kind.complement}),
-        "unitSize": kind.unit_size,
-        "order": kind.unit_order or part.order,
-    }
-
-
-def _escape(escape: Escape) -> dict[str, Data]:
-    return stated(
-        {
-            "method": escape.method,
-            "pairs": [list(pair) for pair in escape.pairs],
-            "pattern": escape.pattern.hex(),
-            "inserted": escape.inserted,
-            **({"bits": escape.bits, "fields": _fields(escape)} if escape.method == "can" else {}),
-            "remote": escape.remote,
-        }
-    )
-
-
-def _fields(escape: Escape) -> list[Data]:
-    """The parts of a CAN identifier: the size, whether the order is little, the first bit, and the bits of each."""
-    return [[size, order == "little", first, width] for size, order, first, width in escape.fields]
+def _escape(escape: Escape | None) -> Data:
+    if escape is None:
+        return None
+    fields = {"fields": escape.fields, "remote": escape.remote} if escape.method == "can" else {}
+    return stated({"method": escape.method, "bytes": Code(escape_object(escape)), **fields})

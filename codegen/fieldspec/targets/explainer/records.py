@@ -12,6 +12,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists
 from fieldspec.codec.layout.widths import span_data
 from fieldspec.codec.program.lowering import field_program
 from fieldspec.codec.program.operations import Load, LoadVarying
+from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Message, RegisterAccess
 from fieldspec.targets.explainer.literals import Data
@@ -134,8 +135,7 @@ def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
         "response": record_data(device, message.response),
         **stated(
             {
-                "access": _access(device, device.register_access(own)),
-                "bitAccess": _access(device, device.bit_access(own)),
+                "access": _access(device, own.single_access) if own.single_access is not None else None,
                 "steps": [_access(device, step) for step in own.access_steps],
                 "errata": list(errata_of_message(device, own)),
                 "indices": _indices(own),
@@ -151,13 +151,12 @@ def _indices(message: Message) -> dict[str, Data]:
     return stated({part.number: index_field(message, part) for part in parts})
 
 
-def _access(device: Device, access: RegisterAccess | None) -> Data:
-    if access is None:
-        return None
+def _access(device: Device, access: RegisterAccess) -> Data:
+    unit = device.space(access.space).unit
     return {
         "operation": access.operation,
         "start": access.start,
         **stated({"count": access.count, "values": access.values, "space": device.space_name(access.space)}),
         **({"set": access.set, "clear": access.clear} if access.set is not None else {}),
-        **({"unitSize": 1} if device.space(access.space).unit_size == 1 else {}),
+        **({"unit": unit} if unit != WORD else {}),
     }

@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
-from fieldspec.foundation.classes import replace
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.checksums import algorithm_name, checksum_named
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import Message
-from fieldspec.targets.explainer.codecs import constant_name
 from fieldspec.targets.explainer.literals import EXACT
+from fieldspec.targets.explainer.wire import checksum_function, escape_object
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.framing import framer, is_wide_part, subcode_place
@@ -30,10 +28,6 @@ from fieldspec.targets.js.text import (
     pairs_literal,
 )
 from fieldspec.targets.js.values import sign_literal
-
-SHORT = {"crc16_modbus": "crc16", "lrc": "lrc", "sum8": "sum8"}
-"""The functions of `checksums.js` by the names of the algorithms that have one of their own."""
-
 
 _CODES = "number | bigint"
 
@@ -97,7 +91,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
             f"    end: {list(frame.end)},",
             *_preamble(frame),
             f"    checksums: {order},",
-            f"    escape: {_escape(frame)},",
+            f"    escape: {escape_object(frame.escape)},",
             f"    escapeStart: {frame.escape_start},",
             f"    escapeStop: {escape_stop},",
             "  },",
@@ -243,72 +237,6 @@ def _preamble(frame: FrameLayout) -> list[str]:
     return [
         f"    preamble: {{ byte: {own.byte}, least: {own.least}, further: {len(own.further)}, spare: {own.spare} }},"
     ]
-
-
-def _escape(frame: FrameLayout) -> str:
-    """The object that escapes bytes, or null."""
-    escape = frame.escape
-    if escape is None:
-        return "null"
-    if escape.method == "cobs":
-        return "cobs"
-    if escape.method == "can":
-        fields = [[size, int(order == "little"), first, width] for size, order, first, width in escape.fields]
-        remote = "" if escape.remote is None else f", {escape.remote}"
-        return f"{PURE} canIdentifier({escape.bits}, {fields}{remote})"
-    if escape.method == "add":
-        return f"{PURE} adding({escape.inserted})"
-    if escape.method == "insert":
-        return f"{PURE} inserting({list(escape.pattern)}, {escape.inserted})"
-    return f"{PURE} replacing({[list(pair) for pair in escape.pairs]})"
-
-
-def checksum_function(algorithm: str, order: str) -> str:
-    """The function that computes a checksum; `order` is that of the numbers which a sum or an xor combines."""
-    short = SHORT.get(algorithm)
-    if short is not None:
-        return short
-    kind = checksum_named(algorithm)
-    if kind.codec:
-        return constant_name(kind.codec)
-    if kind.avoided:
-        function = checksum_function(algorithm_name(replace(kind, avoided=b"", replacements=b"")), order)
-        return f"{PURE} avoiding({function}, {kind.size}, {list(kind.avoided)}, {list(kind.replacements)})"
-    if kind.suffix:
-        function = checksum_function(algorithm_name(replace(kind, suffix=b"")), order)
-        return f"{PURE} followedBy({function}, {list(kind.suffix)})"
-    if kind.method == "crc" and kind.unit_size > 1:
-        function = checksum_function(algorithm_name(replace(kind, unit_size=1)), order)
-        return f"{PURE} swapping({function}, {kind.unit_size})"
-    order = kind.unit_order or order
-    if kind.method == "crc":
-        parameters = {
-            "width": str(kind.width),
-            "polynomial": f"0x{kind.polynomial:X}n",
-            "initial": f"0x{kind.initial:X}n",
-            "reflectIn": flag(kind.reflect_in),
-            "reflectOut": flag(kind.reflect_out),
-            "finalXor": f"0x{kind.final_xor:X}n",
-        }
-        return f"{PURE} crcOf({object_of(parameters)})"
-    if kind.method == "fletcher":
-        parameters = {
-            "width": str(kind.width),
-            "initial": f"{kind.initial}n",
-            "modulus": f"{kind.modulus}n",
-            "unitSize": str(kind.unit_size),
-            "order": literal(order),
-        }
-        return f"{PURE} fletcherOf({object_of(parameters)})"
-    parameters = {
-        "method": literal(kind.method),
-        "width": str(kind.width),
-        "initial": f"{kind.initial}n",
-        "complement": literal(kind.complement),
-        "unitSize": str(kind.unit_size),
-        "order": literal(order),
-    }
-    return f"{PURE} totalOf({object_of(parameters)})"
 
 
 def _intervals(ranges: Ranges | None, wide: bool = False) -> str:

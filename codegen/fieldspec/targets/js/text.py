@@ -8,12 +8,10 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from fieldspec.language.model.enums import Bit
 from fieldspec.targets.explainer.literals import EXACT
+from fieldspec.targets.explainer.wire import PURE as PURE
 from fieldspec.targets.pieces import piece
 
 WIDTH = 110
-
-PURE = "/* @__PURE__ */"
-"""Marks a call without effects, which a bundler drops where nothing uses its result."""
 
 
 def literal(text: str) -> str:

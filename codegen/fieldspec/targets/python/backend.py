@@ -21,7 +21,7 @@ from fieldspec.targets.python.parts import all_words, defined_names, divided, pa
 from fieldspec.targets.python.text import docstring, literal
 from fieldspec.targets.python.usages import usage_rows
 from fieldspec.targets.python.usages import usages as usages
-from fieldspec.targets.templates import fill
+from fieldspec.targets.templates import fill, text
 from fieldspec.targets.usages import cache_spelling
 
 PACKAGE = "fieldspec_devices"
@@ -76,8 +76,8 @@ RUNTIME = (
 
 
 def shared() -> dict[str, str]:
-    """The modules that all devices share, copied from `runtime/`."""
-    texts = {f"{PACKAGE}/{name}.py": fill(f"python/runtime/{name}.py") for name in RUNTIME}
+    """The modules that all devices share, copied from `foundation/runtime/`."""
+    texts = {f"{PACKAGE}/{name}.py": text(f"foundation/runtime/{name}.py") for name in RUNTIME}
     return {**texts, f"{PACKAGE}/py.typed": ""}
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.language.model.digits import digits_arguments
 from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
@@ -262,10 +263,8 @@ def real_word(precision: Precision) -> str:
 
 
 def digits_letters(value: Value, order: str, swapped: bool) -> str:
-    """The arguments of the runtime for digits: order and type, their form, the bytes, and the places after a point."""
-    sign = ">" if (order == "big") != swapped and not value.is_low_first else "<"
-    form = codec_key(value.codec) if value.codec else "blank_decimal" if value.has_blanks else value.digits
-    return f"{sign}{value.type.name} {form} {value.size} {value.places}"
+    """The arguments of the runtime for the digits of a value."""
+    return digits_arguments(value, (order == "big") == swapped, codec_key(value.codec) if value.codec else "")
 
 
 def digits_form(value: Value, order: str, swapped: bool) -> str:
@@ -277,10 +276,7 @@ def text_letters(value: Value, order: str) -> str:
     """The arguments of the form of a text: its encoding, its bytes, its padding and its terminator."""
     form = value.text_form
     assert form is not None
-    end = "-" if form.terminator is None else str(form.terminator)
-    side = "right" if form.is_right else "left"
-    codec = form.encoding if form.is_packed else form.codec(order)
-    return f"{codec} {value.size} {form.padding} {end} {side}{' turned' * form.is_turned}"
+    return form.arguments(value.size, order)
 
 
 def text_form(value: Value, order: str) -> str:

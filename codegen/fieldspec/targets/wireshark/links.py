@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.layout.checksums import reflected
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.codec.layout.subcodes import Subcode
 from fieldspec.foundation.names import Name
+from fieldspec.foundation.runtime._checksums import reflected
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.language.model.preamble import Preamble

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import numpy.typing as npt
 
-from fieldspec.codec.layout.checksums import checksum_bytes, crc_table, reflected
+from fieldspec.codec.layout.checksums import checksum_bytes
 from fieldspec.codec.layout.part import PartLayout
+from fieldspec.foundation.runtime._checksums import Crc, reflected
 from fieldspec.language.model.checksums import Checksum, checksum_named
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at
 
@@ -53,16 +52,12 @@ def _total(kind: Checksum, buffer: Bytes, start: Numbers, sizes: Numbers) -> npt
     return np.asarray(number & np.uint64(kind.mask))
 
 
-@cache
-def _table(width: int, polynomial: int, is_reflected: bool) -> npt.NDArray[np.uint64]:
-    return np.array(crc_table(width, polynomial, is_reflected), np.uint64)
-
-
 def _crc(kind: Checksum, buffer: Bytes, start: Numbers, sizes: Numbers) -> npt.NDArray[np.uint64]:
     """The CRC of each span; the register of one that is not reflected begins at its highest bit."""
-    table = _table(kind.width, kind.polynomial, kind.reflect_in)
-    initial = reflected(kind.initial, kind.width) if kind.reflect_in else kind.initial << 64 - kind.width
-    register = np.full(len(start), initial, np.uint64)
+    function = kind.function("big")
+    assert isinstance(function, Crc)
+    table = np.array(function.table, np.uint64)
+    register = np.full(len(start), function.register, np.uint64)
     eight = np.uint64(8)
     for rows, column in _columns(buffer, start, sizes):
         own = register[rows]

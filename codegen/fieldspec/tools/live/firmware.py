@@ -5,9 +5,9 @@ from __future__ import annotations
 from fieldspec.codec.layout.detection import detecting_value
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.foundation.runtime._firmware import UnknownFirmwareError, module_name, version_in
 from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.sizes import sent_on
-from fieldspec.targets.python.runtime._firmware import UnknownFirmwareError, module_name, version_in
 from fieldspec.tools.live.client import Client
 from fieldspec.tools.live.messages import read_signals, signals
 from fieldspec.tools.live.reading import all_occupants, blocks, message_for, read

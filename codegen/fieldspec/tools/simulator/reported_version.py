@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.detection import VersionDetection, detecting_value, version_detection
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.runtime._firmware import EARLIER, UnknownFirmwareError, module_name, version_in
 from fieldspec.language.behaviour.names import Names
 from fieldspec.language.behaviour.part import Behaviour
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.text_form import text_bytes
 from fieldspec.language.model.value import Value
-from fieldspec.targets.python.runtime._firmware import EARLIER, UnknownFirmwareError, module_name, version_in
 
 _BASES = {"decimal": 10, "hexadecimal": 16}
 

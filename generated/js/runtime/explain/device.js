@@ -1,13 +1,21 @@
+import { avoiding, crc16, crcOf, fletcherOf, followedBy, lrc, sum8, swapping, totalOf } from "../checksums.js";
+import { adding, canIdentifier, cobs, inserting, replacing } from "../escapes.js";
 import { exactWhole, onBits } from "../number_bits.js";
 import { inOrder, unsignedOf } from "./interpreter.js";
 import { bytesOfHex } from "./texts.js";
+
+/** What the data of devices call for checksums and escapes. */
+const WIRE = {
+  adding, avoiding, canIdentifier, cobs, crc16, crcOf, fletcherOf, followedBy, inserting, lrc, replacing, sum8, swapping, totalOf,
+};
 
 /**
  * The data of a device, indexed for the explainer. Everything that is looked up by a name or a number which a user or
  * the bytes of a frame decide is in a Map.
  */
 export class ExplainedDevice {
-  constructor(data) {
+  constructor(dataOf) {
+    const data = dataOf(WIRE);
     this.data = data;
     this.enums = new Map(Object.entries(data.enums).map(([name, listing]) => [name, indexedEnum(listing)]));
     this.flags = new Map(Object.entries(data.flags));
@@ -106,10 +114,8 @@ function indexedRecord(record) {
 
 function indexedFrame(frame) {
   const parts = [...frame.header, ...frame.trailer];
-  const escape = frame.escape && { ...frame.escape, pattern: bytesOfHex(frame.escape.pattern ?? "") };
   return {
     ...frame,
-    escape,
     parts,
     checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
     lengths: parts.filter((part) => part.role === "length"),

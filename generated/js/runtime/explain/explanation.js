@@ -3,15 +3,13 @@ import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } fro
 import { wholeOf } from "./interpreter.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue } from "./values.js";
 import { endRows, escapeRow, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
-import { checksumOf, lengthNumber, mostEscaped, originalPlaces, partOffset, unwrapped } from "./frames.js";
+import { checksumOf, lengthNumber, originalPlaces, partOffset, unwrapped } from "./frames.js";
 import { CodecError } from "../error.js";
-import { accessedSpan, registerRows } from "./registers.js";
+import { accessedSpans, NOTHING, registerRows } from "./registers.js";
 import { ExplainedBody } from "./body.js";
 import { digitsNumber } from "../digit_texts.js";
 import { exactWhole, onBits } from "../number_bits.js";
 import { isWhole } from "./numbers.js";
-
-const NOTHING = new Map();
 
 /** The explanation of a whole frame as the answer to `request`, the explanation of another one, or null. Never throws. */
 export function explained(device, link, direction, frame, message = "", request = null) {
@@ -48,7 +46,7 @@ class ExplainedFrame {
   /** The whole explanation. The header comes first, as its code tells what the body is. */
   explanation() {
     if (this.unreadable !== null) return this.unreadableFrame(this.unreadable);
-    const rows = [...startRows(this.wrapped), ...this.headRows()];
+    const rows = [...startRows(this.wrapped), ...this.partRows(this.shape.header, 0)];
     let registers = [];
     if (this.data.length >= this.shape.headerSize) {
       this.error ||= this.isMarked();
@@ -163,15 +161,17 @@ class ExplainedFrame {
     return [data, nothing];
   }
 
-  headRows() {
+  /** The rows of parts, whose offsets count from `base`, up to the first one that is not whole. */
+  partRows(parts, base) {
     const rows = [];
-    for (const part of this.shape.header) {
-      const data = this.data.subarray(part.offset, part.offset + part.size);
+    for (const part of parts) {
+      const at = base + part.offset;
+      const data = this.data.subarray(at, at + part.size);
       if (data.length < part.size) {
-        if (this.wrapped.whole || data.length) rows.push(this.shortRow(part, part.offset, data));
+        if (this.wrapped.whole || data.length) rows.push(this.shortRow(part, at, data));
         return rows;
       }
-      rows.push(this.partRow(part, part.offset, data));
+      rows.push(this.partRow(part, at, data));
     }
     return rows;
   }
@@ -286,33 +286,10 @@ class ExplainedFrame {
     const body = new ExplainedBody(this.device, record, message ?? record, isRequest, this.data, start, end, this.spot, asked);
     for (const [name, value] of body.values) this.values.set(name, value);
     const rows = body.rows.filter((row) => this.wrapped.whole || row.kind !== "unexplained" || row.length);
-    const access = this.error ? undefined : message?.access ?? message?.bitAccess;
-    if (!access) return { rows, registers: this.error ? [] : this.stepRows(record, body.values, start, end) };
-    const values = record.named.get(access.values);
-    const at = values ? start + values.offset : start;
-    const isOpen = !values || values.count === undefined;
-    const last = isOpen ? end : Math.min(end, start + values.offset + values.size * values.count);
-    const data = values ? this.data.subarray(at, Math.max(at, last)) : this.data.subarray(0, 0);
-    const isBits = access === message.bitAccess;
-    const span = accessedSpan(access, isBits, body.values, asked, at, data);
-    return { rows, registers: span ? registerRows(this.device, span, this.spot, access.operation) : [] };
-  }
-
-  /** The rows of the registers of a message that accesses them in several steps; a response has those that read. */
-  stepRows(record, values, start, end) {
-    const isRequest = this.direction === "request";
-    const known = isRequest ? values : this.asked?.values ?? NOTHING;
-    const rows = [];
-    for (const step of this.message?.steps ?? []) {
-      if (!isRequest && step.operation === "write") continue;
-      const field = (step.operation === "read") === !isRequest ? record.named.get(step.values) : undefined;
-      const at = start + (field?.offset ?? 0);
-      const last = field?.count === undefined ? end : Math.min(end, at + field.size * field.count);
-      const data = this.data.subarray(at, field ? Math.max(at, last) : at);
-      const span = accessedSpan(step, false, known, NOTHING, at, data);
-      if (span) rows.push(...registerRows(this.device, span, this.spot, step.operation));
-    }
-    return rows;
+    if (!message || this.error) return { rows, registers: [] };
+    const answered = this.direction === "request" ? null : asked;
+    const spans = accessedSpans(message, record, start, this.data.subarray(start, Math.max(start, end)), body.values, answered);
+    return { rows, registers: spans.flatMap(([{ operation }, span]) => registerRows(this.device, span, this.spot, operation)) };
   }
 
   /** The row of a body that nothing describes. */
@@ -327,19 +304,8 @@ class ExplainedFrame {
   }
 
   tailRows() {
-    if (!this.wrapped.whole) return [];
-    const rows = [];
-    const start = Math.max(this.shape.headerSize, this.data.length - this.shape.trailerSize);
-    for (const part of this.shape.trailer) {
-      const at = start + this.shape.trailerSize + part.offset;
-      const data = this.data.subarray(at, at + part.size);
-      if (data.length < part.size) {
-        rows.push(this.shortRow(part, at, data));
-        return rows;
-      }
-      rows.push(this.partRow(part, at, data));
-    }
-    return rows;
+    const { headerSize, trailerSize, trailer } = this.shape;
+    return this.wrapped.whole ? this.partRows(trailer, Math.max(headerSize + trailerSize, this.data.length)) : [];
   }
 }
 
@@ -350,23 +316,11 @@ function numberOf({ offset, size, order, value }, data) {
   return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
 }
 
-/** The least and the greatest size of a message's frames without delimiters, in bytes; Infinity is unbounded. */
-export function lengthsOf(link, direction, message) {
-  const { headerSize, trailerSize } = link[direction];
-  const record = message[direction];
-  return [record.least + headerSize + trailerSize, (record.most ?? Infinity) + headerSize + trailerSize];
-}
-
 /** The names of the messages whose body can be as long as that of a frame. */
 export function namesOfLength(link, direction, frame) {
   const { length } = unwrapped(link, direction, frame).data;
-  const { escape } = link[direction];
-  const fitting = [...link.carriedMessages[direction].values()].filter((message) => {
-    const [least, most] = lengthsOf(link, direction, message);
-    if (escape) return most === Infinity || length <= mostEscaped(escape, most);
-    return least <= length && length <= most;
-  });
-  return fitting.map(({ name }) => name);
+  const fitting = link.lengths[direction].filter(([, least, most]) => least <= length && (most === null || length <= most));
+  return fitting.map(([name]) => name);
 }
 
 /** Readings as data: link, direction, message and whether it is an exception response. */

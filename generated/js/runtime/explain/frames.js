@@ -1,5 +1,4 @@
-import { avoiding, checksumBytes, crcOf, fletcherOf, followedBy, swapping, totalOf } from "../checksums.js";
-import { adding, canIdentifier, cobs, inserting, replacing } from "../escapes.js";
+import { checksumBytes } from "../checksums.js";
 import { wholeBounds } from "../number_bits.js";
 import { bytesOfHex, latinOf } from "./texts.js";
 
@@ -55,31 +54,10 @@ export function sliceOf(data, start, stop) {
   return data.subarray(first, Math.max(first, last));
 }
 
-const FUNCTIONS = new WeakMap();
-
-function functionOf(algorithm) {
-  if (algorithm.codec) return algorithm.codec;
-  if (!FUNCTIONS.has(algorithm)) {
-    const initial = BigInt(algorithm.initial);
-    let compute = algorithm.method === "crc"
-      ? crcOf({ ...algorithm, initial, polynomial: BigInt(algorithm.polynomial), finalXor: BigInt(algorithm.finalXor) })
-      : algorithm.method === "fletcher"
-        ? fletcherOf({ ...algorithm, initial, modulus: BigInt(algorithm.modulus) })
-        : totalOf({ ...algorithm, initial });
-    if (algorithm.method === "crc" && algorithm.unitSize) compute = swapping(compute, algorithm.unitSize);
-    if (algorithm.suffix) compute = followedBy(compute, bytesOfHex(algorithm.suffix));
-    const { avoided, replacements } = algorithm;
-    if (avoided) compute = avoiding(compute, Math.ceil(algorithm.width / 8), bytesOfHex(avoided), bytesOfHex(replacements));
-    FUNCTIONS.set(algorithm, compute);
-  }
-  return FUNCTIONS.get(algorithm);
-}
-
 /** The bytes of a checksum over its part of all parts. */
 export function checksumOf(part, data) {
   const covered = sliceOf(data, part.start ?? 0, part.stop);
-  const algorithm = functionOf(part.algorithm);
-  return Uint8Array.from(checksumBytes({ ...part, algorithm }, covered, 0, covered.length));
+  return Uint8Array.from(checksumBytes(part, covered, 0, covered.length));
 }
 
 /** The value of a length part if all parts together have `length` bytes; undefined if it cannot express that. */
@@ -99,22 +77,10 @@ export function typeBounds({ kind, size, signed, digits, low: least, high: most 
   }
 }
 
-/** How bytes are escaped. */
-function escaping({ method, pairs, pattern, inserted, bits, fields, remote }) {
-  switch (method) {
-    case "can": return canIdentifier(bits, fields, remote);
-    case "cobs": return cobs;
-    case "add": return adding(inserted);
-    case "replace": return replacing(pairs);
-    case "insert": return inserting([...pattern], inserted);
-    default: throw new RangeError(`unknown escape: ${method}`);
-  }
-}
-
 /** The original bytes, each with the place of the byte that is sent for it. Throws CodecError with the place of a wrong one. */
 export function originalPlaces(escape, data) {
   const places = [];
-  escaping(escape).walk(data, (byte, at) => places.push([byte, at]));
+  escape.bytes.walk(data, (byte, at) => places.push([byte, at]));
   return places;
 }
 
@@ -126,17 +92,4 @@ export function identifierSize({ fields }) {
 /** `byte 4`, or `byte 2 of the data` of a CAN frame, for the place `at` among the bytes of all parts. */
 export function byteText(escape, at) {
   return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
-}
-
-/** What is sent for some bytes. */
-export function escapedBytes(escape, data) {
-  return escaping(escape).escaped(data);
-}
-
-/** The most bytes that are sent for `size` bytes. */
-export function mostEscaped({ method, pattern, fields }, size) {
-  if (method === "can") return size + 8 - identifierSize({ fields });
-  if (method === "add") return size;
-  if (method === "replace") return 2 * size;
-  return method === "cobs" ? size + Math.floor(size / 254) + 1 : size + Math.floor(size / pattern.length);
 }

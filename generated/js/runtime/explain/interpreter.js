@@ -90,30 +90,20 @@ export function loaded(field, raw, index) {
   return { field, raw, image, content, number: numberOfContent(field, content, raw, image) };
 }
 
-/** The contents that a record gives, by name. Adds what gave them to `rows`. */
-function run(device, record, data, start, stop, path, rows) {
-  const values = new Map();
-  const beside = new Map();
-  for (const field of record.fields) {
-    const first = start + field.offset;
-    const count = field.count ?? Math.floor((stop - first) / field.size);
-    const sizes = field.isList ? new Array(count).fill(field.size) : [field.span ? stop - first : field.size];
-    const contents = runEach(device, field, data, first, sizes, path, rows, beside);
-    values.set(field.name, field.isList ? contents : contents[0]);
-  }
-  return values;
-}
-
-/** The same of a record that differs in size, as `parts` tell; its size has been judged. */
-function runAround(device, record, parts, data, start, stop, path, rows) {
-  const { extents } = extentsIn(parts, data.subarray(start, stop));
-  const byName = new Map(parts.lists.map(({ name }, number) => [name, extents[number]]));
+/**
+ * The contents that a record gives, by name. Adds what gave them to `rows`. If it differs in size, `parts` tell the size of
+ * its lists, which has been judged.
+ */
+function run(device, record, parts, data, start, stop, path, rows) {
+  const { extents } = parts ? extentsIn(parts, data.subarray(start, stop)) : { extents: [] };
+  const byName = new Map(extents.map((extent, number) => [parts.lists[number].name, extent]));
   const values = new Map();
   const beside = new Map();
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
     const field = formOfField(record, record.named.get(name), values);
-    const { size, elements, numbers } = byName.get(name) ?? { size: field.size * field.count, elements: [] };
+    const isOpen = field.span || field.count === undefined;
+    const { size, elements, numbers } = byName.get(name) ?? { size: isOpen ? stop - at : field.size * field.count, elements: [] };
     const count = numbers ?? field.count ?? Math.floor(size / field.size);
     const all = field.isList ? new Array(count).fill(field.size) : [size];
     const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
@@ -134,8 +124,7 @@ export function runEach(device, field, data, start, sizes, path, rows, beside) {
     stop += size;
     const own = `${path}${field.name}${field.isList ? `[${index}]` : ""}`;
     const record = field.record && device.records.get(field.record);
-    if (field.parts) return runAround(device, record, field.parts, data, offset, stop, `${own}.`, rows);
-    if (record) return run(device, record, data, offset, stop, `${own}.`, rows);
+    if (record) return run(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
     const row = { ...loaded(field, data.subarray(first, last), index), path: own, index, offset: first, beside };
     if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share

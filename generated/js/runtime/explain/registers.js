@@ -3,6 +3,9 @@ import { contentOf } from "./interpreter.js";
 import { decodeAnswer, decoded, decodeValue, exponentApplied, forWriting } from "./values.js";
 import { factRow, rowOf } from "./rows.js";
 
+/** The values of no request. */
+export const NOTHING = new Map();
+
 function partialText(unit, isAtomic) {
   return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
 }
@@ -50,27 +53,38 @@ export class AddressSpan {
 
 /**
  * The words or bits that a message accesses, by its own values or those of the request that it answers; null if
- * unknown. `value` returns a value by its name, `data` are the bytes of the words, at `at` in the parts.
+ * unknown. `data` are the bytes of the words, at `at` in the parts.
  */
-export function accessedSpan(access, isBits, values, asked, at, data) {
+function accessedSpan(access, values, asked, at, data) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
   if (!isWhole(start ?? "")) return null;
-  const size = access.unitSize ?? 2;
-  const carried = Math.floor(data.length / size);
-  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
-  const known = isWhole(count ?? "");
-  if (!isBits) {
-    return new AddressSpan(access.space, Number(start), known ? Number(count) : carried, at, data.subarray(0, carried * size), null, size);
-  }
+  const spanOf = (...more) => new AddressSpan(access.space, Number(start), ...more);
   if (access.set !== undefined) {
     const number = data.length ? values.get(access.values) : undefined;
-    const bit = number == access.clear ? 0 : number == access.set ? 1 : null;
-    return new AddressSpan(access.space, Number(start), 1, at, data, [number === undefined ? null : bit]);
+    return spanOf(1, at, data, [number == access.clear ? 0 : number == access.set ? 1 : null]);
   }
-  const words = known ? Number(count) : 8 * data.length;
-  const bits = Array.from({ length: Math.min(words, 8 * data.length) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1);
-  return new AddressSpan(access.space, Number(start), words, at, data, bits);
+  const [isBits, size] = [access.unit === "bit", access.unit === "byte" ? 1 : 2];
+  const carried = isBits ? 8 * data.length : Math.floor(data.length / size);
+  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
+  const words = isWhole(count ?? "") ? Number(count) : carried;
+  if (!isBits) return spanOf(words, at, data.subarray(0, carried * size), null, size);
+  return spanOf(words, at, data, Array.from({ length: Math.min(words, carried) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1));
+}
+
+/**
+ * The accesses of a message with what they access. Of several accesses, a response has those that read. The data of the
+ * frame begin at `start` in its parts; `asked` are the values of the request that a response answers, null for a request.
+ */
+export function accessedSpans({ access: single, steps }, record, start, data, values, asked) {
+  return (steps ?? [single]).flatMap((access) => {
+    if (!access || (asked && !single && access.operation === "write")) return [];
+    const field = single || (access.operation === "read") === Boolean(asked) ? record.named.get(access.values) : undefined;
+    const { offset = 0, size = 0, count } = field ?? { count: 0 };
+    const carried = data.subarray(offset, count === undefined ? data.length : offset + size * count);
+    const span = accessedSpan(access, single || !asked ? values : NOTHING, asked ?? NOTHING, start + offset, carried);
+    return span ? [[access, span]] : [];
+  });
 }
 
 /** The rows of all registers that share words with a span, by address, and of words that no register has. */

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from fieldspec.codec.layout.checksums import reflected
+from fieldspec.foundation.runtime._checksums import reflected
 from fieldspec.language.model.checksums import Checksum, checksum_named
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (

@@ -130,7 +130,7 @@ class MessageForm {
   access() {
     const { message, error } = this.choice;
     const own = this.lab.device.messages.get(message);
-    return error ? undefined : own.access ?? own.bitAccess;
+    return error ? undefined : own.access;
   }
 
   isAddress(field) {

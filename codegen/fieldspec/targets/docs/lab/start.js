@@ -40,7 +40,8 @@ class Lab {
 
   // Called by the data file of a version; `requests` is what there is to know before a request is sent.
   add(data, requests) {
-    this.loads.get(data.version)?.({ device: new ExplainedDevice(data), requests });
+    const device = new ExplainedDevice(data);
+    this.loads.get(device.data.version)?.({ device, requests });
   }
 
   load(page, version) {

@@ -56,9 +56,8 @@ class FrameTable {
     const registers = byId("registers");
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
-      const { access, bitAccess } = device.messages.get(explanation.message);
-      const single = access ?? bitAccess;
-      const caption = single ? `What the frame ${single.operation}s` : "Registers that the frame accesses";
+      const { access } = device.messages.get(explanation.message);
+      const caption = access ? `What the frame ${access.operation}s` : "Registers that the frame accesses";
       this.showTable(registers, caption, REGISTER_COLUMNS, explanation.registers, addressText);
     }
     byId("faults").replaceChildren(...faultTexts(explanation).map((text) => element("li", { textContent: text })));
@@ -102,7 +101,7 @@ class FrameTable {
   rawForms({ link, direction, message, error, rows }) {
     const { device } = this.lab;
     const { code, checks } = device.links.get(link)[direction];
-    const { access, bitAccess, [direction]: record } = device.messages.get(message) ?? {};
+    const { access, [direction]: record } = device.messages.get(message) ?? {};
     const fields = error ? [] : record?.fields ?? [];
     const isHexadecimal = ({ name, value }) => {
       if (value?.flags) return true;
@@ -113,7 +112,7 @@ class FrameTable {
     };
     return {
       hidden: checks.map(({ name }) => name),
-      hexadecimal: [code?.name, (access ?? bitAccess)?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
+      hexadecimal: [code?.name, access?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
     };
   }
 

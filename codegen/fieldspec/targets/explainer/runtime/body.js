@@ -35,7 +35,7 @@ export class ExplainedBody {
     const { inner, spans } = this.record;
     Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
     // A scale may be after the value that it applies to, so all bytes are read before any row is written.
-    const traced = [...(spans ? this.tracedVarying() : inner ? this.tracedAround(inner) : this.traced())];
+    const traced = [...(spans ? this.tracedVarying() : this.traced())];
     this.rows = this.explained(traced);
   }
 
@@ -49,87 +49,74 @@ export class ExplainedBody {
     });
   }
 
+  /** The parts of a record in the order of the wire. */
   *traced() {
+    const { inner } = this.record;
+    const fields = inner ? inner.sent.map((name) => this.record.named.get(name)) : this.record.fields;
     let at = this.start;
-    for (const [number, field] of this.record.fields.entries()) {
+    let numberOfList = 0;
+    for (const [number, field] of fields.entries()) {
       if (field.cases) {
         yield this.undecidedRow(field, at);
         return;
+      }
+      if (inner?.lists.some(({ name }) => name === field.name)) {
+        if (numberOfList === this.extents.length) {
+          yield this.unknownListRow(fields.slice(number), inner.lists[numberOfList], at);
+          return;
+        }
+        const extent = this.extents[numberOfList++];
+        yield* this.tracedList(field, extent, at);
+        at += extent.size;
+        continue;
       }
       const count = this.countOf(field);
       const room = field.size ? Math.max(0, Math.min(count, Math.floor((this.end - at) / field.size))) : 0;
       yield this.tracedField(field, at, new Array(room).fill(field.size));
       at += room * field.size;
       if (room < count) {
-        yield this.missingRow(this.record.fields.slice(number), at);
+        yield this.missingRow(fields.slice(number), at);
         return;
       }
     }
     if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
   }
 
-  /** The parts of a record with fields after a list, in the order of the wire. */
-  *tracedAround(inner) {
-    const sent = inner.sent.map((name) => this.record.named.get(name));
-    let at = this.start;
-    let numberOfList = 0;
-    for (const [number, field] of sent.entries()) {
-      if (!inner.lists.some(({ name }) => name === field.name)) {
-        const room = Math.max(0, Math.min(field.count, Math.floor((this.end - at) / field.size)));
-        yield this.tracedField(field, at, new Array(room).fill(field.size));
-        at += room * field.size;
-        if (room < field.count) {
-          yield this.missingRow(sent.slice(number), at);
-          return;
-        }
-        continue;
-      }
-      if (numberOfList === this.extents.length) {
-        yield this.unknownListRow(sent.slice(number), inner.lists[numberOfList], at);
-        return;
-      }
-      const { size, elements } = this.extents[numberOfList++];
-      const stop = at + size;
-      const count = this.itemsOf(field);
-      yield this.tracedField(formOfField(this.record, field, this.values), at, elements.length ? elements : new Array(count).fill(field.size));
-      at = elements.length || field.packing ? stop : at + count * field.size;
-      if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], at, stop);
-      else if (at < stop) yield surplusRow(this.spot, at, this.data.subarray(at, stop));
-      at = stop;
-    }
+  /** The parts of a list that has other fields after it. */
+  *tracedList(field, { size, elements }, start) {
+    const [stop, count] = [start + size, this.itemsOf(field)];
+    yield this.tracedField(formOfField(this.record, field, this.values), start, elements.length ? elements : new Array(count).fill(field.size));
+    const end = elements.length || field.packing ? stop : start + count * field.size;
+    if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], end, stop);
+    else if (end < stop) yield surplusRow(this.spot, end, this.data.subarray(end, stop));
   }
 
   /** The row from a list on whose bytes nobody knows. */
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
+    const { decision, packing, parts, presence, countName } = list;
+    let { reason } = this.fault;
+    let text;
     if (this.hasWrongCount(list)) {
-      const text = `${list.countName} is not a number of ${name}, so it is unknown where they end`;
-      return this.wrongRow(fields[0], at, "wrong_measure", text);
+      text = `${countName} is not a number of ${name}, so it is unknown where they end`;
+    } else if (decision && reason === "unknown_value") {
+      text = `${decision.name} ${valueText(this.values.get(decision.name))} does not decide the type of ${name}`;
+    } else if (decision && reason === "wrong_length") {
+      text = `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`;
+    } else if (packing && reason === "wrong_length") {
+      text = `${name} has more bytes than its numbers of ${packing.bits} bits`;
+    } else if (parts) {
+      text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
+    } else if (this.end - this.start < this.record.least) {
+      return this.missingRow(fields, at);
+    } else if (decision) {
+      text = `${decision.name} decides that ${name} has more bytes than there are`;
+    } else if (presence) {
+      [reason, text] = ["incomplete", `${countName} says that ${name} is sent, but its bytes are missing`];
+    } else {
+      [reason, text] = ["incomplete", `${countName} counts more ${name} than there are`];
     }
-    if (list.decision) {
-      const [by, size] = [list.decision.name, this.end - this.start];
-      const { reason } = this.fault;
-      if (reason === "unknown_value") {
-        const text = `${by} ${valueText(this.values.get(by))} does not decide the type of ${name}`;
-        return this.wrongRow(fields[0], at, reason, text);
-      }
-      if (reason === "wrong_length") {
-        return this.wrongRow(fields[0], at, reason, `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`);
-      }
-      if (size < this.record.least) return this.missingRow(fields, at);
-      return this.wrongRow(fields[0], at, reason, `${by} decides that ${name} has more bytes than there are`);
-    }
-    if (list.packing && this.fault.reason === "wrong_length") {
-      const text = `${name} has more bytes than its numbers of ${list.packing.bits} bits`;
-      return this.wrongRow(fields[0], at, this.fault.reason, text);
-    }
-    if (list.parts) {
-      const text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
-      return this.wrongRow(fields[0], at, this.fault.reason, text);
-    }
-    if (this.end - this.start < this.record.least) return this.missingRow(fields, at);
-    const text = list.presence ? `says that ${name} is sent, but its bytes are missing` : `counts more ${name} than there are`;
-    return this.wrongRow(fields[0], at, "incomplete", `${list.countName} ${text}`);
+    return this.wrongRow(fields[0], at, reason, text);
   }
 
   /** How many elements of a list of a record with fields after a list there are. */
@@ -227,20 +214,28 @@ export class ExplainedBody {
 
   /** The value of a field that measures another one, judged by the size of that field. */
   measured(field, read) {
-    if (field.bitsOf) return this.bitCount(field, read);
     const [of, name, plus = 0] = field.measures ?? [];
-    const other = this.record.named.get(name);
+    const other = this.record.named.get(field.bitsOf ?? name);
     if (!other || other.cases) return read;
-    const text = this.record.spans?.find((span) => span.name === name && span.count !== undefined);
-    if (text) {
-      const isRight = read.number >= plus && read.number <= text.most + plus;
-      return judged(read, isRight, isRight ? read.number : `${plus} to ${text.most + plus}`, "wrong_measure");
+    const { inner, spans } = this.record;
+    const text = spans?.find((span) => span.name === name && span.count !== undefined);
+    const room = this.end - this.start - other.offset;
+    const numberOf = (items) => (of === "bytes" ? items * other.size : items) + plus;
+    let [low, high] = [0, 0];
+    if (field.bitsOf) {
+      high = 8 * Math.max(0, Math.min(this.countOf(other), room));
+      low = Math.max(0, high - 7);
+    } else if (text) {
+      [low, high] = [plus, text.most + plus];
+    } else if (inner && other.repeat) {
+      const number = inner.lists.findIndex((list) => list.name === name);
+      if (number >= this.extents.length) return this.wrongCount(inner.lists[number], field, read);
+      low = high = numberOf(this.itemsOf(other));
+    } else {
+      const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
+      low = high = numberOf(other.isList ? most : 1);
     }
-    if (this.record.inner && other.repeat) return this.measuredList(field, other, read);
-    const most = this.record.spans ? this.countOf(other) : this.itemsAtEnd(other);
-    const items = other.isList ? most : 1;
-    const should = (of === "bytes" ? items * other.size : items) + plus;
-    return judged(read, sameValue(read.number, should), should, "wrong_measure");
+    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : `${low} to ${high}`, "wrong_measure");
   }
 
   /** How many elements of a list that ends the body there are. */
@@ -263,25 +258,10 @@ export class ExplainedBody {
     return read;
   }
 
-  /** The number of bits in a list of bytes, judged by how many there are. */
-  bitCount(field, read) {
-    const packed = this.record.named.get(field.bitsOf);
-    const size = Math.max(0, Math.min(this.countOf(packed), this.end - this.start - packed.offset));
-    const should = size ? `${8 * size - 7} to ${8 * size}` : 0;
-    return judged(read, Math.ceil(Number(read.number) / 8) === size, should, "wrong_measure");
-  }
-
-  /** The value of a field that measures a list of a record with fields after a list. */
-  measuredList(field, other, read) {
-    const number = this.record.inner.lists.findIndex(({ name }) => name === other.name);
-    if (number < this.extents.length) {
-      const [of, , plus = 0] = field.measures;
-      const should = this.itemsOf(other) * (of === "bytes" ? other.size : 1) + plus;
-      return judged(read, sameValue(read.number, should), should, "wrong_measure");
-    }
-    const list = this.record.inner.lists[number];
+  /** The value of a field, which is wrong if the bytes of the list are not known because of its number. */
+  wrongCount(list, field, read) {
     const { countName, least, most, unit, plus = 0 } = list;
-    if (number !== this.extents.length || countName !== field.name || !this.hasWrongCount(list)) return read;
+    if (countName !== field.name || !this.hasWrongCount(list)) return read;
     return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
   }
 

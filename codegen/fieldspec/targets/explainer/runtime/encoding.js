@@ -9,7 +9,7 @@ import { intervalsText, isWithin } from "./texts.js";
 import { codeIn, formOfField, memberOf } from "./device.js";
 import { digitsBytes } from "../digit_texts.js";
 import { refusedBitOf, sentinelOf } from "./values.js";
-import { checksumOf, escapedBytes, lengthNumber, typeBounds } from "./frames.js";
+import { checksumOf, lengthNumber, typeBounds } from "./frames.js";
 
 function joinedBytes(series) {
   return Uint8Array.from(series.flatMap((bytes) => [...bytes]));
@@ -209,7 +209,7 @@ function charactersOf(bytes) {
 function sentBytes(shape, data) {
   if (!shape.escape) return data;
   const stop = data.length + shape.escapeStop;
-  const inner = escapedBytes(shape.escape, data.subarray(shape.escapeStart, stop));
+  const inner = shape.escape.bytes.escaped(data.subarray(shape.escapeStart, stop));
   return joinedBytes([data.subarray(0, shape.escapeStart), inner, data.subarray(stop)]);
 }
 

@@ -11,11 +11,6 @@ export function decimalOf(text) {
   return { coefficient: BigInt(whole + places), exponent: -places.length };
 }
 
-/** The exact product of a whole number and a decimal number. */
-export function decimalProduct(number, { coefficient, exponent }) {
-  return { coefficient: BigInt(number) * coefficient, exponent };
-}
-
 /** The exact sum of two decimal numbers, with the places of the one that has more. */
 export function decimalSum(left, right) {
   const exponent = Math.min(left.exponent, right.exponent);
@@ -48,12 +43,8 @@ export function decimalQuotient(above, below, digits) {
   let coefficient = scaled / bottom;
   const isExact = scaled % bottom === 0n;
   if (!isExact) coefficient = coefficient * 10n + 1n;
-  let result = decimalRounded({ coefficient, exponent: -places - (isExact ? 0 : 1) }, digits);
-  if (isExact) {
-    while (result.exponent < 0 && result.coefficient % 10n === 0n) {
-      result = { coefficient: result.coefficient / 10n, exponent: result.exponent + 1 };
-    }
-  }
+  const rounded = decimalRounded({ coefficient, exponent: -places - (isExact ? 0 : 1) }, digits);
+  const result = isExact ? shortest(rounded) : rounded;
   return negative ? { ...result, coefficient: -result.coefficient } : result;
 }
 

@@ -1,8 +1,7 @@
 import { codeIn, isAmbiguous, partNumberText } from "./device.js";
-import { identifierSize } from "./frames.js";
 import { isWhole } from "./numbers.js";
 import { enumeration, hexOf } from "./texts.js";
-import { explained, lengthsOf, namesOfLength, reasonsOf } from "./explanation.js";
+import { explained, namesOfLength, reasonsOf } from "./explanation.js";
 
 export const DIRECTIONS = ["request", "response"];
 
@@ -232,22 +231,14 @@ function mismatchesOf(device, request, response) {
     }
   }
   const message = response.error ? undefined : device.messages.get(response.message);
-  const { access, bitAccess } = message ?? {};
-  if (access?.operation === "read") {
-    const want = access.count ? request.values.get(access.count) : 1;
-    const have = response.values.get(access.values);
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length != want) {
-      const unit = access.unitSize === 1 ? "bytes" : "words";
-      texts.push(`the request asks for ${want} ${unit}, but the response has ${have.length}`);
-    }
-  }
-  if (bitAccess?.operation === "read" && bitAccess.count) {
-    const want = request.values.get(bitAccess.count);
-    const have = response.values.get(bitAccess.values);
-    const size = isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : 0;
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length !== size) {
-      const text = `the request asks for ${want} bits, which take ${size} bytes`;
-      texts.push(`${text}, but the response has ${have.length}`);
+  const { operation, count, values, unit = "word" } = message?.access ?? {};
+  if (operation === "read" && (count || unit !== "bit")) {
+    const want = count ? request.values.get(count) : 1;
+    const have = response.values.get(values);
+    const size = unit === "bit" && isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : want;
+    if (isWhole(want ?? "") && Array.isArray(have) && have.length != size) {
+      const taken = unit === "bit" ? `, which take ${size} bytes` : "";
+      texts.push(`the request asks for ${want} ${unit}s${taken}, but the response has ${have.length}`);
     }
   }
   return texts;
@@ -348,11 +339,8 @@ function otherLengths(device, chosen, options) {
   const all = new Set([...known.request.keys(), ...known.response.keys()]);
   const names = all.has(options.message) ? [options.message] : [...all];
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
-  const escape = link.request.escape?.method === "can" ? link.request.escape : null;
-  const identifier = escape ? identifierSize(escape) : 0;
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [least, most] = lengthsOf(link, direction, device.messages.get(name)).map((bound) => bound - identifier);
-    const size = most === Infinity ? `${least} or more` : most === least ? `${least}` : `${least} to ${most}`;
+    const [, , , size] = link.lengths[direction].find(([other]) => other === name);
     return `${messageText(link, direction, name)} has ${size}`;
   }));
   return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];

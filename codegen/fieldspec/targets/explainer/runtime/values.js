@@ -1,5 +1,5 @@
 import {
-  decimalOf, decimalProduct, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
+  decimalOf, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
 } from "./numbers.js";
 import { loaded, WIDE } from "./interpreter.js";
 import { intervalsText, isWithin, sameValue, valueText } from "./texts.js";
@@ -18,7 +18,10 @@ export function sentinelOf(value, number) {
 function quantityOf(value, number) {
   const { scale = "1", offset = "0" } = value;
   const [above, below] = scale.split("/");
-  if (below === undefined) return decimalSum(decimalProduct(number, decimalOf(scale)), decimalOf(offset));
+  if (below === undefined) {
+    const { coefficient, exponent } = decimalOf(scale);
+    return decimalSum({ coefficient: BigInt(number) * coefficient, exponent }, decimalOf(offset));
+  }
   const share = decimalQuotient(BigInt(number) * BigInt(above), BigInt(below), EXACT_DIGITS);
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }

@@ -23,8 +23,8 @@ class Crc:
         self, width: int, polynomial: int, initial: int, reflect_in: bool, reflect_out: bool, final_xor: int
     ) -> None:
         self.width, self.reflect_in, self.reflect_out, self.final_xor = width, reflect_in, reflect_out, final_xor
-        self.register = _reversed(initial, width) if reflect_in else initial << 64 - width
-        self.table = _reflected_table(_reversed(polynomial, width)) if reflect_in else _table(polynomial << 64 - width)
+        self.register = reflected(initial, width) if reflect_in else initial << 64 - width
+        self.table = _reflected_table(reflected(polynomial, width)) if reflect_in else _table(polynomial << 64 - width)
 
     def __call__(self, data: Data) -> int:
         """The CRC of some bytes."""
@@ -36,10 +36,11 @@ class Crc:
             for byte in data:
                 crc = (crc << 8 & 0xFFFFFFFFFFFFFFFF) ^ table[crc >> 56 ^ byte]
             crc >>= 64 - self.width
-        return (_reversed(crc, self.width) if self.reflect_in != self.reflect_out else crc) ^ self.final_xor
+        return (reflected(crc, self.width) if self.reflect_in != self.reflect_out else crc) ^ self.final_xor
 
 
-def _reversed(number: int, width: int) -> int:
+def reflected(number: int, width: int) -> int:
+    """A number of `width` bits with its bits in the opposite order."""
     return int(f"{number:0{width}b}"[::-1], 2)
 
 

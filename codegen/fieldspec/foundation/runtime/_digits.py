@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ._typing import Data
 
-_KNOWN = {
+LETTERS = {
     "decimal": b"0123456789",
     "blank_decimal": b"0123456789",
     "bcd": b"0123456789",
@@ -143,7 +143,7 @@ class Digits:
             if characters[point : point + 1] != b".":
                 return None
             characters = characters[:point] + characters[point + 1 :]
-        if characters.strip(_KNOWN[self.form]):
+        if characters.strip(LETTERS[self.form]):
             return None
         if self.form == "decimal":
             return -int(characters) if raw[:1] == b"-" else int(characters)
@@ -184,7 +184,7 @@ class Digits:
         digits = whole + fraction[1:]
         if not whole or (whole[:1] == b"0" and len(whole) > 1) or fraction[:1] != b"."[: self.places]:
             return None
-        if digits.strip(_KNOWN[self.form]):
+        if digits.strip(LETTERS[self.form]):
             return None
         return -int(digits) if is_negative else int(digits)
 
