@@ -154,7 +154,7 @@ def _size(entry: Entry, primitive: Primitive, digits: str) -> int:
         return primitive.size
     length = entry.integer("length")
     if length is None:
-        text = f"a {primitive.name} {'of digits ' if digits else ''}has no fixed size"
+        text = f"`type: {primitive.name}` {'with `digits` ' if digits else ''}has no fixed size"
         entry.refuse("type_present", "type", text, "add its `length` in bytes")
         return 2
     return length
