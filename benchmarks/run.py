@@ -51,14 +51,15 @@ FILES = (
 HEAD = """\
 # Benchmarks
 
-This page compares the time, size and memory of the compiler and its outputs with hand-written code and other tools for
-the same work. Each row and its peer are timed alternately, so the ratios, but not the times, apply to other machines.
-The ratio is the value of fieldspec divided by the peer's value; if the goal is *at least*, it is the peer's value
-divided by fieldspec's. [benchmarks/README.md](../benchmarks/README.md) describes the method.
+This page compares the time, size and memory of the compiler and its outputs with peers. A *peer* is hand-written code
+or another tool that does the same work. Each row and its peer are timed alternately. Therefore the ratios also apply to
+other machines, but the times do not.
 
-    {command}
+The ratio is the value of fieldspec ("ours") divided by the value of the peer ("theirs"). If the goal is *at least*, the
+ratio is the value of the peer divided by the value of fieldspec. [benchmarks/README.md](../benchmarks/README.md)
+describes the method.
 
-writes this page. It was written on {machine}.
+`{command}` writes this page. It was written on {machine}.
 
 ![Ours and the peers](benchmarks.svg)
 """
@@ -99,8 +100,8 @@ def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
     if busy:
         most = max(results[name]["load"] for name in busy)
         yield (
-            f"\nWhen {', '.join(f'`{name}`' for name in busy)} began, the machine had a load of up to {most}, in "
-            "part from the benchmark before: their times by the clock can be too long."
+            f"\nWhen these benchmarks began, the machine had a load of up to {most}, in part from the benchmark "
+            f"before: {', '.join(f'`{name}`' for name in busy)}. Their times by the clock can therefore be too long."
         )
     yield from (f"\n`{name}`: {results[name]['note']}" for name in FILES if results.get(name, {}).get("note"))
     if missing := [name for name in FILES if name not in results]:
@@ -111,12 +112,20 @@ def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
         yield "| subject | ours | peer | theirs | ratio | goal | met |"
         yield "|---|---:|---|---:|---:|---:|---|"
         yield from map(_row, own)
-        reasons = dict.fromkeys(
-            REMARKS.get((row.group, row.name), BY_GROUP.get(row.group, "")) for row in own if not row.met
-        )
-        for reason in filter(None, reasons):
-            yield f"\nReason: {reason}"
+        yield from _reasons(group, [row for row in own if not row.met])
     yield ""
+
+
+def _reasons(group: str, missed: list[Row]) -> Iterator[str]:
+    """Why rows of a group miss their goals, each reason with the subjects of its rows."""
+    subjects: dict[str, dict[str, None]] = {}
+    for row in missed:
+        reason = REMARKS.get((group, row.name), BY_GROUP.get(group, ""))
+        subjects.setdefault(reason, {})[row.name] = None
+    for reason, names in subjects.items():
+        if reason:
+            misses = "misses its goal" if len(names) == 1 else "miss their goals"
+            yield f"\nWhy {', '.join(f'*{name}*' for name in names)} {misses}: {reason}"
 
 
 def _row(row: Row) -> str:
