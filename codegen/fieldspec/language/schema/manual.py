@@ -30,6 +30,8 @@ _ANCHOR = re.compile(r"\]\(#([^)]*)\)")
 _SENTENCE = re.compile(r".*?\.(?= [A-Z`]|$)")
 _LINK = re.compile(r"\[([^\]]*)\]\(#[^)]*\)")
 _UNITS = "<!-- units -->"
+_CHECKSUM = "crc16_modbus"
+"""A name that only the list of checksums contains."""
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
     "string": ("text", "texts"),
@@ -181,7 +183,24 @@ def _words(part: Schema) -> Iterator[str]:
                 for word, text in zip(part["enum"], part["enumDescriptions"], strict=True)
             )
             return
+        if _CHECKSUM in part["enum"]:
+            yield from _algorithms(part["enum"])
+            return
         yield "Permitted values: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
+
+
+def _algorithms(words: list[str]) -> Iterator[str]:
+    """The names of checksums in a row for each width, with the names of one algorithm together."""
+    from fieldspec.language.model.checksums import catalogue_name, checksum_named
+
+    names: dict[int, dict[str, list[str]]] = {}
+    for word in words:
+        first = catalogue_name(word)
+        names.setdefault(checksum_named(first).width, {}).setdefault(first, []).append(f"`{word}`")
+    yield "| bits | permitted values; `=` joins the names of one algorithm |"
+    yield "|---|---|"
+    for width, algorithms in sorted(names.items()):
+        yield f"| {width} | {', '.join(' = '.join(synonyms) for synonyms in algorithms.values())} |"
 
 
 def form_of(path: str, part: Schema) -> str:
