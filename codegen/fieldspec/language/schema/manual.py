@@ -132,7 +132,7 @@ def _section(name: str) -> Iterator[str]:
         for key, inner in own.items():
             form = form_of(key if name == ROOT else f"{name}.{key}", inner)
             yield f"| `{key}` | {form} | {'yes' * (key in required)} | {_cell(described(inner))} |"
-    yield from _also(part, required)
+    yield from _also(name, part, required)
 
 
 def key_text(part: Schema, key: str) -> str:
@@ -152,7 +152,7 @@ def _shared_by(part: Schema) -> str:
     return group if group in _SHARED else ""
 
 
-def _also(part: Schema, required: list[str]) -> Iterator[str]:
+def _also(name: str, part: Schema, required: list[str]) -> Iterator[str]:
     """A sentence for each group of shared keys that a part takes."""
     for group, words in _SHARED.items():
         all_keys = list(schema()["$defs"][group]["properties"])
@@ -161,9 +161,9 @@ def _also(part: Schema, required: list[str]) -> Iterator[str]:
             continue
         left_out = [key for key in all_keys if key not in shared_keys]
         few = len(shared_keys) < len(left_out)
-        text = f"It also has {words}"
+        text = f"`{name}` also has {words}"
         if few:
-            text = f"It also has {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
+            text = f"`{name}` also has {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
         elif left_out:
             text += f" except {_enumeration(left_out)}"
         must = [key for key in shared_keys if key in required]
