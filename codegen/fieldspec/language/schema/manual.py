@@ -30,6 +30,8 @@ _ANCHOR = re.compile(r"\]\(#([^)]*)\)")
 _SENTENCE = re.compile(r".*?\.(?= [A-Z`]|$)")
 _LINK = re.compile(r"\[([^\]]*)\]\(#[^)]*\)")
 _UNITS = "<!-- units -->"
+_CHECKSUM = "crc16_modbus"
+"""A name that only the list of checksums contains."""
 _SHARED = {"fact": "the keys of every [fact](#fact)", "value": "the keys of a [value](#value)"}
 _KINDS = {
     "string": ("text", "texts"),
@@ -130,7 +132,7 @@ def _section(name: str) -> Iterator[str]:
         for key, inner in own.items():
             form = form_of(key if name == ROOT else f"{name}.{key}", inner)
             yield f"| `{key}` | {form} | {'yes' * (key in required)} | {_cell(described(inner))} |"
-    yield from _also(part, required)
+    yield from _also(name, part, required)
 
 
 def key_text(part: Schema, key: str) -> str:
@@ -150,7 +152,7 @@ def _shared_by(part: Schema) -> str:
     return group if group in _SHARED else ""
 
 
-def _also(part: Schema, required: list[str]) -> Iterator[str]:
+def _also(name: str, part: Schema, required: list[str]) -> Iterator[str]:
     """A sentence for each group of shared keys that a part takes."""
     for group, words in _SHARED.items():
         all_keys = list(schema()["$defs"][group]["properties"])
@@ -159,9 +161,9 @@ def _also(part: Schema, required: list[str]) -> Iterator[str]:
             continue
         left_out = [key for key in all_keys if key not in shared_keys]
         few = len(shared_keys) < len(left_out)
-        text = f"It also has {words}"
+        text = f"`{name}` also has {words}"
         if few:
-            text = f"It also has {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
+            text = f"`{name}` also has {_enumeration(shared_keys)}, as every [{group}](#{group}) does"
         elif left_out:
             text += f" except {_enumeration(left_out)}"
         must = [key for key in shared_keys if key in required]
@@ -181,7 +183,24 @@ def _words(part: Schema) -> Iterator[str]:
                 for word, text in zip(part["enum"], part["enumDescriptions"], strict=True)
             )
             return
+        if _CHECKSUM in part["enum"]:
+            yield from _algorithms(part["enum"])
+            return
         yield "Permitted values: " + ", ".join(f"`{word}`" for word in part["enum"]) + "."
+
+
+def _algorithms(words: list[str]) -> Iterator[str]:
+    """The names of checksums in a row for each width, with the names of one algorithm together."""
+    from fieldspec.language.model.checksums import catalogue_name, checksum_named
+
+    names: dict[int, dict[str, list[str]]] = {}
+    for word in words:
+        first = catalogue_name(word)
+        names.setdefault(checksum_named(first).width, {}).setdefault(first, []).append(f"`{word}`")
+    yield "| bits | permitted values; `=` joins the names of one algorithm |"
+    yield "|---|---|"
+    for width, algorithms in sorted(names.items()):
+        yield f"| {width} | {', '.join(' = '.join(synonyms) for synonyms in algorithms.values())} |"
 
 
 def form_of(path: str, part: Schema) -> str:
