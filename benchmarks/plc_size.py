@@ -22,14 +22,16 @@ FLAGS = ("-std=gnu11", "-Os", "-mcpu=cortex-m3", "-mthumb", "-ffunction-sections
 PAGE = ROOT / "docs" / "plc-sizes.md"
 HEAD = """# Sizes of the function blocks
 
-Sizes of the [function blocks](plc-blocks.md) on a small controller, in bytes: the output `iec`, translated by matiec
-and compiled by `arm-none-eabi-gcc -Os -mcpu=cortex-m3`. `make plc-sizes` writes this page. A vendor's compiler gives
-other figures; these compare the blocks with each other and show the order of magnitude.
+Sizes of the [function blocks](plc-blocks.md) on a small controller, in bytes. For these figures, matiec translated the
+output `iec`, and `arm-none-eabi-gcc -Os -mcpu=cortex-m3` compiled the result. `make plc-sizes` writes this page.
+The compiler of your PLC gives other figures: use this page to compare blocks, and for the order of magnitude.
 
-*code* is the body of the block. The functions that blocks call exist once for each device; the line above each table
-has their sum, for a program that uses all of them. *data* is one instance. matiec copies each constant and
-each struct passed to a block, and adds a byte of flags to each variable. CODESYS, TwinCAT and TIA Portal pass
-references and need no memory for constants; for them, *own data*, without these copies, is a better estimate.
+*code* is the body of the block. The functions that the blocks call exist once for each device. The line above each
+table has the sum of these functions, for a program that uses all of them.
+
+*data* is the memory of one instance. matiec copies each constant and each struct passed to a block, and adds a byte of
+flags to each variable. *own data* is the memory without these copies. CODESYS, TwinCAT and TIA Portal pass references
+and need no memory for constants, so *own data* is the better estimate for them.
 """
 
 

@@ -66,7 +66,7 @@ def _parser() -> argparse.ArgumentParser:
     docs = verb("docs", "build the documentation, serve it on this machine, and open it in a browser")
     docs.add_argument("--out", metavar="DIR", help="where to build (default: from fieldspec.yaml, or generated)")
     docs.add_argument(
-        "--port", type=int, default=8080, metavar="NUMBER", help="the port (default: 8080; 0: a free one)"
+        "--port", type=int, default=8080, metavar="NUMBER", help="the port (default: 8080; 0: any free port)"
     )
     docs.add_argument("--no-open", action="store_true", help="do not open a browser")
 
@@ -134,9 +134,9 @@ def _parser() -> argparse.ArgumentParser:
         nargs="*",
         default=[],
         metavar="MESSAGE NAME=VALUE",
-        help="a message, or `write` with registers or parameters; raw values, quantities such as 20.00mm (2.0 "
-        "with a point where a scale has no unit), or names of enum members and bits; lists as 1,2,3, "
-        "members as point.x=1, records of a list as points.0.x=1 or points[0].x=1, an empty list as points=[]",
+        help="a message, or `write` with registers or parameters; a value is a raw value, a quantity such as 20.00mm "
+        "(without a unit: 2.0, with a decimal point), or the name of an enum member or bit; a list is 1,2,3, an empty "
+        "list points=[], a member point.x=1, a member of a record in a list points.0.x=1 or points[0].x=1",
     )
     add_frame_options(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")
     encode.add_argument(
@@ -154,7 +154,7 @@ def _parser() -> argparse.ArgumentParser:
         """The options that say how a list is read."""
         inner.add_argument("--encoding", metavar="NAME", help="the encoding of the text, such as gbk, big5 or utf-16")
         inner.add_argument(
-            "--sheet", metavar="NAME", help="the sheet of a workbook (default: the one with most columns of a list)"
+            "--sheet", metavar="NAME", help="the sheet of a workbook (default: the sheet with most columns of a list)"
         )
         column_help = "a heading, a letter or a number (default: guessed from the headings)"
         inner.add_argument("--address", metavar="COLUMN", help=f"the column with the addresses: {column_help}")
@@ -193,7 +193,7 @@ def _parser() -> argparse.ArgumentParser:
     target = "the file to write, DEVICE/device.yaml (-: standard output)"
     into.add_argument("--to", metavar="YAML", required=True, help=target)
     list_options(into)
-    frames = "the protocol that carries the registers (default: the only one that reads words), or none"
+    frames = "the protocol that carries the registers (default: the only protocol that reads words), or none"
     into.add_argument("--protocol", metavar="NAME", help=frames)
     into.add_argument("--strict", action="store_true", help="reject a list with unused content")
     rows = "print the first rows as interpreted (default: 10)"
@@ -225,10 +225,10 @@ def _parser() -> argparse.ArgumentParser:
     new.add_argument("kind", choices=("device", "version", "schema"), metavar="{device,version,schema}")
     new.add_argument("name", nargs="?", metavar="DEVICE")
     new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
-    new.add_argument("--based-on", metavar="VERSION", help="the version that it changes (default: the newest)")
-    new.add_argument("--line", help="the line of the version (default: the line of the version it is based on)")
+    new.add_argument("--based-on", metavar="VERSION", help="the base of the new version (default: the newest version)")
+    new.add_argument("--line", help="the version line (default: the line of the base)")
     kinds = "packet, text, escapes, status, bytes, can or telegram"
-    new.add_argument("--protocol", help=f"the protocol of a new device, or, without one, its kind of frame: {kinds}")
+    new.add_argument("--protocol", help=f"a new device's protocol or, if it follows none, its kind of frame: {kinds}")
 
     matrix = verb("matrix", "compare the facts of all versions")
     matrix.add_argument("device", metavar="DEVICE")

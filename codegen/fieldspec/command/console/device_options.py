@@ -62,7 +62,7 @@ def add_live(live: VerbParser) -> None:
     writes.add_argument("--dry-run", action="store_true", help="print the frames and write nothing")
     writes.add_argument("--yes", action="store_true", help="do not ask for confirmation")
     lists = live.add_argument_group("lists")
-    choice = "points, compare: the table (default: the only one, or the table that the file names)"
+    choice = "points, compare: the table (default: the only table, or the table that the file names)"
     lists.add_argument("--table", metavar="NAME", help=choice)
     other = "accept a file for a different version, and write to a device with a different firmware"
     lists.add_argument("--any-version", action="store_true", help=f"compare, and all that write: {other}")
