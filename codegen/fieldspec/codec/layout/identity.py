@@ -158,6 +158,8 @@ def _field(field: FieldLayout) -> Iterator[Words]:
         yield "decided by", field.selector.name
     if field.presence is not None:
         yield "present by", field.presence.by, field.presence.mask, [*field.presence.numbers]
+        if field.has_count_in_bits:
+            yield "counted by", field.presence.unit, field.presence.plus
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):
         yield "case", sorted(case.numbers), order_of(case.value, case.order), case.swapped, *value_words(case.value)
 
