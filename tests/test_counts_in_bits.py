@@ -81,7 +81,7 @@ def test_the_other_bits_of_a_field_that_counts_are_those_of_the_program() -> Non
     [
         ("bus", "00 00 07 E0 03 00 00 00 03 10 03", "wrong_measure at byte 2"),
         ("bus", "00 00 07 E1 05 00 00 00 60 00 00 05 00", "wrong_measure at byte 2"),  # 6 is 3 bytes and 3 more
-        ("bus", "00 00 07 E1 06 00 00 00 60 00 00 05 00 00", "wrong_length at byte 8"),
+        ("bus", "00 00 07 E1 07 00 00 00 50 00 00 05 00 01 02", "wrong_length at byte 8"),
         ("port", "40 01 7D 34 B2 74", "incomplete at byte 6"),
         ("port", "40 01 7D 34 BD 74", "wrong_measure at byte 4"),  # 13 means that the length follows
     ],

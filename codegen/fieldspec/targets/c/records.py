@@ -16,6 +16,7 @@ from fieldspec.targets.c.expressions import (
     OUTPUT_BYTES,
     SIZE_TYPE,
     Call,
+    Cast,
     Conditional,
     Expression,
     Group,
@@ -333,7 +334,7 @@ def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
             items: Expression = Conditional(is_present(room.presence, number), unsigned(1), ZERO)
             body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
             continue
-        number = number if room.presence is None else bits_of(room.presence, number)
+        number = number if room.presence is None else Cast("size_t", bits_of(room.presence, number))
         if room.plus:
             less_plus = Operation("-" if room.plus > 0 else "+", (number, unsigned(abs(room.plus))))
             number = Group(less_plus)

@@ -49,7 +49,7 @@ static inline size_t device_list_size(const device_inner_list *list, const uint8
     for (number = 0; number < list->count_size; number++) {
         bits = bits << 8 | count[list->is_little ? list->count_size - 1u - number : number];
     }
-    number = list->mask == 0u ? bits : (bits & list->mask) / (list->mask & (0u - list->mask));
+    number = (size_t)(list->mask == 0u ? bits : (bits & list->mask) / (list->mask & (0u - list->mask)));
     if (list->plus > 0 && number < (size_t)list->plus) {
         return SIZE_MAX;
     }
