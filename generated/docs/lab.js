@@ -675,13 +675,25 @@ function wholeBounds(count, signed) {
   }
 }
 
-const isPresent = ({ mask, numbers }, number) => numbers.includes((Number(number) & mask) >>> 0);
+function decidingBits({ mask, numbers }, number) {
+  const bits = (Number(number) & mask) >>> 0;
+  return numbers.length ? bits : bits / ((mask & -mask) >>> 0);
+}
+
+function fits(presence, number, elements) {
+  const { numbers, unit, plus } = presence;
+  const bits = decidingBits(presence, number);
+  return numbers.length ? numbers.includes(bits) === elements > 0 : bits === elements * unit + plus;
+}
+
+const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
 function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
   if (!length) return most;
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
-  if (presence) return isPresent(presence, number) ? element : 0;
+  if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
+  if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
 }
 
@@ -2358,7 +2370,7 @@ class ExplainedBody {
       return this.missingRow(fields, at);
     } else if (decision) {
       text = `${decision.name} decides that ${name} has more bytes than there are`;
-    } else if (presence) {
+    } else if (presence?.numbers.length) {
       [reason, text] = ["incomplete", `${countName} says that ${name} is sent, but its bytes are missing`];
     } else {
       [reason, text] = ["incomplete", `${countName} counts more ${name} than there are`];
@@ -2483,19 +2495,23 @@ class ExplainedBody {
       const { presence, name } = other;
       if (read.reason || presence?.by !== field.name || !isWhole(read.number)) continue;
       const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
+      if (known === this.extents.length) read = this.wrongCount(this.record.inner.lists[known], field, read);
       if (known >= this.extents.length) continue;
       const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
-      if (isPresent(presence, read.number) !== items > 0) {
-        return judged(read, false, `a number with which ${name} is${items ? "" : " not"} sent`, "wrong_measure");
+      if (!fits(presence, read.number, items)) {
+        const isSent = `a number with which ${name} is${items ? "" : " not"} sent`;
+        const count = bitsText(presence, items * presence.unit + presence.plus);
+        return judged(read, false, presence.numbers.length ? isSent : count, "wrong_measure");
       }
     }
     return read;
   }
 
   wrongCount(list, field, read) {
-    const { countName, least, most, unit, plus = 0 } = list;
+    const { countName, least, most, unit, plus = 0, presence } = list;
     if (countName !== field.name || !this.hasWrongCount(list)) return read;
-    return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
+    const expected = `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`;
+    return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
   }
 
   repeated(field, read) {
@@ -3671,7 +3687,7 @@ function encodeRecord(device, record, values) {
   }));
   for (const { name, presence } of fields.filter((field) => field.presence)) {
     const [number] = known.get(presence.by);
-    if (isPresent(presence, number) === known.get(name).length > 0) continue;
+    if (fits(presence, number, known.get(name).length)) continue;
     throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
   }
   if (form.inner) {

@@ -242,9 +242,13 @@ class BodyReader:
                 return
         for start, inner, number in slot.places:
             units = number_at(buffer, place + start + inner.count_at, inner.count_size, inner.count_order)
-            is_there = (units - inner.plus) * inner.unit // inner.element > number
             if inner.presence is not None:
-                is_there = np.isin(units & inner.presence.mask, inner.presence.numbers)
+                units = units & inner.presence.mask
+            if inner.presence is not None and inner.presence.numbers:
+                is_there = np.isin(units, inner.presence.numbers)
+            else:
+                units = units if inner.presence is None else units >> inner.presence.shift
+                is_there = (units - inner.plus) * inner.unit // inner.element > number
             rows, place = rows[is_there], place[is_there]
             index = index if index is None else index[is_there]
             if not len(rows):
@@ -284,8 +288,8 @@ class BodyReader:
         counts: dict[str, Numbers],
         verdict: npt.NDArray[np.int8],
     ) -> None:
-        """Judges a field that measures another one, or is the number of bits that are packed into it; and one that says
-        whether others are sent.
+        """Judges a field that measures another one, or is the number of bits that are packed into it; and one
+        whose bits say how many elements others have.
         """
         self._judge_presence(slot, buffer, offsets, size, counts, verdict)
         if slot.layout is slot.field and slot.layout.bits_of:
@@ -326,9 +330,13 @@ class BodyReader:
         for other in self.record.fields if slot.layout is slot.field else ():
             presence = other.presence
             if presence is not None and presence.by == slot.field.name:
-                is_met = np.isin(_number(slot.layout, buffer, offsets) & presence.mask, presence.numbers)
-                is_known = (counts[other.name] >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
-                blame(verdict, (is_met != (counts[other.name] > 0)) & is_known, WRONG_MEASURE)
+                bits = _number(slot.layout, buffer, offsets) & presence.mask
+                items = counts[other.name]
+                wrong = np.isin(bits, presence.numbers) != (items > 0)
+                if other.has_count_in_bits:
+                    wrong = bits >> presence.shift != items * presence.unit + presence.plus
+                is_known = (items >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
+                blame(verdict, (wrong & is_known) | (items == MISCOUNT), WRONG_MEASURE)
 
 
 def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:

@@ -45,7 +45,7 @@ def initial_value(device: Device, field: FieldLayout, values: Mapping[str, Any] 
 
     A list of any length has the least number of records that it can have, and of values the same, but one at least.
     """
-    if field.presence is not None and not field.least_count(values):
+    if field.presence is not None and field.presence.numbers and not field.least_count(values):
         return []
     minimum = field.least_count(values)
     if field.record is not None:
@@ -62,7 +62,7 @@ def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
     for field in decided_fields(record, values):
         if field.field.measures is None:
             values[field.name] = initial_value(device, field, values)
-    return values
+    return record.with_bit_counts(values)
 
 
 def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> Iterator[FieldLayout]:

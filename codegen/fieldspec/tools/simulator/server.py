@@ -239,8 +239,9 @@ class Server:
         for field in raw_values.decided_fields(announced.response, response):
             if field.field.measures is None:
                 response[field.name] = body[field.name] if field.name in body else self._field(field, values)
-            if field.presence is not None and field.name not in body:
+            if field.presence is not None and field.presence.numbers and field.name not in body:
                 response[field.name] = raw_values.initial_value(self.engine.layout.device, field, response)
+        response = announced.response.with_bit_counts(response)
         try:
             return Answer(self._frame(frames, announced.name, response), announced.name)
         except CodecError as error:
