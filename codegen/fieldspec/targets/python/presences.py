@@ -35,8 +35,7 @@ def presence_tests(shaped: RecordShape, owner: str, offset: int) -> list[str]:
         room = shaped.record.image.room_of(field.field)
         if room is not None and room.count:
             continue
-        is_stored_raw = (decider.is_raw or decider.deferred) and decider.stored
-        number = f"_index({owner}.{decider.slot})" if is_stored_raw else local(decider)
+        number = f"_index({owner}.{decider.slot})" if decider.stored else local(decider)
         elements = f"{owner}.{field.name}"
         wrong = _wrong(field, decider, number, elements, f", {offset + decider.field.offset}")
         lines += [f"if {fitting(field, number, elements, '!=')}:", f"    raise {wrong}"]
