@@ -219,8 +219,8 @@ def decode_answer(
 ) -> DecodedValue:
     """The meaning of the bytes of a value that is read: one that is not its constant has a note. Never raises.
 
-    A constant binds only what is written, so that codecs take such an answer. Of a `trigger`, only what codecs refuse
-    is wrong, as `Value.as_answer` says.
+    A constant binds only what is written, so that codecs take such an answer. The answer of a `trigger` is wrong only
+    if codecs refuse it, as `Value.as_answer` says.
     """
     arguments = data, order, swapped, reserved
     read = decode_value(device, value, *arguments)
