@@ -1548,11 +1548,15 @@ function forWriting(value) {
   return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
-function decodeAnswer(device, value, ...rest) {
-  const read = decodeValue(device, value, ...rest);
-  if (read.reason !== "wrong_const") return read;
-  const answer = decodeValue(device, { ...value, const: undefined }, ...rest);
-  return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+function decodeAnswer(device, value, bytes, reserved, isTrigger) {
+  let read = decodeValue(device, value, bytes, reserved);
+  if (read.reason === "wrong_const") {
+    const answer = decodeValue(device, { ...value, const: undefined }, bytes, reserved);
+    read = { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+  }
+  if (!isTrigger) return read;
+  const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, reserved);
+  return reason === "unknown_value" ? read : { ...read, verdict: "", reason: "" };
 }
 
 function decodeValue(device, value, bytes, reserved = false) {
@@ -2015,8 +2019,7 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
   const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
-  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved);
-  if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
+  const read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved, parameter.trigger);
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
   return {
     ...row,
@@ -2234,8 +2237,7 @@ function registerRow(device, span, occupant, spot, operation) {
     const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
     const value = byExponent(device, span, occupant, own);
     const decode = operation === "write" ? decodeValue : decodeAnswer;
-    read = decode(device, value, piece.content, occupant.reserved);
-    if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
+    read = decode(device, value, piece.content, occupant.reserved, occupant.trigger);
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
     read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });
@@ -2706,7 +2708,7 @@ class ExplainedFrame {
   codeValue(part, read) {
     let code = exactWhole(read.number);
     if (this.shape.escape?.remote !== undefined) {
-      read = { ...read, number: code % 2 ** 30 };
+      read = { ...read, number: onBits(code, 2 ** 30, (bits, flag) => bits & ~flag) };
       this.values.set(part.name, read.number);
     }
     const { link, direction } = this;

@@ -14,7 +14,7 @@ from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_w
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
-from fieldspec.tools.captures.slots import Slot, deepened, slots
+from fieldspec.tools.captures.slots import Slot, deepened, slots, with_deep_rooms
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
     OK,
@@ -66,6 +66,7 @@ class BodyReader:
     """
 
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
+        record = with_deep_rooms(record)
         self.record, self.decoders, self.emits = record, decoders, emits
         self.has_lists: bool = False
         """Whether it reads the images of bodies with fields after lists."""

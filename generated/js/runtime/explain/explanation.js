@@ -215,7 +215,7 @@ class ExplainedFrame {
   codeValue(part, read) {
     let code = exactWhole(read.number);
     if (this.shape.escape?.remote !== undefined) {
-      read = { ...read, number: code % 2 ** 30 };
+      read = { ...read, number: onBits(code, 2 ** 30, (bits, flag) => bits & ~flag) };
       this.values.set(part.name, read.number);
     }
     const { link, direction } = this;
