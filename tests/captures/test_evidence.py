@@ -71,7 +71,7 @@ WRONG_NOTES = [
 def test_what_is_wrong_with_a_note_is_found_where_it_is(text: str, message: str, place: tuple[int, int]) -> None:
     note, findings = unit_note("a", "a/unit.yaml", text.encode())
     assert note is None
-    assert [(one.message, (one.span.start, one.span.end)) for one in findings] == [(message, place)]
+    assert [(finding.message, (finding.span.start, finding.span.end)) for finding in findings] == [(message, place)]
 
 
 def test_a_note_may_have_an_address_and_remarks() -> None:
