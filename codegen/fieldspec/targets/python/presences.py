@@ -39,8 +39,7 @@ def presence_tests(shaped: RecordShape, owner: str, offset: int) -> list[str]:
         room = shaped.record.image.room_of(field.field)
         if room is not None and room.count:
             continue
-        number = f"_index({owner}.{decider.slot})" if decider.stored else local(decider)
-        elements = f"{owner}.{field.name}"
+        number, elements = f"_index({owner}.{decider.slot})", f"{owner}.{field.name}"
         wrong = _wrong(field, decider, number, elements, f", {offset + decider.field.offset}")
         lines += [f"if {fitting(field, number, elements, '!=')}:", f"    raise {wrong}"]
     return lines
