@@ -1468,7 +1468,7 @@ function partNumberText({ size, value, numberSize = size }, number) {
 }
 
 function isException({ code: own, flag, part, normal }, code, number) {
-  if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
+  if (part) return number(part) !== undefined && !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
   return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
 }
 
@@ -2751,7 +2751,8 @@ class ExplainedFrame {
   }
 
   partNumber(name) {
-    return numberOf(this.shape.header.find((part) => part.name === name), this.data);
+    const part = this.shape.header.find((own) => own.name === name);
+    return part.offset + part.size <= this.data.length ? numberOf(part, this.data) : undefined;
   }
 
   addressValue(read) {

@@ -258,9 +258,10 @@ class ExplainedFrame {
     return { ...read, meanings: [meaningOf("", "", `${title || label || name} is refused`)], notes, facts: [path] };
   }
 
-  /** The number of a part before the body, as far as the bytes reach. */
+  /** The number of a part before the body; undefined where bytes of it are missing. */
   partNumber(name) {
-    return numberOf(this.shape.header.find((part) => part.name === name), this.data);
+    const part = this.shape.header.find((own) => own.name === name);
+    return part.offset + part.size <= this.data.length ? numberOf(part, this.data) : undefined;
   }
 
   addressValue(read) {
