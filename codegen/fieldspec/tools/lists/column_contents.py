@@ -84,7 +84,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "first": lambda text: cells.whole(text) is not None,
     "bit": lambda text: re.search(r"[0-9]", text),
     "name": lambda text: any(map(str.isalpha, text)),
-    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None,
+    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None and not cells.access(text),
     "unit": lambda text: not text.isdecimal() or text == "1",
     "type": typed,
     "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,

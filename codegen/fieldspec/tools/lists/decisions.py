@@ -67,7 +67,12 @@ def decided(
         examples = ", ".join(f"`{text}`" for text in described[:2])
         assumptions.append(Assumption("scales", "those that texts of rows say", examples))
     proved = gain_assumption is not None and gain_assumption.evidence.startswith("the bounds")
-    measured = [decision for row in decided if (decision := _measured(row, row.scale)) is not None]
+    measured = [
+        decision
+        for row in decided
+        for ends in (row, replace(row, low=row.default, high=row.default))
+        if (decision := _measured(ends, row.scale)) is not None
+    ]
     bounds, bounds_assumption = directions.bounds_unit(measured, proved, options.bounds)
     assumptions += [
         decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None

@@ -138,12 +138,13 @@ def _proofs(measured: Measured, is_gain: bool) -> Iterator[str]:
 
 
 def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tuple[str, Assumption | None]:
-    """Whether bounds beside a scale are counts or in the unit. `in_unit` says that they have proved a gain."""
+    """Whether bounds and defaults beside a scale are counts or in the unit. `in_unit` says that they have proved a gain."""
     scaled = [entry for entry in measured if entry.factor != 1]
     if stated or not scaled:
         return stated or COUNTS, None
-    either = [(entry.counts(Fraction(1)), entry.counts(entry.factor)) for entry in scaled]
-    unit, counts = either.count((False, True)), either.count((True, False))
+    either = {(entry.row, entry.counts(Fraction(1)), entry.counts(entry.factor)) for entry in scaled}
+    unit = len({row for row, *proof in either if proof == [False, True]})
+    counts = len({row for row, *proof in either if proof == [True, False]})
     direction = UNIT if (unit or in_unit) and not counts else COUNTS
     if direction == UNIT and unit:
         evidence = f"{unit} rows contain no counts of their types"
@@ -153,9 +154,9 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
         evidence = f"only so, {counts} rows contain whole counts"
     else:
         evidence = "nothing shows which"
-    return direction, Assumption(
-        "bounds beside a scale", "in counts" if direction == COUNTS else "in the unit", evidence, "--bounds"
-    )
+    subject = "bounds" if any(entry.low != entry.high for entry in scaled) else "defaults"
+    reading = "in counts" if direction == COUNTS else "in the unit"
+    return direction, Assumption(f"{subject} beside a scale", reading, evidence, "--bounds")
 
 
 def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str) -> tuple[str, Assumption | None]:

@@ -46,6 +46,8 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
     is_set = row.is_own or row.kind == PARAMETER or row.access != "ro" or row.default != 0
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
         count = count_of(number, row) if key == "default" else _whole(number)
+        if key == "default" and number is not None and "." in str(number) and scale != 1 and not row.in_unit:
+            count = None  # nobody writes counts with a fraction
         if key == "default" and key in texts and not is_set:
             doubts.append(f"{word} in the list, whose value is only read: {texts[key]}.")
         elif key in texts and count is not None and are_counts and (lowest <= count <= highest or count in special):

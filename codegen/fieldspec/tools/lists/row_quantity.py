@@ -125,6 +125,8 @@ def quantity_of(
                 own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
             if own_factor is not None:
                 stated.append((own_factor, texts[role]))
+            elif scaled is not None and scaled.times is None:
+                unit = replace(unit, unit=unit.unit or scaled.unit)
     type_aside = texts.get("type", "").partition(",")[2].strip()
     if not stated and in_counts.times is None and not has_factors:
         for described in (
@@ -180,10 +182,17 @@ def _described(text: str, decimal: str) -> Quantity | None:
     quantity = example(text, decimal) or scaled_unit(text, decimal)
     if quantity is not None and known_unit(quantity.unit):
         return quantity
-    for piece in _SENTENCES.split(text):
+    pieces = [piece.strip() for piece in _SENTENCES.split(text)]
+    for piece in pieces:
         right = piece.partition("=")[2].strip()
         if _RAW.match(right) and (linear := formula(right, decimal)) is not None:
             return linear
+    if known_unit(text) and len(text.strip()) > 1:
+        return Quantity(unit=known_unit(text))
+    scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
+    found = [piece for piece in scaled_pieces if piece is not None and known_unit(piece.unit) and _is_power(piece)]
+    if len(found) == 1:
+        return replace(found[0], evidence=text)
     if step := _STEP.search(text):
         quantity = scaled_unit(step[1], decimal)
         return quantity if quantity is not None and known_unit(quantity.unit) else None
@@ -201,9 +210,17 @@ def _described(text: str, decimal: str) -> Quantity | None:
     return None
 
 
+def _is_power(quantity: Quantity) -> bool:
+    """Whether the scale of a quantity, or its factor, is a power of ten other than 1."""
+    scale = quantity.scale or quantity.times or Fraction(1)
+    digits = str(max(scale.numerator, scale.denominator))
+    return scale != 1 and min(scale.numerator, scale.denominator) == 1 and digits.strip("0") == "1"
+
+
 def unread_scales(texts: Mapping[str, str]) -> list[str]:
     """The cells of columns of scales, but those that have none."""
-    return [texts[role] for role in FACTORS if role in texts and folded(texts[role]) not in IDLE_SCALES]
+    cells_of_scales = [texts[role] for role in FACTORS if role in texts]
+    return [cell for cell in cells_of_scales if folded(cell) not in IDLE_SCALES and not known_unit(cell)]
 
 
 def decimal_places(text: str) -> int | None:

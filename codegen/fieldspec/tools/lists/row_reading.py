@@ -176,7 +176,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         scaled_by=quantity.evidence,
         offset=quantity.offset,
         unit=quantity.unit,
-        order=_order(texts, own_type, default_order, doubts, [*row.names, *(note for _, note in row.notes)]),
+        order=_order(texts, own_type, default_order, doubts, [*row.names, *(note for _, note in row.notes), texts.get("type", "")]),
         meanings=meanings,
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
@@ -230,7 +230,8 @@ def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: li
     if text and (own_type is None or (aside and scaled_unit(aside, POINT) is None and value_meanings(aside) is None)):
         doubts.append(f"Type in the list: {text}.")
     if not text:
-        type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *(note for _, note in notes)]
+        described = [texts.get("label", ""), *(note for _, note in notes)]
+        type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *described]
         own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
