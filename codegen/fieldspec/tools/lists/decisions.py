@@ -17,9 +17,13 @@ from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import ListError
+from fieldspec.tools.lists.words import folded
 
 _FEWEST = 3
 """The rows that show what addresses count."""
+
+_OF_SCALES = re.compile(r"\b(?:sf|scale|scaling|exponent)(?:\b|_)|_sf$", re.IGNORECASE)
+"""The names of rows with exponents, as in SunSpec."""
 
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "°")
 """The units in whose parts devices measure."""
@@ -35,6 +39,7 @@ def decided(
     undecided: list[Assumption],
 ) -> list[ListRow]:
     """The rows with what the whole list decides: the unit of lengths, the direction of factors, the unit of bounds."""
+    rows = _with_exponents_apart(rows)
     numbers = [wire_number(row_place, ways[0]) for _, row_place in places.rows]
     gaps = [b - a if a is not None and b is not None else 0 for a, b in pairwise(numbers)] + [0]
     sizes = [
@@ -78,6 +83,15 @@ def decided(
         decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
     ]
     return [replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1)) for row in decided]
+
+
+def _with_exponents_apart(rows: Sequence[ListRow]) -> list[ListRow]:
+    """The rows; a scale that is the address of a row named as a scale factor is no factor."""
+    addresses = {
+        folded(row.texts.get("address", "")) for row in rows if any(_OF_SCALES.search(name) for name in row.names)
+    }
+    named = [folded(row.texts.get("scale", "")) in addresses - {""} for row in rows]
+    return [replace(row, factor=None) if is_named else row for row, is_named in zip(rows, named, strict=True)]
 
 
 def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, stated: str) -> None:

@@ -138,7 +138,7 @@ def _proofs(measured: Measured, is_gain: bool) -> Iterator[str]:
 
 
 def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tuple[str, Assumption | None]:
-    """Whether bounds and defaults beside a scale are counts or in the unit. `in_unit` says that they have proved a gain."""
+    """Whether bounds and defaults beside a scale are counts or in the unit. `in_unit` says that they prove a gain."""
     scaled = [entry for entry in measured if entry.factor != 1]
     if stated or not scaled:
         return stated or COUNTS, None

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists.brackets import parted
-from fieldspec.tools.lists.cells import number, whole
+from fieldspec.tools.lists.cells import bounds, number, whole
 from fieldspec.tools.lists.quantities import (
     Quantity,
     factor,
@@ -176,10 +176,16 @@ def example(text: str, decimal: str) -> Quantity | None:
     return Quantity(scale, max(units)) if len(scales) == len(units) == 1 and is_power and max(units) else None
 
 
+def described_range(text: str, decimal: str) -> Quantity | None:
+    """The unit of a description that is a range: `0~100%`; None for another one, and for numbers alone."""
+    unit = known_unit(re.sub(r"^.*[0-9]", "", text))
+    return Quantity(unit=unit) if unit and bounds(text, decimal) is not None else None
+
+
 def _described(text: str, decimal: str) -> Quantity | None:
     """The quantity that a description says: `Dew point in 0.01 °C`, `Charge (÷10 for %)`, `(Hz x 100)`, `(XX.X V)`,
     `325 = 32.5 °C`, `Temperature = raw / 10 - 40`."""
-    quantity = example(text, decimal) or scaled_unit(text, decimal)
+    quantity = example(text, decimal) or scaled_unit(text, decimal) or described_range(text, decimal)
     if quantity is not None and known_unit(quantity.unit):
         return quantity
     pieces = [piece.strip() for piece in _SENTENCES.split(text)]
