@@ -86,12 +86,14 @@ def decided(
 
 
 def _with_exponents_apart(rows: Sequence[ListRow]) -> list[ListRow]:
-    """The rows; a scale that is the address of a row named as a scale factor is no factor."""
+    """The rows, without the factors that are addresses of rows named as scale factors."""
     addresses = {
         folded(row.texts.get("address", "")) for row in rows if any(_OF_SCALES.search(name) for name in row.names)
     }
-    named = [folded(row.texts.get("scale", "")) in addresses - {""} for row in rows]
-    return [replace(row, factor=None) if is_named else row for row, is_named in zip(rows, named, strict=True)]
+    are_addresses = [folded(row.texts.get("scale", "")) in addresses - {""} for row in rows]
+    return [
+        replace(row, factor=None) if is_address else row for row, is_address in zip(rows, are_addresses, strict=True)
+    ]
 
 
 def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, stated: str) -> None:

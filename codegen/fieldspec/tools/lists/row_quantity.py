@@ -39,11 +39,17 @@ _STEP = re.compile(
     r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})",
     re.IGNORECASE,
 )
+_UNIT = re.compile(r"(?:units?|einheit|unidad|unité|unità|单位|單位)\s*[:=]?\s*(\S{1,8})\.?", re.IGNORECASE)
+_FRACTION = re.compile(
+    r"\b(?:(tenths? of an?|tenths? of|zehntel|decimi di|d[ée]cimas de|dixi[èe]mes? de)"
+    r"|(?:hundredths? of an?|hundredths? of|hundertstel|centesimi di|cent[ée]simas de|centi[èe]mes? de))\s+(\S{1,8})",
+    re.IGNORECASE,
+)
 _FACTOR_AND_UNIT = re.compile(r"[x\u00d7*]\s*(10{1,5})(?:\s*(\S{1,6}))?", re.IGNORECASE)
 _DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
 _PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
 _EXAMPLE = re.compile(
-    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
+    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
@@ -193,12 +199,15 @@ def _described(text: str, decimal: str) -> Quantity | None:
         right = piece.partition("=")[2].strip()
         if _RAW.match(right) and (linear := formula(right, decimal)) is not None:
             return linear
-    if known_unit(text) and len(text.strip()) > 1:
-        return Quantity(unit=known_unit(text))
+    after_word = _UNIT.fullmatch(text.strip())
+    if unit := known_unit(after_word[1] if after_word else text if len(text.strip()) > 1 else ""):
+        return Quantity(unit=unit)
+    if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
+        return Quantity(Fraction(1, 10 if fraction[1] else 100), unit)
     scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
-    found = [piece for piece in scaled_pieces if piece is not None and known_unit(piece.unit) and _is_power(piece)]
-    if len(found) == 1:
-        return replace(found[0], evidence=text)
+    powers = [piece for piece in scaled_pieces if piece is not None and known_unit(piece.unit) and _is_power(piece)]
+    if len(powers) == 1:
+        return replace(powers[0], evidence=text)
     if step := _STEP.search(text):
         quantity = scaled_unit(step[1], decimal)
         return quantity if quantity is not None and known_unit(quantity.unit) else None

@@ -356,7 +356,7 @@ def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[
         if meanings is not None:
             return meanings
         doubts.append(f"Values in the list: {text}.")
-    asides = (parted(texts.get(role, ""))[1] for role in ("printed_name", "name", "type"))
+    asides = (parted(texts.get(role, ""))[1] for role in ("printed_name", "name", "label", "type"))
     for described_text in (texts.get("label", ""), texts.get("note", ""), *asides):
         described = value_meanings(described_text)
         if of_range is None and described is not None and len(described.members) + len(described.bits) > 1:

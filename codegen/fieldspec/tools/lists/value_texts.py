@@ -17,6 +17,9 @@ _BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
 """What may stand before the first value: `Condition: 0 = off`."""
 
 _SIMPLE = re.compile(r"(-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
+_SEPARATOR = re.compile(r";|\s[/|](?=\s*-?[0-9]+\s)")
+"""What stands between values: `0 off; 1 on`, `0 off / 1 on`."""
+
 _BIT = re.compile(r"([0-9]{1,2}(?:\.\.[0-9]{1,2})?(?:,[0-9]{1,2}(?:\.\.[0-9]{1,2})?)*)\s+(\S.*)")
 _JSON_KEY = re.compile(r"(bit\s*|b)?(0x[0-9a-f]+|-?[0-9]+)", re.IGNORECASE)
 _MOST = 1 << 16
@@ -60,7 +63,7 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
                     for part, name in zip(parts, texts, strict=True)
                 ]
             )
-    simple = [_SIMPLE.fullmatch(piece.strip()) for piece in text.split(";") if piece.strip()]
+    simple = [_SIMPLE.fullmatch(piece.strip()) for piece in _SEPARATOR.split(text) if piece.strip()]
     if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
         return _sorted(
             [(False, int(piece[1]), piece[2].strip()) for piece in simple if piece and piece[1].lower() != "nan"]
