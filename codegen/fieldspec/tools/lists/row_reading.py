@@ -230,7 +230,10 @@ def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: li
     if text and (own_type is None or (aside and scaled_unit(aside, POINT) is None and value_meanings(aside) is None)):
         doubts.append(f"Type in the list: {text}.")
     if not text:
-        type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *(note for _, note in notes)]
+        roles = (*FACTORS, "name", "label")
+        unit = texts.get("unit", "")
+        type_texts = ["" if known_unit(unit) else unit, *(parted(texts.get(role, ""))[1] for role in roles)]
+        type_texts += [note for _, note in notes]
         own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
