@@ -20,10 +20,11 @@ _NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discr
 """Names of address spaces that also are directions, and types."""
 
 
-def are_spaces(rows: Sequence[SheetRow], column: int) -> bool:
-    """Whether a column, whose heading is that of types, has only names of address spaces."""
+def are_no_types(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column, whose heading is that of types, has only names of address spaces, or accesses."""
     texts = {text for row in rows if (text := row.cell(column))}
-    return all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
+    are_spaces = all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
+    return are_spaces or all(map(cells.access, texts))
 
 
 def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
@@ -44,7 +45,7 @@ def are_ranks(rows: Sequence[SheetRow], column: int) -> bool:
 
 def are_exponents(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column of scales has powers of ten: small whole numbers, some of them no factors of anything."""
-    numbers = [cells.whole(text) for row in rows if (text := row.cell(column))]
+    numbers = [cells.whole(text) for row in rows if any(map(str.isdigit, text := row.cell(column)))]
     powers = [number for number in numbers if number is not None and abs(number) <= _MOST_PLACES]
     return 0 < len(powers) == len(numbers) and min(powers) <= 0
 

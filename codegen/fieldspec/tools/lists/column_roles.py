@@ -14,8 +14,8 @@ from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.column_contents import (
     NOTED,
     are_exponents,
+    are_no_types,
     are_ranks,
-    are_spaces,
     counts_on,
     has_role,
     is_alike,
@@ -116,12 +116,11 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
     sample = rows[:LOOKED_AT]
     further: dict[str, tuple[int, ...]] = {}
-    of_spaces = [column for column in _ranked(heads, words("headings")["type"], set()) if are_spaces(sample, column)]
     for role, role_words in words("headings").items():
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         fits = _ranked(heads, role_words, used_columns)
-        if role in ("type", "space"):
-            fits = [column for column in fits if column not in of_spaces] + (of_spaces if role == "space" else [])
+        if role == "type":
+            fits = [column for column in fits if not are_no_types(sample, column)]
         if role in ("word_order", "byte_order"):
             fits = [column for column in fits if not are_ranks(sample, column)]
         is_fallback = not fits
@@ -204,7 +203,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     places |= risen
     if "address" not in places:
         return None
-    by_cells = _places_by_cells(headings, sample, places, further) if not names else {}
+    by_cells = _places_by_cells(headings, sample, places, further)
     if (space := _space_of_heading(headings[places["address"]])) and "space" not in {*places, *by_cells}:
         rows, places["space"] = _with_spaces_of_heading(rows, len(headings), space), len(headings)
         headings = (*headings, headings[places["address"]])

@@ -172,6 +172,9 @@ def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str
     stated_unit = next((name for name in LENGTHS if any(word in folded(heading) for word in _LENGTH_WORDS[name])), "")
     ranked = matches.most_common(2)
     likely = ranked[0][0] if ranked and (len(ranked) == 1 or ranked[0][1] > ranked[1][1]) else ""
+    fits = [name for name in LENGTHS if all(not gap or length <= gap * LENGTHS[name] for length, _, gap in sizes)]
+    if len(fits) == 1 and not stated_unit and not likely:
+        return fits[0], Assumption(heading, f"lengths in {fits[0]}", "others overlap the next addresses", "--length")
     direction = stated_unit or likely or "words"
     if direction == "words" and not (stated_unit and likely and stated_unit != likely):
         return direction, None

@@ -1,9 +1,9 @@
-"""The facts that the remarks and the descriptions of a row have: its access, and states at the ends of its type."""
+"""The states of a row, and the access and the states that its descriptions have."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.primitives import PRIMITIVES
@@ -16,6 +16,7 @@ _SPOKEN_ACCESS = re.compile(
 )
 """The access at the beginning of a description."""
 
+_STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _END_OF_TYPE = re.compile(r"(0x[0-9a-f]{2,16}|-?[0-9]{3,20})\s*(?:=|:|->|→)\s*([^=:;,]{2,40})", re.IGNORECASE)
 
 
@@ -38,3 +39,12 @@ def states_at_ends(own_type: Typed | None, described: Sequence[str]) -> tuple[tu
             is_negative = is_signed(PRIMITIVES[own_type.name].encoding) and count >= 1 << (size - 1)
             states[count - (1 << size) if is_negative else count] = name
     return tuple((str(number), name) for number, name in states.items())
+
+
+def special_states(texts: Mapping[str, str], doubts: list[str]) -> tuple[tuple[str, str], ...]:
+    """The states of a column of special values."""
+    text = texts.get("special", "")
+    states = [_STATE.fullmatch(part.strip()) for part in text.split(";") if part.strip()]
+    if not all(states):
+        doubts.append(f"Special values in the list: {text}.")
+    return tuple((state[1], state[2]) for state in states if state)

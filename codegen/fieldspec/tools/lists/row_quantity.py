@@ -20,6 +20,7 @@ from fieldspec.tools.lists.quantities import (
     times,
     unit_cell,
 )
+from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.words import folded, words
 
 FACTORS = ("scale", "gain", "divisor")
@@ -60,12 +61,15 @@ _RAW = re.compile(
 """The count in a formula within a text."""
 
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
+_BEHIND_RANGE = re.compile(r"(?<=[0-9])\s*[^\s0-9.,]+$")
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
 """The places after the point of formats that have names beside `FIX2`."""
 
 _NO_FORMULAS = ("none", "v", "value", "raw", "rawvalue", "x", "val", "y", "keine", "无")
 _HIGHEST_EXPONENT = 9
+_COULOMB = "C"
+"""The symbol that lists write for degrees."""
 
 
 def quantity_of(
@@ -78,9 +82,12 @@ def quantity_of(
 ) -> Quantity:
     """The unit of a row, and the scale and the offset that need no decision for the whole list."""
     text = texts.get("unit", "")
-    unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_name(names, decimal)
-    if unit is None:
-        doubts.append(f"Unit in the list: {text}.")
+    unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_texts(texts, names, decimal)
+    if unit is not None and unit.unit == _COULOMB:
+        is_temperature = any(word in folded(name) for name in names for word in words("measured")["K"])
+        unit = replace(unit, unit="°C") if is_temperature else None
+    if unit is None or (typed(unit.unit) is not None and not known_unit(unit.unit)):
+        doubts.append(f"Unit in the list: {text or texts['range']}.")
         unit = Quantity()
     stated: list[tuple[Fraction, str]] = [(unit.scale, text)] if unit.scale not in (None, 1) else []
     in_counts = replace(unit, evidence=text or next(iter(names), ""))
@@ -219,7 +226,7 @@ def _described(text: str, decimal: str) -> Quantity | None:
         if parts := _DIVIDED.fullmatch(aside):
             unit = known_unit(parts[2] or "")
             return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None
-        quantity = unit_cell(aside, decimal)
+        quantity = unit_cell(aside, decimal) if typed(aside) is None else None
         if quantity is not None and known_unit(quantity.unit) and (quantity.times or quantity.scale):
             return quantity
     return None
@@ -267,12 +274,12 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
     return Quantity(scale, "", places) if Fraction(places) == offset else None
 
 
-def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
-    """The unit in brackets after a name, where the list has no cell for it: `Speed [rpm]`."""
+def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str) -> Quantity | None:
+    """The unit in brackets after a name, or after a range, where the list has no cell for it: `Speed [rpm]`."""
     for name in names:
         aside = parted(name)[1]
         quantity = unit_cell(aside, decimal) if aside else None
-        if quantity is None or not known_unit(quantity.unit):
+        if quantity is None or not known_unit(quantity.unit) or typed(aside) is not None:
             continue
         if (
             quantity.scale
@@ -281,7 +288,8 @@ def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
             or not _may_be_a_phase(known_unit(quantity.unit), name)
         ):
             return quantity
-    return Quantity()
+    measured = bounds(texts.get("range", ""), decimal) and _BEHIND_RANGE.search(texts["range"])
+    return unit_cell(measured[0], decimal) if measured else Quantity()
 
 
 def _may_be_a_phase(unit: str, name: str) -> bool:

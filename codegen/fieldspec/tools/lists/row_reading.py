@@ -18,7 +18,7 @@ from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
-from fieldspec.tools.lists.remarks import spoken_access, states_at_ends
+from fieldspec.tools.lists.remarks import special_states, spoken_access, states_at_ends
 from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
@@ -35,7 +35,6 @@ STATES = ("zero", "one")
 """The roles of columns with the meaning of 0, and of 1."""
 
 _SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
-_STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
 
@@ -189,7 +188,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
         ),
-        special=_special(texts, doubts) or states_at_ends(own_type, described),
+        special=special_states(texts, doubts) or states_at_ends(own_type, described),
         doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
     )
 
@@ -238,8 +237,10 @@ def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: li
     if text and (own_type is None or (aside and scaled_unit(aside, POINT) is None and value_meanings(aside) is None)):
         doubts.append(f"Type in the list: {text}.")
     if not text:
-        described = [texts.get("label", ""), *(note for _, note in notes)]
-        type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *described]
+        roles = (*FACTORS, "name", "label")
+        unit = texts.get("unit", "")
+        type_texts = ["" if known_unit(unit) else unit, *(parted(texts.get(role, ""))[1] for role in roles)]
+        type_texts += [texts.get("label", ""), *(note for _, note in notes)]
         own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
@@ -301,15 +302,6 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     if codes.space != stated:
         doubts.append(f"The list says {text}, and the function codes {code_text}.")
     return stated
-
-
-def _special(texts: Mapping[str, str], doubts: list[str]) -> tuple[tuple[str, str], ...]:
-    """The states of a column of special values."""
-    text = texts.get("special", "")
-    states = [_STATE.fullmatch(part.strip()) for part in text.split(";") if part.strip()]
-    if not all(states):
-        doubts.append(f"Special values in the list: {text}.")
-    return tuple((state[1], state[2]) for state in states if state)
 
 
 def bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
