@@ -178,8 +178,8 @@ def place(text: str) -> Place | None:
 
 
 def are_of_two_bytes(texts: Sequence[str]) -> bool:
-    """Whether all texts have two bytes, as `07,08`, and some of these are no neighbours: each is an address in two
-    bytes, and no pair of registers."""
+    """Whether all texts have two bytes, as `07,08`, and some of these are not neighbours: each is an address in two
+    bytes, and not a pair of registers."""
     pairs = [pair for text in texts if (pair := _BYTES.fullmatch(text.strip()))]
     ends = [(int(pair[1], 16), int(pair[2], 16)) for pair in pairs]
     return 0 < len(pairs) == len(texts) and any(low != high + 1 for high, low in ends)

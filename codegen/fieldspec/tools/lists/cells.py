@@ -140,15 +140,10 @@ def _is_ambiguous(text: str) -> bool:
 def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
     """`comma` or `point` for the numbers of some cells, and the cell that shows it; empty if none does, or both do."""
     comma = point = ""
-    for text in texts:
-        if (
-            "," in text
-            and not comma
-            and not _CLOSED.search(text)
-            and (match := _SMALL_COMMA.search(text) or (_COMMA.fullmatch(text.strip())))
-        ):
+    for text in map(str.strip, texts):
+        if not comma and not _CLOSED.search(text) and (match := _SMALL_COMMA.search(text) or _COMMA.fullmatch(text)):
             comma = match[0]
-        if "." in text and not point and not _is_ambiguous(text) and (match := _POINTED.fullmatch(text.strip())):
+        if not point and not _is_ambiguous(text) and (match := _POINTED.fullmatch(text)):
             point = match[0]
     if comma and not point:
         return COMMA, comma

@@ -10,7 +10,7 @@ from fieldspec.tools.lists.addresses import address_text, place
 from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.quantities import formula, known_unit
-from fieldspec.tools.lists.row_quantity import decimal_places, example
+from fieldspec.tools.lists.row_quantity import COUNT, decimal_places, example
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import bit_names, value_meanings
@@ -114,7 +114,7 @@ _BY_CELLS: dict[str, Callable[[str], object]] = {
     "access": cells.access,
     "unit": known_unit,
     "values": lambda text: value_meanings(text) is not None and example(text, cells.POINT) is None,
-    "formula": lambda text: formula(text, cells.POINT) is not None,
+    "formula": lambda text: COUNT.match(text) and formula(text, cells.POINT) is not None,
 }
 """The roles that the cells of a column show without a heading, where all of them fit."""
 

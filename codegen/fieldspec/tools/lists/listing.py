@@ -322,7 +322,7 @@ def _by_functions(rows: list[ListRow]) -> list[ListRow]:
 def _of_bytes(row: ListRow, step: int) -> ListRow | None:
     """A row whose address counts bytes with that of its register; None for more bytes than one from its second one.
 
-    A row without a type and a length has as many bytes as addresses lie apart: `step` divides all of them.
+    `step` divides all addresses: it is the number of bytes of a row without a type and a length.
     """
     address, is_second = divmod(row.address, 2)
     if row.type is not None and row.type.bytes == 1 and row.bits is None:

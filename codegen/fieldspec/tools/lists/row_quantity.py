@@ -54,14 +54,14 @@ _EXAMPLE = re.compile(
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
-_RAW = re.compile(
+COUNT = re.compile(
     r"\(?\s*(?:raw|reg(?:ister)?|value|val|data|count|wert|rohwert|x|n)(?:[ _]?(?:value|val|data))?\s*[-+*/x\u00d7÷]",
     re.IGNORECASE,
 )
 """The count in a formula within a text."""
 
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
-_BEHIND_RANGE = re.compile(r"(?<=[0-9])\s*[^\s0-9.,]+$")
+_BEHIND_RANGE = re.compile(r"(?:(?<=[0-9])[^\s0-9.,xX]|(?<=[0-9]) [^\s0-9])[^\s0-9]*$")
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
 """The places after the point of formats that have names beside `FIX2`."""
@@ -204,7 +204,7 @@ def _described(text: str, decimal: str) -> Quantity | None:
     pieces = [piece.strip() for piece in _SENTENCES.split(text)]
     for piece in pieces:
         right = piece.partition("=")[2].strip()
-        if _RAW.match(right) and (linear := formula(right, decimal)) is not None:
+        if COUNT.match(right) and (linear := formula(right, decimal)) is not None:
             return linear
     after_word = _UNIT.fullmatch(text.strip())
     if unit := known_unit(after_word[1] if after_word else text if len(text.strip()) > 1 else ""):

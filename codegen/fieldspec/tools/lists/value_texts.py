@@ -16,6 +16,9 @@ _PART = re.compile(
 _BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
 """What may stand before the first value: `Condition: 0 = off`."""
 
+_FURTHER = re.compile(r"[/;,|\n]\s*[0-9]{1,4}\s?[.:=)]\s?[^\W\d]")
+"""A further value in the text of one, with another sign after its number: `2: meter / 3.Dual-CT`."""
+
 _SIMPLE = re.compile(r"(-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
 _SEPARATOR = re.compile(r";|\s[/|](?=\s*-?[0-9]+\s)")
 """What stands between values: `0 off; 1 on`, `0 off / 1 on`."""
@@ -56,7 +59,7 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
         ends = [*(part.start() for part in parts[1:]), len(text)]
         texts = [text[part.end() : end].strip(" ,;/|.]") for part, end in zip(parts, ends, strict=True)]
-        if all(texts):
+        if all(texts) and not any(map(_FURTHER.search, texts)):
             return _sorted(
                 [
                     (bool(part["bit"]), int(part["number"], 0 if "x" in part["number"].lower() else 10), name)
