@@ -251,7 +251,7 @@ def unit_address_option(layout: DeviceLayout, link: str | None, pairs: Sequence[
 
 
 def fixed_options(layout: DeviceLayout, link: str, pairs: Sequence[str]) -> tuple[list[str], list[str]]:
-    """The assignments `NAME=VALUE` without those of what requests need that no spec states, and these."""
+    """The assignments to values by name, then the assignments to what requests need and no spec states."""
     fields = {name for name in _open_fields(layout, layout.links[link]) if layout.device.register(name) is None}
     fixed = [pair for pair in pairs if pair.partition("=")[0] in fields]
     return [pair for pair in pairs if pair not in fixed], fixed
