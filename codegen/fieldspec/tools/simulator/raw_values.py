@@ -9,6 +9,7 @@ from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_array, is_signed
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.memory import default_raw
 
 if TYPE_CHECKING:
@@ -75,6 +76,11 @@ def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> It
         if field.selector is not None and field.form_of(values[field.selector.name]) is None:
             values[field.selector.name] = min(field.forms)
         yield record.decided_by(values).fields[index] if field.cases else field
+
+
+def permits(value: Value | None, raw: Any) -> bool:
+    """Whether no printed range excludes the number."""
+    return value is None or value.ranges is None or raw in value.ranges
 
 
 def signed(raw: Any, size: int, is_signed: bool) -> Any:

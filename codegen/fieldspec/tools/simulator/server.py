@@ -17,7 +17,7 @@ from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.tools.simulator import parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
 from fieldspec.tools.simulator.engine import Engine
-from fieldspec.tools.simulator.memory import element_value
+from fieldspec.tools.simulator.memory import default_raw, element_value
 from fieldspec.tools.simulator.received import number_key, received
 from fieldspec.tools.simulator.refusal import Refusal, reason_place
 from fieldspec.tools.simulator.register_requests import read_bits, read_registers, write_bits, write_registers
@@ -306,11 +306,14 @@ class Server:
                 values[part.name] = self.unit_address
             elif part.constant is not None:
                 values[part.name] = part.constant
-            elif (part.part.same_as or part.name) in head:
-                values[part.name] = head[part.part.same_as or part.name]
+            elif part.part.same_as:
+                values[part.name] = head[part.part.same_as]
+            elif part.name in head and raw_values.permits(part.value, head[part.name]):
+                values[part.name] = head[part.name]
             else:
                 cell = next(iter(self.engine.cells.of(part.part.place.path)), None)
-                values[part.name] = cell.read() if cell is not None else 0
+                usual = default_raw(self.engine.layout.device, part.value) if part.value is not None else 0
+                values[part.name] = cell.read() if cell is not None else usual
         mark = frames.link.link.exception_response
         if mark is not None and mark.normal is not None and values[mark.part] not in mark.normal:
             values[mark.part] = mark.normal.low
