@@ -44,7 +44,6 @@ class Unfit(Exception):
 
 
 @cache
-@cache
 def rows(text: str) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
     """The rows of the table of tests: the folders, which end with a slash, and modules; and the commands for them."""
     table = re.search(r"^\| you change \| run \|.*\n\|---.*\n((?:\|.*\n)+)", text, re.M)

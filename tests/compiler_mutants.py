@@ -94,6 +94,9 @@ class Source:
         if isinstance(node, ast.FunctionDef | ast.ClassDef | ast.JoinedStr | ast.AnnAssign | ast.Assert | ast.Raise):
             # Functions come on their own; a text is judged by whoever reads it; assertions are for people.
             return
+        if isinstance(node, ast.keyword) and node.arg == "strict":
+            # An assertion about lengths.
+            return
         yield from self._mutants_at(node)
         for inner in ast.iter_child_nodes(node):
             yield from self._of(inner)

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from fieldspec.codec.layout.characters import character_refusals
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
-from fieldspec.codec.layout.inner_list_refusals import inner_list_refusals
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import read
@@ -39,11 +38,12 @@ def all_layouts() -> list[DeviceLayout]:
 
 
 def has_digits(layout: DeviceLayout) -> bool:
-    """Whether numbers of a device are sent as digits, packed into bits or optional, which several outputs leave out."""
-    places = [refusal.fact.place for refusal in inner_list_refusals(layout, "")]
-    return bool(character_refusals(layout, "")) or any(
-        key in place for place in places for key in ("packed_bits", "present_if")
-    )
+    """Whether numbers of a device are sent as digits, packed into bits, optional or counted in bits, which several
+    outputs leave out.
+    """
+    bodies = (*layout.records.values(), *(body for message in layout.messages.values() for body in message.bodies))
+    fields = [field for body in bodies for field in body.fields]
+    return bool(character_refusals(layout, "")) or any(field.packing or field.presence for field in fields)
 
 
 def newest(root: Path, device: str) -> DeviceLayout:

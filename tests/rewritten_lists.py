@@ -265,7 +265,7 @@ ASSUMED = {
     "scale": r"multipl|divid",
     "min": "bounds beside a scale",
     "max": "bounds beside a scale",
-    "default": "bounds beside a scale",
+    "default": "beside a scale",
     "words": "lengths in",
     "bits": "bits: those that are cell_rows",
 }

@@ -16,6 +16,7 @@ from fieldspec.command.builds.build_memory import BuildMemory
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.verbs.build import build
 from fieldspec.foundation.spreadsheet import Workbook
+from fieldspec.language.reading import memory, project
 from fieldspec.targets import Output
 from spec_edits import Files, edited
 
@@ -74,6 +75,7 @@ def test_after_random_edits_memory_changes_neither_outputs_nor_findings(
     seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(workers, "WORTH_IT", 10**9)
+    monkeypatch.setattr(project, "file_read", memory.file_read)  # as memory moves nodes that the tests share otherwise
     monkeypatch.setenv("FIELDSPEC_CACHE", str(tmp_path / "cache"))
     place, choose = Place(tmp_path, capsys), random.Random(seed)
     files = sound = sound_files()

@@ -22,6 +22,7 @@ from fieldspec.codec.explain.readings import FrameOptions, read, remarks
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.command.rendering.explanation_text import faults
+from fieldspec.language.model.escape import Escape
 from layouts import TEST_SPECS, newest
 from python_package import codec_error, module_of, package, runtime
 from random_devices.agreement import JUDGES, Comparison, compare_layout
@@ -57,6 +58,23 @@ def test_a_frame_is_an_identifier_and_data_for_drivers() -> None:
     assert MODULE.sdo.frame_of(0x605, record.data) == frame
     wide = MODULE.vehicle.can_frame(MODULE.vehicle.encode_request(0x21, MODULE.ReadHoursRequest(), priority=6))
     assert (wide.identifier, wide.data, wide.is_extended) == (0x18FEE521, b"", True)
+
+
+IDENTIFIERS = [
+    (((2, "big", 0, 11),), 11, "0605", 0x605),
+    (((2, "little", 0, 11),), 11, "0506", 0x605),
+    (((1, "big", 7, 4), (1, "big", 0, 7)), 11, "0C05", 0x605),
+    (((4, "little", 8, 18), (1, "big", 0, 8)), 29, "E5FE0000 21", 0x80FEE521),
+]
+
+
+@pytest.mark.parametrize(("fields", "bits", "parts", "identifier"), IDENTIFIERS)
+def test_an_identifier_has_its_parts_in_their_bits_and_orders(
+    fields: tuple[tuple[int, str, int, int], ...], bits: int, parts: str, identifier: int
+) -> None:
+    escape = Escape("can", (), b"", 0, "", "", fields, bits)
+    assert escape.packed(bytes.fromhex(parts)) == identifier
+    assert escape.unpacked(identifier) == bytes.fromhex(parts)
 
 
 def test_a_number_with_more_bits_than_its_place_is_refused() -> None:

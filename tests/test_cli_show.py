@@ -6,7 +6,7 @@ import pytest
 
 from command_line import TEST_SPECS, CommandLine
 from fieldspec.command.rendering.blocks import drawn
-from fieldspec.command.rendering.item import handles, items
+from fieldspec.command.rendering.item import handles, items, numbered
 from layouts import newest
 
 WIDGET = newest(TEST_SPECS, "widget")
@@ -49,6 +49,30 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 @pytest.mark.parametrize(("name", "drawing"), [("status", STATUS), ("wide_status", WIDE)])
 def test_a_word_is_drawn_with_a_box_for_each_bit(name: str, drawing: str) -> None:
     assert list(drawn(WIDGET.device.flags[name])) == drawing.split("\n")
+
+
+NUMBERS = {
+    "widget": {
+        "status_word": [0x1000],
+        "position": [0x1010, 0x1011],
+        "output": [0x2010, 0x2011, 0x2014, 0x2015, 0x2018, 0x2019],
+        "points": [*range(0x9010, 0x9058)],
+        "slots": [*range(0xA000, 0xA006)],
+        "exchange": [0x22],
+    },
+    "glider-x": {
+        "turns": [2, *range(0x104, 0x108)],
+        "reference_speed": [0x317, 0x2317],
+        "unused": [*range(0x100, 0x105), *range(0x4100, 0x4105)],
+        "fixed_stop": [78, 0xEE0],
+    },
+}
+
+
+@pytest.mark.parametrize(("device", "name"), [(device, name) for device, names in NUMBERS.items() for name in names])
+def test_an_item_has_the_numbers_of_its_words_and_no_others(device: str, name: str) -> None:
+    (item,) = (item for item in items(newest(TEST_SPECS, device)) if name in handles(item))
+    assert [number for number in range(1 << 16) if numbered(item, number)] == NUMBERS[device][name]
 
 
 def test_a_device_is_shown_with_all_its_items(run: CommandLine) -> None:

@@ -281,5 +281,29 @@ def test_live_takes_a_part_that_no_spec_states(tmp_path: Path, capsys: pytest.Ca
         assert "meter_address is not given; add it with --with NAME=VALUE" in capsys.readouterr().err
 
 
+def test_encode_writes_a_register_with_a_part_that_no_spec_states(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write = """messages:
+  - name: set
+    code: 4
+    links: [line]
+    source: 2 L6
+    request: [{name: address, type: u16}, {name: value, type: u16}]
+    response: []
+    accesses: [{operation: write, start: address, values: value}]
+"""
+    text = TEXT.replace("messages:\n", write).replace("access: ro", "access: rw")
+    (tmp_path / "meter").mkdir()
+    (tmp_path / "meter" / "device.yaml").write_text(text, encoding="utf-8")
+    command = ["encode", "meter", "write", "voltage=5", "--link", "line", "--specs", str(tmp_path), "--format", "hex"]
+    assert main(command) == 2
+    assert "meter_address is not given" in capsys.readouterr().err
+    assert main([*command, "meter_address=0x01020304"]) == 0
+    assert "04030201" in capsys.readouterr().out.replace(" ", "")
+    assert main([*command, "meter_address=far"]) == 2
+    assert capsys.readouterr().err.startswith("fieldspec: meter_address=far: ")
+
+
 def test_a_part_that_repeats_one_of_the_request_says_nothing_about_the_device(meter: DeviceLayout) -> None:
     assert [signal.path for signal in signals(meter, meter.links["counted"])] == ["state.volume"]

@@ -15,7 +15,7 @@ def word(low, high):
     """A text."""
     if low in (1, 2) and not high:
         return [low + high]
-    send(low)
+    send(zip(low, high, strict=True))
     return None
 '''
 

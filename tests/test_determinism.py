@@ -76,3 +76,13 @@ def test_outputs_are_the_same_bytes(name: str, expected: dict[str, bytes], tmp_p
     outputs = built(tmp_path / "a longer name with blanks, ä", TRIED[name])
     assert sorted(outputs) == sorted(expected)
     assert [path for path in outputs if outputs[path] != expected[path]] == []
+
+
+def test_the_same_names_are_allowed_to_differ_by_a_letter_whatever_the_hash_seed(tmp_path: Path) -> None:
+    # The third name differs by a letter from each of the others.
+    text = "Address,Name,Type\n1,overVoltag,u16\n2,verVoltage,u16\n3,overVoltage,u16\n"
+    (tmp_path / "list.csv").write_text(text, "utf-8")
+    command = [sys.executable, "-m", "fieldspec", "import", "list.csv", "--to", "-"]
+    seeds = {seed: {**os.environ, "PYTHONHASHSEED": seed} for seed in map(str, range(1, 6))}
+    runs = [subprocess.run(command, cwd=tmp_path, env=seed, capture_output=True, check=True) for seed in seeds.values()]
+    assert len({run.stdout for run in runs}) == 1

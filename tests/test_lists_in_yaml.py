@@ -49,6 +49,7 @@ parameters:
           - {key: 4, value: "FAULT"}
       - {name: "Level", uom: "%", scale: 0.5, rule: 1, mask: 0x0FF0, registers: [0x0016]}
       - {name: "Relay", rule: 1, mask: 0x8000, registers: [0x0016]}
+      - {name: "Pump", rule: 1, bit: 3, registers: [0x0016]}
       - {name: Alarms, rule: 6, registers: [0x0018], lookup: [{bit: 0, value: Over voltage}, {bit: 3, value: Fan}]}
   - group: other
     items:
@@ -212,6 +213,8 @@ def of_solarman(item: dict[str, Any], words: dict[int, int]) -> Fraction:
     if "mask" in item:
         mask = item["mask"]
         count = (count & mask) // (mask & -mask)
+    if "bit" in item:
+        count = count >> item["bit"] & 1
     return (count - Fraction(item.get("offset", 0))) * Fraction(str(item.get("scale", 1)))
 
 
@@ -222,7 +225,7 @@ WORDS = st.lists(st.integers(0, 0xFFFF), min_size=0x120, max_size=0x120).map(lam
 def test_a_definition_reads_what_the_program_reads(inverter: Reading, words: dict[int, int]) -> None:
     items = yaml.safe_load(DEFINITION)["parameters"][0]["items"]
     numbers = {item["name"]: item for item in items if item["rule"] < 5}
-    assert len(numbers) == 8
+    assert len(numbers) == 9
     for name, item in numbers.items():
         snake = name.lower().replace(" ", "_")
         assert inverter(snake, words) == of_solarman(item, words), name

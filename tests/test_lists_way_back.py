@@ -32,7 +32,7 @@ WITHOUT = (
         "sequencer",
         "sorter",
     ),
-    *("stamper", "tariff", "turret"),
+    *("stamper", "tariff", "tracker", "turret"),
 )
 """Devices without registers and parameters."""
 

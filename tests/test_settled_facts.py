@@ -1,8 +1,8 @@
-"""Checks of single values and words: what they find in one depends on nothing that is settled."""
+"""Checks do not judge again what they have judged: what they find depends on nothing that is settled, or has passed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from importlib import import_module
 from pathlib import Path
 
@@ -10,6 +10,7 @@ import pytest
 
 from fieldspec.command.pipeline import load
 from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.classes import replace
 from fieldspec.language.checks import settled, table
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
@@ -31,7 +32,8 @@ def devices(folder: Path) -> list[Device]:
 
 def findings(device: Device, facts: Iterable[tuple[Fact, tuple[object, ...]]]) -> list[Diagnostic]:
     """The findings of the checks where some facts are settled."""
-    settled._OPEN = ByIdentity(limit=1)
+    settled._OPEN.clear()
+    table._PASSED.clear()
     settled._SETTLED = ByIdentity()
     for fact, relatives in facts:
         settled._SETTLED[fact] = relatives
@@ -42,8 +44,7 @@ def findings(device: Device, facts: Iterable[tuple[Fact, tuple[object, ...]]]) -
 def test_findings_in_a_fact_are_the_same_where_all_others_are_settled(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for attribute in ("_OPEN", "_SETTLED"):
-        monkeypatch.setattr(settled, attribute, getattr(settled, attribute))
+    monkeypatch.setattr(settled, "_SETTLED", settled._SETTLED)
     for device in devices(folder):
         expected = findings(device, ())
         everything = settled._OpenFacts(device)
@@ -63,5 +64,22 @@ def test_a_fact_with_a_finding_is_judged_again(monkeypatch: pytest.MonkeyPatch) 
     folder = next(folder for folder in CASES if folder.name.startswith("failing"))
     for device in devices(folder):
         first = table.run(device)
-        settled._OPEN = ByIdentity(limit=1)
+        settled._OPEN.clear()
         assert table.run(device) == first
+
+
+def test_a_check_that_found_nothing_runs_again_only_where_something_that_it_has_read_differs(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    runs: list[str] = []
+
+    def limits_ordered(device: Device) -> Iterator[Diagnostic]:
+        runs.append(device.title)
+        yield from ()
+
+    monkeypatch.setattr(table, "_PASSED", {})
+    monkeypatch.setitem(table._BY_NAME, "limits_ordered", limits_ordered)
+    (device,) = devices(next(folder for folder in CASES if folder.name == "passing"))
+    copies = [device, replace(device, doc="Another"), replace(device, title="Another"), device]
+    assert [table.run_named(copy, "limits_ordered") for copy in copies] == [[], [], [], []]
+    assert runs == [device.title, "Another"]

@@ -675,13 +675,25 @@ function wholeBounds(count, signed) {
   }
 }
 
-const isPresent = ({ mask, numbers }, number) => numbers.includes((Number(number) & mask) >>> 0);
+function decidingBits({ mask, numbers }, number) {
+  const bits = (Number(number) & mask) >>> 0;
+  return numbers.length ? bits : bits / ((mask & -mask) >>> 0);
+}
+
+function fits(presence, number, elements) {
+  const { numbers, unit, plus } = presence;
+  const bits = decidingBits(presence, number);
+  return numbers.length ? numbers.includes(bits) === elements > 0 : bits === elements * unit + plus;
+}
+
+const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
 function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
   if (!length) return most;
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
-  if (presence) return isPresent(presence, number) ? element : 0;
+  if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
+  if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
 }
 
@@ -1456,7 +1468,7 @@ function partNumberText({ size, value, numberSize = size }, number) {
 }
 
 function isException({ code: own, flag, part, normal }, code, number) {
-  if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
+  if (part) return number(part) !== undefined && !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
   return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
 }
 
@@ -1536,11 +1548,15 @@ function forWriting(value) {
   return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
-function decodeAnswer(device, value, ...rest) {
-  const read = decodeValue(device, value, ...rest);
-  if (read.reason !== "wrong_const") return read;
-  const answer = decodeValue(device, { ...value, const: undefined }, ...rest);
-  return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+function decodeAnswer(device, value, bytes, reserved, isTrigger) {
+  let read = decodeValue(device, value, bytes, reserved);
+  if (read.reason === "wrong_const") {
+    const answer = decodeValue(device, { ...value, const: undefined }, bytes, reserved);
+    read = { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+  }
+  if (!isTrigger) return read;
+  const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, reserved);
+  return reason === "unknown_value" ? read : { ...read, verdict: "", reason: "" };
 }
 
 function decodeValue(device, value, bytes, reserved = false) {
@@ -2003,8 +2019,7 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
   const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
-  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved);
-  if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
+  const read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved, parameter.trigger);
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
   return {
     ...row,
@@ -2222,8 +2237,7 @@ function registerRow(device, span, occupant, spot, operation) {
     const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
     const value = byExponent(device, span, occupant, own);
     const decode = operation === "write" ? decodeValue : decodeAnswer;
-    read = decode(device, value, piece.content, occupant.reserved);
-    if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
+    read = decode(device, value, piece.content, occupant.reserved, occupant.trigger);
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
     read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });
@@ -2358,7 +2372,7 @@ class ExplainedBody {
       return this.missingRow(fields, at);
     } else if (decision) {
       text = `${decision.name} decides that ${name} has more bytes than there are`;
-    } else if (presence) {
+    } else if (presence?.numbers.length) {
       [reason, text] = ["incomplete", `${countName} says that ${name} is sent, but its bytes are missing`];
     } else {
       [reason, text] = ["incomplete", `${countName} counts more ${name} than there are`];
@@ -2483,19 +2497,23 @@ class ExplainedBody {
       const { presence, name } = other;
       if (read.reason || presence?.by !== field.name || !isWhole(read.number)) continue;
       const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
+      if (known === this.extents.length) read = this.wrongCount(this.record.inner.lists[known], field, read);
       if (known >= this.extents.length) continue;
       const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
-      if (isPresent(presence, read.number) !== items > 0) {
-        return judged(read, false, `a number with which ${name} is${items ? "" : " not"} sent`, "wrong_measure");
+      if (!fits(presence, read.number, items)) {
+        const isSent = `a number with which ${name} is${items ? "" : " not"} sent`;
+        const count = bitsText(presence, items * presence.unit + presence.plus);
+        return judged(read, false, presence.numbers.length ? isSent : count, "wrong_measure");
       }
     }
     return read;
   }
 
   wrongCount(list, field, read) {
-    const { countName, least, most, unit, plus = 0 } = list;
+    const { countName, least, most, unit, plus = 0, presence } = list;
     if (countName !== field.name || !this.hasWrongCount(list)) return read;
-    return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
+    const expected = `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`;
+    return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
   }
 
   repeated(field, read) {
@@ -2690,7 +2708,7 @@ class ExplainedFrame {
   codeValue(part, read) {
     let code = exactWhole(read.number);
     if (this.shape.escape?.remote !== undefined) {
-      read = { ...read, number: code % 2 ** 30 };
+      read = { ...read, number: onBits(code, 2 ** 30, (bits, flag) => bits & ~flag) };
       this.values.set(part.name, read.number);
     }
     const { link, direction } = this;
@@ -2733,7 +2751,8 @@ class ExplainedFrame {
   }
 
   partNumber(name) {
-    return numberOf(this.shape.header.find((part) => part.name === name), this.data);
+    const part = this.shape.header.find((own) => own.name === name);
+    return part.offset + part.size <= this.data.length ? numberOf(part, this.data) : undefined;
   }
 
   addressValue(read) {
@@ -3671,7 +3690,7 @@ function encodeRecord(device, record, values) {
   }));
   for (const { name, presence } of fields.filter((field) => field.presence)) {
     const [number] = known.get(presence.by);
-    if (isPresent(presence, number) === known.get(name).length > 0) continue;
+    if (fits(presence, number, known.get(name).length)) continue;
     throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
   }
   if (form.inner) {

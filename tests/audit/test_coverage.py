@@ -231,6 +231,8 @@ UNSOUND = [
     ("a section that is not there", 'sections: ["2"], each', 'sections: ["7"], each', "there is no section 7"),
     ("lines that are not there", "lines: 6-7", "lines: 6-70", "there are no lines 6 to 70"),
     ("a column that is not there", "{code:decimal} :", "{colour} :", "nothing is called `colour`"),
+    ("a form that is not there", '[Front, "9"]', '[Front, "9"], like: "{value:colour}"', "there is no form `colour`"),
+    ("a broken placeholder", "{code:decimal} :", "{code decimal} :", "a placeholder is written as"),
     ("sections out of order", "line: 11", "line: 2", "not in the order of the manual"),
 ]
 

@@ -72,12 +72,17 @@ PROGRAMS = {
     ),
     "inner_lists.h": (
         ["machine.h", "status.h"],
-        "const device_inner_list lists[2] = {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, NULL, NULL, 0u, false, false},"
-        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, NULL, NULL, 0u, false, false}};"
+        "const device_inner_list lists[2] ="
+        " {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, 0u, false, false},"
+        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, 0u, false, false}};"
         " uint8_t image[11], out[8]; size_t length = 0;"
         ' const uint8_t *data = (const uint8_t *)"a\\1LIyTSz", *longer = (const uint8_t *)"a\\3yz";'
-        " const device_inner_list tags = {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, tag_size, NULL, 0u, false, false};"
-        " const device_inner_list packed = {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, NULL, NULL, 12u, false, true};"
+        " const device_inner_list tags ="
+        " {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, 0u, tag_size, NULL, 0u, false, false};"
+        " const device_inner_list bits_count ="
+        " {2u, 2u, 1u, 0u, 8u, 0u, 2u, 1u, 0L, true, 240u, NULL, NULL, 0u, false, false};"
+        " const device_inner_list packed ="
+        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, 12u, false, true};"
         ' const uint8_t *bits = (const uint8_t *)"\\xFA\\xB2\\xCD";'
         ' const uint8_t *sent = (const uint8_t *)"x\\2AB\\1C";'
         " if (device_take_lists(lists, 2, 4, data, 8, image, &length) != DEVICE_OK || length != 10) return 1;"
@@ -93,6 +98,7 @@ PROGRAMS = {
         " if (device_take_lists(&tags, 1, 1, sent, 5, image, &length) != DEVICE_ERR_INCOMPLETE) return 1;"
         " if (device_take_lists(&packed, 1, 0, bits, 3, image, &length) != DEVICE_OK || length != 4) return 1;"
         ' if (memcmp(image, "\\xFF\\xAB\\2\\xCD", 4) != 0) return 1;'
+        ' if (device_list_size(&bits_count, (const uint8_t *)"\\x2F\\xFF") != 2) return 1;'
         " if (device_place_lists(&packed, 1, 0, image, length, out, 8, &length) != DEVICE_OK || length != 3) return 1;"
         " if (memcmp(out, bits, 3) != 0) return 1;"
         " if (tag_size(sent + 1, 5) != 3 || tag_size(sent + 1, 0) != 1 || tag_size(sent + 2, 4) != 0) return 1;",
@@ -155,7 +161,8 @@ BEHIND = {
     "inner_lists.h": """
 static size_t tag_size(const uint8_t *in, size_t left)
 {
-    static const device_inner_list value = {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, NULL, NULL, 0u, false, false};
+    static const device_inner_list value =
+        {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, 0u, NULL, NULL, 0u, false, false};
     uint8_t fields[1];
     return device_sent_size(&value, 1, 1, fields, in, left);
 }

@@ -17,6 +17,7 @@ from captures.conversations import RTAC, SOCKETCAN, USER_0, Segment, ethernet, p
 from fieldspec.cli import main
 from fieldspec.command.bulk.bulk_decoding import numbers_of
 from fieldspec.command.console.usage import UsageError
+from fieldspec.tools.captures.decoding import DeviceDecoder
 from layouts import TEST_SPECS
 
 READ = rtu(1, 4, 0, 0, 0, 2)
@@ -158,10 +159,14 @@ def test_texts_are_forgotten_between_parts_without_a_trace(tmp_path: Path, monke
     whole = decode(tmp_path, content)[2:]
     monkeypatch.setattr("fieldspec.tools.captures.conversion.MOST_TEXTS", 0)
     monkeypatch.setattr("fieldspec.tools.captures.capture_files.BATCH", 300)
+    decoders: list[DeviceDecoder] = []
+    reset = DeviceDecoder.reset
+    monkeypatch.setattr(DeviceDecoder, "reset", lambda decoder: (decoders.append(decoder), reset(decoder)))
     again = tmp_path / "again"
     again.mkdir()
     assert decode(again, content, "--part-frames", "10")[2:] == whole
     assert len(list((again / "out" / "frames").iterdir())) > 3
+    assert len(decoders) > 3
 
 
 DAMAGE = {

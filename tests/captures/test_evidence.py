@@ -10,6 +10,7 @@ import pytest
 
 from captures.conversations import USER_0, pcap, rtu
 from captures.test_decode_in_bulk import run
+from fieldspec.tools.evidence.notes import UnitNote, unit_note
 from fieldspec.tools.evidence.series import Series, SeriesValue
 from layouts import SPECS
 
@@ -53,6 +54,29 @@ def report(folder: Path, *options: str) -> tuple[int, dict[str, Any]]:
 
 def states(tables: dict[str, Any], fact: str) -> dict[str, str]:
     return {row["aspect"]: row["state"] for row in tables["evidence"] if row["fact"] == fact}
+
+
+WRONG_NOTES = [
+    ("- a\n", "a note has the keys model, firmware, serial_number", (0, 0)),
+    (NOTE.replace("model: W\n", ""), "`model` is missing", (0, 0)),
+    (NOTE.replace("W", "[]"), "`model` is not a text", (7, 9)),
+    (NOTE.replace("redacted", "S123"), "a note has no serial number", (38, 42)),
+    (NOTE + "colour: red\n", "a note has no key `colour`", (47, 53)),
+    (NOTE + "unit_address: x\n", "`unit_address` is not a number", (61, 62)),
+    (NOTE + 'remarks: " "\n', "`remarks` is not a text", (56, 59)),
+]
+
+
+@pytest.mark.parametrize(("text", "message", "place"), WRONG_NOTES)
+def test_what_is_wrong_with_a_note_is_found_where_it_is(text: str, message: str, place: tuple[int, int]) -> None:
+    note, findings = unit_note("a", "a/unit.yaml", text.encode())
+    assert note is None
+    assert [(finding.message, (finding.span.start, finding.span.end)) for finding in findings] == [(message, place)]
+
+
+def test_a_note_may_have_an_address_and_remarks() -> None:
+    text = f"{NOTE}unit_address: 12\nremarks: near the door\n"
+    assert unit_note("a", "a/unit.yaml", text.encode()) == (UnitNote("a", "W", "1", 12, "near the door"), [])
 
 
 @pytest.mark.parametrize(

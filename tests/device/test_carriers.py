@@ -163,6 +163,26 @@ def test_a_listener_to_which_nobody_connects_says_so_and_can_be_closed() -> None
         listener.accept()
 
 
+def test_a_read_in_another_thread_ends_where_its_connection_is_closed() -> None:
+    listener = Listener("tcp://127.0.0.1:0")
+    connection = Connection.opened(listener.name)
+    ended: list[str] = []
+
+    def read() -> None:
+        try:
+            connection.read(HANGING)
+        except CarrierError as error:
+            ended.append(str(error))
+
+    reader = threading.Thread(target=read, daemon=True)
+    reader.start()
+    time.sleep(0.2)
+    connection.close()
+    reader.join(30)
+    listener.close()
+    assert len(ended) == 1
+
+
 def test_what_is_sent_waits_for_a_client_that_is_slow_to_read() -> None:
     listener = Listener("tcp://127.0.0.1:0")
     content = bytes(1 << 24)

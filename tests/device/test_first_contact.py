@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
+from argparse import Namespace
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from fieldspec.cli import main
+from fieldspec.command.live.finding import settings, units
 from fieldspec.testing import simulation
-from simulators import SPECS
+from simulators import SPECS, parts_of
 
 FRAME_OF_THE_MANUAL = b":010320000002DA\r\n"
 """A read of 2000H and 2001H by Modbus ASCII; the protocol that 5.8 L1275 of the manual of the TC100 calls initial."""
@@ -83,13 +87,32 @@ def test_find_says_what_to_check_where_nothing_answers(capsys: pytest.CaptureFix
 
 
 def test_find_tries_every_rate_number_of_data_bits_and_parity_of_a_serial_port() -> None:
-    from argparse import Namespace
-
-    from fieldspec.command.live.finding import settings
-    from simulators import parts_of
-
     layout, _ = parts_of("tc100")
     free = Namespace(port="/dev/ttyUSB0", link=None, baud=None, data_bits=None, parity=None)
     tried = [(own.link.name, own.baud, own.data_bits, own.parity) for own in settings(layout, free)]
     assert tried[0] == ("ascii", 19200, 8, "none")
     assert len(set(tried)) == len(tried) == 5 * 2 * 3 + 5 * 3
+
+
+UNITS = [
+    ({}, None, [3, 1, 2, *range(4, 17)]),
+    ({"broadcast": 2}, None, [3, 1, *range(4, 17)]),
+    ({"ranges": None}, None, [3, 1, 2, *range(4, 248)]),
+    ({}, 7, [7]),
+]
+
+
+@pytest.mark.parametrize(("changes", "requested", "expected"), UNITS)
+def test_find_tries_the_usual_unit_address_and_then_all_others_that_the_link_has(
+    changes: dict[str, Any], requested: int | None, expected: list[int]
+) -> None:
+    link = parts_of("tc100")[0].links["rtu"]
+    assert link.link.unit_addresses is not None
+    changed = replace(link, link=replace(link.link, unit_addresses=replace(link.link.unit_addresses, **changes)))
+    assert units(changed, Namespace(unit=requested), 3) == expected
+
+
+def test_find_tries_all_unit_addresses_of_a_link_that_states_none() -> None:
+    link = parts_of("tc100")[0].links["rtu"]
+    changed = replace(link, link=replace(link.link, unit_addresses=None))
+    assert units(changed, Namespace(unit=None), 3) == [3, 1, 2, *range(4, 248)]

@@ -13,8 +13,9 @@ from fieldspec.cli import main
 from fieldspec.testing import SimulatedDevice, simulation
 from fieldspec.tools.lists.dump import dump
 from fieldspec.tools.lists.text_sheet import text_sheet
+from fieldspec.tools.live.reading import message_for
 from fieldspec.tools.simulator.seeding import seed
-from layouts import TEST_SPECS
+from layouts import TEST_SPECS, newest
 from simulators import SPECS
 
 
@@ -22,6 +23,24 @@ def live(name: str, place: str, *arguments: str, folder: str = SPECS) -> int:
     """The exit code of a verb."""
     port = place.replace("tcp://", "socket://") if name == "esc11" else place
     return main(["live", name, *arguments, "--port", port, "--timeout", "0.5", "--pause", "0", "--specs", folder])
+
+
+MESSAGES = [
+    ("widget", "", "read_registers read_registers", "write_register write_registers"),
+    ("weigher", "", "read_registers read_registers", "write_registers write_registers"),
+    ("flowmeter", "memory", "read_memory read_memory", "write_memory write_memory"),
+    ("meter", "coils", "read_coils read_coils", "none none"),
+    ("meter", "holding_registers", "read_holding_registers read_holding_registers", "write_holding_register none"),
+]
+
+
+@pytest.mark.parametrize(("device", "space", "reads", "writes"), MESSAGES)
+def test_one_word_and_two_have_the_messages_that_can_carry_them(
+    device: str, space: str, reads: str, writes: str
+) -> None:
+    for operation, expected in (("read", reads), ("write", writes)):
+        messages = [message_for(newest(TEST_SPECS, device), operation, space, words) for words in (1, 2)]
+        assert " ".join(message.name if message is not None else "none" for message in messages) == expected
 
 
 @pytest.fixture

@@ -85,6 +85,6 @@ def _bound(draft: Draft, line: Spec, escape: Spec) -> None:
     names = [part["name"] for part in line["request"]]
     body = next(at for at, part in enumerate(line["request"]) if part.get("role") == "body")
     if draft.chance(70):
-        escape["from"] = names[draft.number(0, body)]
+        escape["from"] = names[body if draft.chance(40) else draft.number(0, body)]
     if draft.chance(70):
         escape["to"] = names[draft.number(body, len(names) - 1)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, EnumDraft, RecordDraft, Spec
-from random_devices.drawn_presences import presence_decider
+from random_devices.drawn_presences import list_counter, presence_decider
 from random_devices.drawn_values import size_of, value, varying_text, varying_value
 
 
@@ -37,7 +37,7 @@ def _differing_record(draft: Draft) -> Spec:
                 continue
             inner = draft.differing and draft.chance(25)
             repeated = _differing(draft, "0..2") if inner else _repeated(draft, fields, low_limits=True)
-            measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
+            measure = list_counter(draft, repeated, _measure(draft, repeated), ("u8", "u16"))
             fields = [*_inserted(draft, fields, measure), repeated, *_behind(draft)]
     record["fields"] = fields
     draw_separator(draft, record, fields)
@@ -264,7 +264,7 @@ def packed_list(draft: Draft, limits: Spec, least: int = 1) -> Spec:
 def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """A number of elements or bytes somewhere before the repeat that it counts."""
     repeated = _repeated(draft, fields)
-    measure = draft.fact(type=draft.pick(("u16", "u8", "u32")), measures=_measure(draft, repeated))
+    measure = list_counter(draft, repeated, _measure(draft, repeated), ("u16", "u8", "u32"))
     return [*_inserted(draft, fields, measure), repeated]
 
 
@@ -283,11 +283,11 @@ def _lists(draft: Draft, fields: list[Spec]) -> list[Spec]:
         repeated = _repeated(draft, fields)
         if number and draft.chance(15):
             return [*fields, repeated, *_behind(draft)]
-        measure = draft.fact(type=draft.pick(("u8", "u16")), measures=_measure(draft, repeated))
+        measure = list_counter(draft, repeated, _measure(draft, repeated), ("u8", "u16"))
         fields = [*_inserted(draft, fields, measure), repeated]
         if draft.chance(15):
             fields.append(packed_list(draft, {"count": draft.number(1, 9)}))
-        if draft.chance(20):
+        if draft.chance(20) and "bits" not in measure["measures"]:
             fields.append(draft.fact(type="u16", measures=_measure(draft, repeated)))
     return [*fields, *(fixed_field(draft)[0] for _ in range(draft.number(0, 2)))]
 

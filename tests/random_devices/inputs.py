@@ -73,12 +73,12 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
         elif not is_computed(field):
             values[field.name] = _field(layout, field, dice)
     for field in record.fields:
-        if field.presence is not None and dice.random() < 0.9:
+        if field.presence is not None and field.presence.numbers and dice.random() < 0.9:
             elements = values[field.name] or [_element(layout, field, dice)]
             values[field.name] = elements if field.least_count(values) else []
         if field.bits_of and dice.random() < 0.85:
             values[field.name] = max(0, 8 * len(values[field.bits_of]) - dice.choice((0, 0, 1, 3, 7)))
-    return values
+    return record.with_bit_counts(values) if dice.random() < 0.95 else values
 
 
 def _element(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:

@@ -25,7 +25,7 @@ def query_names(layout: DeviceLayout) -> dict[str | tuple[str, str], str]:
         own = Name.of(record).snake()
         result[record] = names.take(own, f"{own}_record")
     for message in layout.messages.values():
-        for direction in ("request", "response") if message.message.is_answered else ("request",):
+        for direction in message.message.directions:
             own = f"{Name.of(message.name).snake()}_{direction}"
             result[message.name, direction] = names.take(own, f"{own}_data")
     return result

@@ -10,6 +10,7 @@ import pytest
 from external_tools import require_tool
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.targets.wireshark.backend import dissector, refusals
+from fieldspec.targets.wireshark.text import WIDTH, Data, table
 from layouts import SPECS, TEST_SPECS, layouts
 
 DEVICES = {
@@ -50,3 +51,16 @@ def test_old_and_new_lua_recognize_the_same_frames(device: str, tmp_path: Path) 
     old, new = answers
     assert old == new
     assert [line.split()[0] == "true" for line in new] == [fits for _, _, _, fits in rows]
+
+
+TABLES: list[tuple[Data, str]] = [
+    ({"a": 1}, "{ a = 1 }"),
+    ([[]], "{ {} }"),
+    ({"a": None, "end": "x", "b": [True, [2, 3]]}, '{ ["end"] = "x", b = { true, { 2, 3 } } }'),
+]
+
+
+@pytest.mark.parametrize(("value", "line"), TABLES)
+def test_a_table_is_one_line_exactly_where_it_has_room(value: Data, line: str) -> None:
+    assert table(value, WIDTH - len(line)) == line
+    assert len(table(value, WIDTH - len(line) + 1).splitlines()) > 1

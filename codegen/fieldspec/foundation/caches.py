@@ -11,7 +11,7 @@ from fieldspec.foundation.classes import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-    from typing import Generic, TypeVar
+    from typing import Any, Generic, TypeVar
 
     Key = TypeVar("Key")
     Value = TypeVar("Value")
@@ -67,11 +67,11 @@ class ObjectsKey:
     Like `ByIdentity`, it keeps the objects alive.
     """
 
-    __slots__ = ("_identities", "_objects")
+    __slots__ = ("_identities", "objects")
 
-    def __init__(self, objects: Iterable[object]) -> None:
-        self._objects = tuple(objects)
-        self._identities = tuple(map(id, self._objects))
+    def __init__(self, objects: Iterable[Any]) -> None:
+        self.objects = tuple(objects)
+        self._identities = tuple(map(id, self.objects))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ObjectsKey) and self._identities == other._identities

@@ -1,14 +1,28 @@
 import { CodecError } from "./error.js";
 
-/** Whether a number says that an optional field is sent. */
-export const isPresent = ({ mask, numbers }, number) => numbers.includes((Number(number) & mask) >>> 0);
+/** The bits of a number that say how many elements a field has; where they count these, as a number of their own. */
+function decidingBits({ mask, numbers }, number) {
+  const bits = (Number(number) & mask) >>> 0;
+  return numbers.length ? bits : bits / ((mask & -mask) >>> 0);
+}
+
+/** Whether a number is right about how many elements a field has. */
+export function fits(presence, number, elements) {
+  const { numbers, unit, plus } = presence;
+  const bits = decidingBits(presence, number);
+  return numbers.length ? numbers.includes(bits) === elements > 0 : bits === elements * unit + plus;
+}
+
+/** What the bits that count elements should contain. */
+export const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
 /** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
 function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
   if (!length) return most;
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
-  if (presence) return isPresent(presence, number) ? element : 0;
+  if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
+  if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
 }
 
@@ -128,7 +142,7 @@ function elementsIn(list, data, size, start) {
  * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
  * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
  * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image. With a `presence`,
- * bits of the number say whether the only element is sent.
+ * bits of the number say whether the only element is sent, or have the count.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];

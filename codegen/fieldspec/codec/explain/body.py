@@ -179,7 +179,7 @@ class Body:
             return self._missing(fields, offset)
         elif inner.decision is not None:
             text = f"{inner.decision.name} decides that {name} has more bytes than there are"
-        elif inner.presence is not None:
+        elif inner.presence is not None and inner.presence.numbers:
             reason, text = "incomplete", f"{inner.count} says that {name} is sent, but its bytes are missing"
         else:
             reason, text = "incomplete", f"{inner.count} counts more {name} than there are"
@@ -328,15 +328,19 @@ class Body:
         return max(0, min(self._count(field), (self.end - self.start - field.offset) // field.size))
 
     def _deciding(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
-        """The value of a field that says whether others are sent, judged by whether they are."""
+        """The value of a field whose bits say how many elements others have, judged by how many they have."""
         for other in self.record.fields:
-            presence = other.presence
-            if read.reason or presence is None or presence.by != field.name or not isinstance(read.number, int):
+            presence, number = other.presence, read.number
+            if read.reason or presence is None or presence.by != field.name or not isinstance(number, int):
                 continue
             items = self._items_at_end(other) if self.record.inner_lists is None else self._items_if_known(other)
-            if items is not None and presence.is_met(read.number) != bool(items):
-                expected = f"a number with which {other.name} is{'' if items else ' not'} sent"
-                return read.judged(False, expected, "wrong_measure")
+            if items is None and self.record.inner_lists is not None:
+                unknown = self.record.inner_lists.lists[len(self.extents)]
+                read = self._wrong_count(unknown, field, read) if unknown.name == other.name else read
+            elif items is not None and not presence.fits(number, items):
+                is_sent = f"a number with which {other.name} is{'' if items else ' not'} sent"
+                count = presence.bits_text(items * presence.unit + presence.plus)
+                return read.judged(False, is_sent if presence.numbers else count, "wrong_measure")
         return read
 
     def _items_if_known(self, field: FieldLayout) -> int | None:
@@ -350,7 +354,9 @@ class Body:
         if inner.count != field.name or not self._has_wrong_count(inner):
             return read
         low, high = (size // inner.unit + inner.plus for size in (inner.least, inner.most))
-        return read.judged(False, f"{low} to {high}", "wrong_measure")
+        expected = f"{low} to {high}"
+        expected = expected if inner.presence is None else inner.presence.bits_text(expected)
+        return read.judged(False, expected, "wrong_measure")
 
     def _repeated(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
         """The value of a field that repeats one of the request, judged by the value there."""

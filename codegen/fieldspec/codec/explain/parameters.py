@@ -156,9 +156,10 @@ def _read_as(
         text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
         return replace(row, verdict=text, reason="out_of_range")
     value = fact.value.for_writing() if is_request else fact.value
-    read = (decode_value if is_request else decode_answer)(device, value, *decode_arguments, reserved=fact.reserved)
-    if element.parameter.trigger and not is_request:
-        read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
+    if is_request:
+        read = decode_value(device, value, *decode_arguments, fact.reserved)
+    else:
+        read = decode_answer(device, value, *decode_arguments, fact.reserved, element.parameter.trigger)
     errata = (*row.errata, *errata_at(device, element.parameter.place.path))
     return replace(
         row,

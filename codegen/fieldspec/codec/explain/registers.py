@@ -286,11 +286,11 @@ def _occupant_row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Sp
     if piece:
         value = occupant.value.for_writing() if operation == "write" else occupant.value
         value = _by_exponent(layout, span, occupant, value)
-        decode = decode_value if operation == "write" else decode_answer
-        swapped = occupant.is_swapped(operation)
-        read = decode(layout.device, value, piece.content, occupant.order, swapped, occupant.reserved)
-        if occupant.trigger and operation == "read":
-            read = replace(read, verdict="", reason="")  # what starts something does not answer what was written
+        arguments = piece.content, occupant.order, occupant.is_swapped(operation), occupant.reserved
+        if operation == "write":
+            read = decode_value(layout.device, value, *arguments)
+        else:
+            read = decode_answer(layout.device, value, *arguments, trigger=occupant.trigger)
     else:
         is_inside = _is_within(occupant, span)
         read = DecodedValue(None, notes=() if is_inside else (_PARTIAL[occupant.atomic].format(span.unit),))

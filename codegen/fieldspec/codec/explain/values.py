@@ -209,17 +209,27 @@ def _named(device: Device, value: Value, row: Row) -> DecodedValue:
 
 
 def decode_answer(
-    device: Device, value: Value, data: bytes, order: str, swapped: bool, reserved: bool = False
+    device: Device,
+    value: Value,
+    data: bytes,
+    order: str,
+    swapped: bool,
+    reserved: bool = False,
+    trigger: bool = False,
 ) -> DecodedValue:
     """The meaning of the bytes of a value that is read: one that is not its constant has a note. Never raises.
 
-    A constant binds only what is written, so that codecs take such an answer.
+    A constant binds only what is written, so that codecs take such an answer. The answer of a `trigger` is wrong only
+    if codecs refuse it, as `Value.as_answer` says.
     """
-    read = decode_value(device, value, data, order, swapped, reserved)
-    if read.reason != "wrong_const":
+    arguments = data, order, swapped, reserved
+    read = decode_value(device, value, *arguments)
+    if read.reason == "wrong_const":
+        answer = decode_value(device, value.as_answer(False), *arguments)
+        read = replace(answer, notes=(*answer.notes, f"It {read.verdict.removeprefix('wrong: ')}."))
+    if not trigger or decode_value(device, value.as_answer(True), *arguments).reason == "unknown_value":
         return read
-    answer = decode_value(device, value.as_answer(False), data, order, swapped, reserved)
-    return replace(answer, notes=(*answer.notes, f"It {read.verdict.removeprefix('wrong: ')}."))
+    return replace(read, verdict="", reason="")
 
 
 def _float(value: Value, number: float) -> DecodedValue:

@@ -87,10 +87,10 @@ class FrameLayout:
         return number & ~CAN_REMOTE if has_remote else number
 
     def numbers(self, data: bytes) -> dict[str, int]:
-        """The numbers of the parts before the body, by name; -1 for what is not the digits of a number."""
+        """The numbers of the whole parts before the body, by name; -1 for what is not the digits of a number."""
         numbers = {}
         for part in self.header:
-            if part.value is not None:
+            if part.value is not None and part.offset + part.size <= len(data):
                 number = part.read(data[part.offset : part.offset + part.size])
                 numbers[part.name] = -1 if number is None else number
         return numbers

@@ -156,8 +156,10 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     yield text, spec.reserved, spec.repeat, spec.same_as, filled, *value_words(field.value)
     if field.selector is not None:
         yield "decided by", field.selector.name
-    if field.presence is not None:
+    if field.presence is not None and field.presence.numbers:
         yield "present by", field.presence.by, field.presence.mask, [*field.presence.numbers]
+    if spec.bit_measure is not None:
+        yield "counts in bits", spec.bit_measure.text
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):
         yield "case", sorted(case.numbers), order_of(case.value, case.order), case.swapped, *value_words(case.value)
 

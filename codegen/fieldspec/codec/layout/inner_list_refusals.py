@@ -7,25 +7,29 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 
-_READ, _SENT = "lists that come last, of elements of one size", "fields that are always sent"
+_OPTIONAL, _IN_BITS = "is optional", "has its count in some bits of a field"
+_READ = {_OPTIONAL: "fields that are always sent", _IN_BITS: "counts that are whole fields"}
+_LISTS = "lists that come last, of elements of one size"
 _KEYS = ("present_if", "packed_bits", "repeat", "record")
 
 
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
-    """A refusal of each list with fields after it, and of each optional field; `reader` is what does not read it."""
+    """A refusal of each list with fields after it or a count in bits, and of each optional field, which `reader` does
+    not read.
+    """
     bodies = [body for message in layout.messages.values() for body in message.bodies]
     lists = {
         field.field.place.path: (field.field, problem)
         for body in (*layout.records.values(), *bodies)
         for field in body.sent_fields
-        if (problem := "is optional" if field.presence is not None else _problem(body, field))
+        if (problem := _problem(body, field))
     }
     return [
         Refusal(
             field,
             Diagnostic(
                 "plc_lists_last" if for_controllers else "output_lists_last",
-                f"{field.name} {problem}, and {reader} reads only {_READ if field.presence is None else _SENT}",
+                f"{field.name} {problem}, and {reader} reads only {_READ.get(problem, _LISTS)}",
                 field.place[next((key for key in _KEYS if key in field.place), "choice")],
                 help=LEAVE_OUT,
             ),
@@ -36,6 +40,8 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
 
 def _problem(body: RecordLayout, field: FieldLayout) -> str:
     """Why such outputs do not read a field; empty where they do."""
+    if field.presence is not None:
+        return _IN_BITS if field.has_count_in_bits else _OPTIONAL
     if body.inner_lists is None or not field.varies:
         return ""
     if field.value is not None and field.value.packed_bits:

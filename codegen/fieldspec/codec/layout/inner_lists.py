@@ -48,7 +48,7 @@ class InnerList:
     `count` is empty where the number is always the same, and where the data end with the list and the fields
     after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
     where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image. With a
-    `presence`, the number says whether the only element is sent.
+    `presence`, bits of the number say whether the only element is sent, or have the count.
     """
 
     name: str
@@ -71,8 +71,10 @@ class InnerList:
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
         if self.presence is not None:
-            return self.element if self.presence.is_met(number) else 0
-        size = (number - self.plus) * self.unit
+            elements = self.presence.elements(number)
+            size = -1 if elements is None else elements * self.element
+        else:
+            size = (number - self.plus) * self.unit
         return None if size % self.element or not self.least <= size <= self.most else size
 
     def count_in(self, image: bytes) -> int:

@@ -1,4 +1,4 @@
-"""Fields that are not always sent, and the bits of an earlier field that say whether one is."""
+"""Fields that are not always sent and lists, and the bits of an earlier field that say how many elements they have."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.enums import Enum
-from fieldspec.language.model.record import Record
+from fieldspec.language.model.record import Record, bit_count
 
 if TYPE_CHECKING:
     from typing import Any
@@ -14,23 +14,66 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class PresenceLayout:
-    """A field is sent if the bits `mask` of the number of the field `by` are one of `numbers`."""
+    """A field is sent if the bits `mask` of the number of the field `by` are one of `numbers`.
+
+    Where there are no `numbers`, these bits are a number of their own: `unit` for each element of a list, plus `plus`.
+    """
 
     by: str
     mask: int
     numbers: tuple[int, ...]
+    unit: int = 1
+    plus: int = 0
+
+    @property
+    def shift(self) -> int:
+        """The lowest of the bits."""
+        return (self.mask & -self.mask).bit_length() - 1
+
+    def bits_in(self, number: int) -> int:
+        """The number in the bits."""
+        return (number & self.mask) >> self.shift
+
+    def bits_text(self, content: object) -> str:
+        """`4 in bits 0..3`: what the bits should contain."""
+        return f"{content} in bits {self.shift}..{self.mask.bit_length() - 1}"
 
     def is_met(self, number: int) -> bool:
         """Whether a number says that the field is sent."""
         return number & self.mask in self.numbers
 
+    def elements(self, number: int) -> int | None:
+        """How many elements a number says that there are, None where it cannot be right; 1 if the field is sent."""
+        if self.numbers:
+            return int(self.is_met(number))
+        elements, rest = divmod(self.bits_in(number) - self.plus, self.unit)
+        return None if rest or elements < 0 else elements
+
+    def fits(self, number: int, elements: int) -> bool:
+        """Whether a number is right about how many elements there are."""
+        if self.numbers:
+            return self.is_met(number) == bool(elements)
+        return self.bits_in(number) == elements * self.unit + self.plus
+
+    def filled(self, number: int, elements: int) -> int:
+        """A number whose bits are right about the elements of a list, which it counts."""
+        return number & ~self.mask | (elements * self.unit + self.plus) << self.shift & self.mask
+
     def text(self, name: str, number: int) -> str:
         """The statement of a number about the field with a name."""
+        if not self.numbers:
+            return f"{self.by} is {number}, which counts {self.bits_in(number)} for {name}"
         return f"{self.by} is {number}, which says that {name} is{'' if self.is_met(number) else ' not'} sent"
 
 
-def presence_layout(record: Record, name: str, enums: Mapping[str, Enum]) -> PresenceLayout | None:
-    """The bits that say whether a field of a record is sent, None for one that always is."""
+def presence_layout(record: Record, name: str, size: int, enums: Mapping[str, Enum]) -> PresenceLayout | None:
+    """The bits that say whether a field of a record is sent, or how many elements of some bytes it has; None where no
+    bits do.
+    """
+    if (count := bit_count(record, name)) is not None and count[1].bits is not None:
+        measure, (low, high) = count[1], count[1].bits
+        unit = size if measure.of == "bytes" else 1
+        return PresenceLayout(count[0].name, (2 << high) - (1 << low), (), unit, measure.plus)
     field = record.named(name)
     presence = field.presence if field is not None else None
     selector = record.named(presence.by) if presence is not None else None
@@ -45,4 +88,5 @@ def presence_layout(record: Record, name: str, enums: Mapping[str, Enum]) -> Pre
 
 def presence_data(presence: PresenceLayout) -> dict[str, Any]:
     """A presence as programs in JavaScript have it."""
-    return {"by": presence.by, "mask": presence.mask, "numbers": [*presence.numbers]}
+    data = {"by": presence.by, "mask": presence.mask, "numbers": [*presence.numbers]}
+    return data if presence.numbers else {**data, "unit": presence.unit, "plus": presence.plus}

@@ -19,7 +19,7 @@ from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
-    from typing import Literal
+    from typing import Any, Literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,9 +134,14 @@ class FieldLayout:
         """How many elements it has, at least and at most."""
         return (repeat.low, repeat.high) if (repeat := self.field.repeat) is not None else (self.count or 1,) * 2
 
+    @property
+    def has_count_in_bits(self) -> bool:
+        """Whether bits of an earlier field have its number of elements."""
+        return self.presence is not None and not self.presence.numbers
+
     def least_count(self, values: Mapping[str, object]) -> int:
         """How many elements it has at least, with some raw values of the fields before it."""
-        if self.presence is None:
+        if self.presence is None or self.has_count_in_bits:
             return self.bounds[0]
         number = values.get(self.presence.by)
         return int(isinstance(number, int) and self.presence.is_met(number))
@@ -273,6 +278,12 @@ class RecordLayout:
         )
         return replace(self, fields=tuple(fields))
 
+    def with_bit_counts(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Raw values with the bits that count lists as these have elements."""
+        counts = [(own.name, own.presence) for own in self.fields if own.presence and own.has_count_in_bits]
+        numbers = {own.by: own.filled(values[own.by], len(values[name])) for name, own in counts}
+        return {**values, **numbers}
+
     def of_number(self, number: object) -> RecordLayout | None:
         """The record for a value of the selector, None if it decides none."""
         if self.selector is None:
@@ -305,6 +316,8 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
             if field.presence is not None:
                 decider = by_name[field.presence.by]
                 inner = replace(_with_number_at(inner, decider, places[decider.name]), presence=field.presence)
+                if field.has_count_in_bits:
+                    inner = replace(inner, unit=element // field.presence.unit, plus=field.presence.plus)
             elif (count := find_count(record.record, field.field)) is not None:
                 inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:

@@ -107,7 +107,7 @@ def _fixed(
         field_layout = FieldLayout(
             field, field.name, offset, size, count, field.value, nested, order, swapped, cases, sizes
         )
-        field_layout = replace(field_layout, presence=presence_layout(record, field.name, enums))
+        field_layout = replace(field_layout, presence=presence_layout(record, field.name, size, enums))
         fields.append(_with_forms(field_layout, fields))
         offset += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):

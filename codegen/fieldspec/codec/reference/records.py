@@ -207,13 +207,13 @@ def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
 
 
 def _check_counts(record: RecordLayout, values: Mapping[str, Any], offset: int | None) -> None:
-    """Refuses a number of bits that takes other bytes than there are, and one that is wrong about an optional field."""
+    """Refuses a number of bits that takes other bytes than there are, and bits that are wrong about other fields."""
     for field in record.fields:
         decider, text, presence = field, "", field.presence
         if field.bits_of and packed_size(values[field.name]) != len(values[field.bits_of]):
             number, size = values[field.name], len(values[field.bits_of])
             text = f"{field.name} is {number}, which takes {packed_size(number)} bytes, but {field.bits_of} has {size}"
-        if presence is not None and presence.is_met(values[presence.by]) != bool(values[field.name]):
+        if presence is not None and not presence.fits(values[presence.by], len(values[field.name])):
             decider = next(other for other in record.fields if other.name == presence.by)
             text = f"{presence.text(field.name, values[presence.by])}, but there are {len(values[field.name])}"
         if text:

@@ -47,7 +47,7 @@ def _number_of(record: RecordLayout, field: FieldLayout) -> Callable[[Any], int]
     """The number of elements of a list, from the fields before it."""
     presence = field.presence
     if presence is not None:
-        return lambda context: int(presence.is_met(context[presence.by]))
+        return lambda context: presence.elements(context[presence.by]) or 0
     measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
     name = next(other.name for other in record.fields if other.field.measures is measure)
     unit = field.size if measure.of == "bytes" else 1

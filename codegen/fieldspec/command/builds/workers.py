@@ -250,7 +250,8 @@ def task_result(work: Work, task: Task) -> TaskResult:
     if work.memory is not None:
         pieces = work.memory.pieces
         spellings |= {name: dict(output.spellings) for name, output in remembered.items()}
-    with using(spellings if task.key or is_documented or task.lends or work.memory else None), using_pieces(pieces):
+    is_asked = task.key or task.lends or DOCUMENTATION in task.judged
+    with using(spellings if is_asked or is_documented else None), using_pieces(pieces):
         for name in sorted(task.outputs, key=lambda name: name == DOCUMENTATION):  # the last, as it asks the others
             if name in refusing:
                 hashes[name] = {}

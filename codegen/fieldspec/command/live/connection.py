@@ -250,6 +250,13 @@ def unit_address_option(layout: DeviceLayout, link: str | None, pairs: Sequence[
     return rest, int(text)
 
 
+def fixed_options(layout: DeviceLayout, link: str, pairs: Sequence[str]) -> tuple[list[str], list[str]]:
+    """The assignments to values by name, then the assignments to what requests need and no spec states."""
+    fields = {name for name in _open_fields(layout, layout.links[link]) if layout.device.register(name) is None}
+    fixed = [pair for pair in pairs if pair.partition("=")[0] in fields]
+    return [pair for pair in pairs if pair not in fixed], fixed
+
+
 def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str, Raw]:
     """The name and the raw value of a field of requests, from `NAME=VALUE`. Raises UsageError."""
     name, equals, entered = text.partition("=")
@@ -262,7 +269,7 @@ def _fixed_value(layout: DeviceLayout, link: LinkLayout, text: str) -> tuple[str
     try:
         return name, encoded_value(name, value, raw_value(layout.device, name, value, entered), layout.device)
     except (MeaningError, CodecError) as error:
-        raise UsageError(f"--with {text}: {error}") from None
+        raise UsageError(f"{text}: {error}") from None
 
 
 def _open_fields(layout: DeviceLayout, link: LinkLayout) -> dict[str, Value]:

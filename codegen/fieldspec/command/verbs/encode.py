@@ -77,15 +77,22 @@ def _writes_by_name(layout: DeviceLayout, arguments: argparse.Namespace) -> bool
 
 def _write_by_name(layout: DeviceLayout, arguments: argparse.Namespace) -> int:
     """Prints the frames that write registers or parameters by their names. Raises UsageError."""
-    from fieldspec.command.live.connection import access_of, connected, link_of_values, unit_address_option
+    from fieldspec.command.live.connection import (
+        access_of,
+        connected,
+        fixed_options,
+        link_of_values,
+        unit_address_option,
+    )
     from fieldspec.command.live.writing import assignments, frames_of
 
     if arguments.direction == "response":
         raise UsageError(f"{_WRITE} makes requests; name the message to encode a response")
     name = link_of_values(layout, arguments)
     pairs, unit = unit_address_option(layout, name, arguments.assignments[1:])
+    pairs, fixed = fixed_options(layout, name, pairs)
     line = dict.fromkeys(("baud", "parity", "data_bits", "timeout", "pause", "port"))
-    settings = argparse.Namespace(link=name, unit=unit, fixed=[], format="json", trace=False, retries=0, **line)
+    settings = argparse.Namespace(link=name, unit=unit, fixed=fixed, format="json", trace=False, retries=0, **line)
     with connected(layout, settings) as client:
         access = access_of(client)
         for names, frame in frames_of(client, access, assignments(layout, access, pairs)):

@@ -91,6 +91,7 @@ def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result:
 
     uses, names = _uses(arguments, result)
     allowed: dict[int, list[str]] = {}
+    idle_before: set[tuple[int, str]] = set()
     for _ in range(_MOST_ROUNDS):
         surroundings = Surroundings(import_report.head(result, bool(uses)), uses, names, allowed)
         spec = skeleton(device, origin, result.registers, result.refused, surroundings)
@@ -104,7 +105,8 @@ def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result:
             idle = [rule for rule in allowed.get(row, ()) if f"`{rule}`" in finding.message]
             if idle and finding.code == "allowances_used":
                 allowed[row] = [rule for rule in allowed[row] if rule not in idle]
-            elif row and finding.code in _ABOUT_TEXTS:
+                idle_before.update((row, rule) for rule in idle)
+            elif row and finding.code in _ABOUT_TEXTS and (row, finding.code) not in idle_before:
                 allowed.setdefault(row, []).append(finding.code)
             elif row:
                 refused.setdefault(row, f"would break {finding.code}: {finding.message}")

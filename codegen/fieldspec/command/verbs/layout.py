@@ -56,7 +56,7 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
         if record.spans:
             varying = next(span.name for span in record.spans if span.value is not None)
             raise UsageError(f"{record.name} has no layout: {varying} varies in width")
-        optional = next((own.name for own in record.fields if own.presence is not None), "")
+        optional = next((own.name for own in record.fields if own.field.presence is not None), "")
         if optional:
             raise UsageError(f"{record.name} has no layout: {optional} is optional")
         if record.inner_lists is not None:

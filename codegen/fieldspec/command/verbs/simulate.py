@@ -21,6 +21,7 @@ from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.behaviour.part import ASSUMED, NOT_MODELLED, STANDINGS
 from fieldspec.language.behaviour.reading import behaviour_of
 from fieldspec.language.model.link import Link
+from fieldspec.language.model.record import Message
 from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
 from fieldspec.tools.lists.dump import dump, dump_sheet
 from fieldspec.tools.lists.list_file import content_sheet
@@ -83,6 +84,8 @@ def run(arguments: argparse.Namespace) -> int:
                 print_note(f"{layout.device.id} {layout.device.version}, {link}: {name}")
         if arguments.unit is None and _has_unit_address(layout):
             print_note(unit_address_text(simulation.server.unit_address))
+        if arguments.message is None and len(_cyclic_messages(layout)) > 1:
+            print_note(f"message {simulation.message}; --message NAME chooses another")
         if arguments.view:
             from fieldspec.command.serving.simulation_view import show
 
@@ -150,7 +153,10 @@ def _places(layout: DeviceLayout, ports: list[str] | None) -> Iterator[tuple[str
         return
     for port in ports:
         name, mark, place = port.partition("=")
-        if port.partition(":")[0] in layout.links:
+        scheme, colon, _ = port.partition("://")
+        if colon and scheme in layout.links and scheme != layout.device.default_link:
+            raise UsageError(f"--port {port} names no link; write --port {scheme}={port}")
+        if not colon and port.partition(":")[0] in layout.links:
             raise UsageError(f"--port {port} has no place; write --port {port.partition(':')[0]}=pty")
         if not mark or "://" in name:
             name, place = layout.device.default_link, port
@@ -183,9 +189,13 @@ def _has_unit_address(layout: DeviceLayout) -> bool:
     return any(link.request.role("unit_address") is not None for link in layout.links.values())
 
 
+def _cyclic_messages(layout: DeviceLayout) -> list[Message]:
+    return [message for message in layout.device.messages.values() if message.number is not None]
+
+
 def _message(layout: DeviceLayout, name: str | None) -> str:
     """The message in use on links whose frames do not name it. Raises UsageError."""
-    cyclic = [message for message in layout.device.messages.values() if message.number is not None]
+    cyclic = _cyclic_messages(layout)
     if name is None:
         return cyclic[0].name if cyclic else ""
     if not cyclic:

@@ -77,7 +77,7 @@ class InnerList:
     `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide. `parts` tell
     the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
     bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and numbers, the
-    only element is sent if these bits of the number are one of the numbers.
+    only element is sent if these bits of the number are one of the numbers; without numbers, these bits are the count.
     """
 
     __slots__ = (
@@ -127,7 +127,10 @@ class InnerList:
             return self.sizes[-1]
         number = int.from_bytes(data[self.at : self.at + self.length], self.order)
         if self.presence is not None:
-            return self.size if number & self.presence[0] in self.presence[1] else 0
+            mask, numbers = self.presence
+            if numbers:
+                return self.size if number & mask in numbers else 0
+            number = (number & mask) // (mask & -mask)
         return (number - self.plus) * self.unit
 
     def checked_size(self, data: bytes, at: int) -> int:

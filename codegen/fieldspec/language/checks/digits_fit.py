@@ -61,8 +61,14 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
                 fact.place,
                 "codec" if value.codec else "digits",
                 text,
-                "state it as a binary number, or as the bytes of its characters",
+                _binary_form(fact),
             )
+
+
+def _binary_form(fact: Fact) -> str:
+    if isinstance(fact, Field) and fact.measures is not None:
+        return "state it as a binary number, or remove `measures`, so that programs state it"
+    return "state it as a binary number, or as the bytes of its characters"
 
 
 def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -75,7 +81,7 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
         digits = fact.digits if isinstance(fact, Part) and fact.value is None else fact.value and fact.value.digits
         if digits and digits not in NO_CHARACTERS:
             text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
-            help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `encoding`"
+            help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `transmission`"
             related_label = label(link.place, "transmission", "sends every byte as two characters")
             yield finding(_CODE, fact.place, "digits", text, help, related_label, severity=Severity.WARNING)
             return

@@ -2,30 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import chain
 
-from fieldspec.foundation.caches import ByIdentity
-from fieldspec.language.model.attributes import descendants
+from fieldspec.foundation.caches import ByIdentity, ObjectsKey
+from fieldspec.language.model.attributes import MODEL_CLASSES, descendants
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Case, Field, Record
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Signal, Value
 
-_FACTS: ByIdentity[Device, tuple[Fact, ...]] = ByIdentity(limit=1)
-_VALUES: ByIdentity[Device, tuple[tuple[Fact, Value], ...]] = ByIdentity(limit=1)
-"""Those of the last device: many checks in a row look at all of them."""
+
+def _has_facts(model_class: type) -> bool:
+    contents = MODEL_CLASSES[model_class].contents
+    return issubclass(model_class, Fact) or any(_has_facts(content.type) for content in contents)
+
+
+_SECTIONS = tuple(content for content in MODEL_CLASSES[Device].contents if _has_facts(content.type))
+
+_OF_SECTION: ByIdentity[object, tuple[Fact, ...]] = ByIdentity(limit=100)
+"""The facts of sections, most of which versions of a device have in common."""
 
 
 def facts(device: Device) -> tuple[Fact, ...]:
     """All facts in the order of the spec's sections, each before the facts that it contains; separators
     are not facts.
+
+    Devices with the same sections give the same object.
     """
-    return _FACTS.get_or_compute(device, _facts)
+    parts = []
+    for content in _SECTIONS:
+        section = getattr(device, content.attribute)
+        if section not in _OF_SECTION:
+            _OF_SECTION[section] = tuple(
+                fact
+                for item in content.of(device)
+                for fact in (item, *descendants(item))
+                if isinstance(fact, Fact) and not _is_implied(fact)
+            )
+        parts.append(_OF_SECTION[section])
+    return _joined(ObjectsKey(parts))
 
 
-def _facts(device: Device) -> tuple[Fact, ...]:
-    return tuple(item for item in descendants(device) if isinstance(item, Fact) and not _is_implied(item))
+@lru_cache(maxsize=8)
+def _joined(parts: ObjectsKey) -> tuple[Fact, ...]:
+    return tuple(chain.from_iterable(parts.objects))
 
 
 def _is_implied(fact: Fact) -> bool:
@@ -37,17 +60,25 @@ def values(device: Device) -> tuple[tuple[Fact, Value], ...]:
 
     Keys that a field takes as a whole from its signal, or a register from its original, are stated there.
     """
-    return _VALUES.get_or_compute(device, lambda device: tuple(_values(device)))
+    return _values(ObjectsKey((facts(device), device.groups, device.signals)))
 
 
-def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
-    registers = {register.name: register for register in device.registers()}
-    for fact in facts(device):
+@lru_cache(maxsize=8)
+def _values(key: ObjectsKey) -> tuple[tuple[Fact, Value], ...]:
+    all_facts, groups, signals = key.objects
+    registers = {register.name: register for group in groups for register in group.registers}
+    return tuple(_own_values(all_facts, registers, signals))
+
+
+def _own_values(
+    all_facts: Sequence[Fact], registers: Mapping[str, Register], signals: Mapping[str, Signal]
+) -> Iterator[tuple[Fact, Value]]:
+    for fact in all_facts:
         value = getattr(fact, "value", None)
         if isinstance(value, Value):
             original: Signal | Register | None = None
             if isinstance(fact, Field):
-                original = device.signals.get(fact.signal)
+                original = signals.get(fact.signal)
             elif isinstance(fact, Register):
                 original = registers.get(fact.copy_of)
             if original is None or original.value != value:

@@ -35,7 +35,7 @@ def identifiers_consistent(device: Device) -> Iterator[Diagnostic]:
                 used.setdefault(word, []).append((place, key))
     alike: dict[str, str] = {}
     for word in used:
-        for variant in {word, *_shorter(word), *_swapped(word)}:
+        for variant in dict.fromkeys((word, *_shorter(word), *_swapped(word))):
             other = alike.setdefault(variant.casefold(), word)
             if other != word and _misspelt(word, other):
                 yield _finding(used, word, other)

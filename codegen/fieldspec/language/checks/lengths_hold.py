@@ -21,7 +21,7 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Place
 from fieldspec.language.model.link import Part, PartSpan
-from fieldspec.language.model.record import Field
+from fieldspec.language.model.record import Field, Measure
 from fieldspec.language.model.sizes import RecordSizes, messages_sent, shapes
 from fieldspec.language.model.value import Value
 
@@ -34,9 +34,10 @@ def lengths_hold(device: Device) -> Iterator[Diagnostic]:
     for layer in layers(device):
         fields = {field.name: field for field in layer.fields}
         for field in layer.fields:
-            measured = fields.get(field.measures.field) if field.measures is not None else None
-            if measured is not None:
-                yield from _of_field(field, measured, sizes)
+            measure = field.stated_measure
+            measured = fields.get(measure.field) if measure is not None else None
+            if measure is not None and measured is not None:
+                yield from _of_field(field, measure, measured, sizes)
     frames = [frame for direction in ("request", "response") for frame in _frames(device, direction, sizes)]
     for frame in frames:
         yield from _of_data(frame)
@@ -56,10 +57,10 @@ class _Frame:
     most: int
 
 
-def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
-    if field.value is None or field.measures is None or not is_count(field.value.encoding):
+def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
+    if field.value is None or not is_count(field.value.encoding):
         return
-    if field.measures.of == "bytes":
+    if measure.of == "bytes":
         bounds = sizes.field(measured)
     elif measured.repeat is not None:
         bounds = measured.repeat.low, measured.repeat.high
@@ -67,19 +68,23 @@ def _of_field(field: Field, measured: Field, sizes: RecordSizes) -> Iterator[Dia
         bounds = measured.count or 1, measured.count or 1
     if bounds is None:
         return
-    minimum, maximum = (size + field.measures.plus for size in bounds)
-    unit = "bytes" if field.measures.of == "bytes" else "elements"
+    minimum, maximum = (size + measure.plus for size in bounds)
+    unit = "bytes" if measure.of == "bytes" else "elements"
     related_label = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
-    plus = f" plus {field.measures.plus}" if field.measures.plus else ""
+    plus = f" plus {measure.plus}" if measure.plus else ""
     text = f"{field.name} counts {interval(minimum, maximum)} {unit} of {measured.name}{plus}"
     if minimum < 0:
         help = "correct `plus` or the number of elements"
         yield finding(
             _CODE, field.place, "measures", f"{text}, but no number of {unit} is below zero", help, related_label
         )
-    if maximum > field.value.type.high:
-        text += f", but the maximum of {field.value.type.name} is {field.value.type.high}"
-        yield finding(_CODE, field.place, "type", text, _HELP, related_label)
+    type_text, limit = field.value.type.name, field.value.type.high
+    if measure.bits is not None:
+        low, high = measure.bits
+        type_text, limit = f"bits {low}..{high}", (2 << high - low) - 1
+    if maximum > limit:
+        text += f", but the maximum of {type_text} is {limit}"
+        yield finding(_CODE, field.place, "type" if measure.bits is None else "measures", text, _HELP, related_label)
 
 
 def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Frame]:

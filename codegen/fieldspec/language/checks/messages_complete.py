@@ -69,8 +69,10 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
     help += " `const` at the same place"
     if any(map(distinct_place, ([numbers] for numbers in places))):
         text += ", and no constant at the same place of each request tells them apart"
-        help = "give each of them a number of up to eight bytes with its own `const` at the same place, or a byte with"
-        help += " a `range` of its own"
+        help = "give each of them a number of up to eight bytes with its own `const` at the same place, all"
+        help += " of one size, or a byte with a `range` of its own"
+    if bool(message.request.fields) != bool(other.request.fields):
+        help += "; if only their sizes differ, state one message, and these fields as a record with `repeat: 0..1`"
     yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
 
 

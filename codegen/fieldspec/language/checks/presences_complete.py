@@ -1,9 +1,10 @@
-"""The field that says whether another one is sent comes before it in its record. It is one unsigned binary number of at
-most four bytes that programs set: not a constant, reserved, optional, computed or a parameter. It has the bit, or the
-enum with the members. Nothing measures an optional field. The data of exception responses, and of messages that access
-registers, have none.
+"""The field that says by its bits whether another one is sent, or how many elements it has, comes before it in its
+record. It is one unsigned binary number of at most four bytes that programs set: not a constant, reserved, optional,
+computed or a parameter. It has the bit, or the enum with the members. At most 16 bits count a list with `repeat`, and
+the field with them has no `range`, scale, enum or special values. Nothing else measures such fields. The data of
+exception responses, and of messages that access registers, have none.
 
-Why: a decoder reads the deciding field first, and then knows whether the bytes of the other field follow.
+Why: a decoder reads the deciding field first, and then knows how many bytes of the other field follow.
 
 Example: `present_if: {by: flags, bit: 9}` for a field `flags` of the type `u8`.
 
@@ -21,15 +22,18 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole, is_signed
 from fieldspec.language.model.raw_numbers import orders_of
-from fieldspec.language.model.record import Field, Presence, Record
+from fieldspec.language.model.record import Field, Measure, Presence, Record
+from fieldspec.language.model.sizes import RecordSizes
 
 _CODE = "presences_complete"
 _KEY = "present_if"
 _MOST_BYTES = 4
+_MOST_BITS = 16
 
 
 def presences_complete(device: Device) -> Iterator[Diagnostic]:
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
+    sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
             if field.presence is not None and layer.name in refusing and device.records.get(layer.name) is layer:
@@ -38,15 +42,28 @@ def presences_complete(device: Device) -> Iterator[Diagnostic]:
             if field.presence is not None:
                 yield from _decided(device, layer, field, field.presence)
                 yield from _measured(layer, field)
+            measured = layer.named(field.bit_measure.field) if field.bit_measure is not None else None
+            if field.bit_measure is not None and measured is not None:
+                is_refusing = layer.name in refusing and device.records.get(layer.name) is layer
+                for problem, help in _count_problems(
+                    device, sizes, layer, field, field.bit_measure, measured, is_refusing
+                ):
+                    text = f"some bits of {field.name} count {measured.name}, {problem}"
+                    yield finding(
+                        _CODE, field.place, "measures", text, help, label(measured.place, "name", measured.name)
+                    )
     for message in device.messages.values():
         bodies = (message.request, message.response) if message.accesses else ()
         optional = next(
-            (field for body in bodies for field in nested_fields(device, body.fields) if field.presence), None
+            (own for body in bodies for own in nested_fields(device, body.fields) if own.presence or own.bit_measure),
+            None,
         )
         if optional is not None:
-            text = f"{message.name} reads or writes registers, and {optional.name} is optional"
+            problem = "is optional" if optional.presence is not None else "counts a list in its bits"
+            text = f"{message.name} reads or writes registers, and {optional.name} {problem}"
             help = "remove `accesses`, or state a message for each case"
-            yield finding(_CODE, message.place, "accesses", text, help, label(optional.place, _KEY, optional.name))
+            key = _KEY if optional.presence is not None else "measures"
+            yield finding(_CODE, message.place, "accesses", text, help, label(optional.place, key, optional.name))
 
 
 def _decided(device: Device, layer: Record, field: Field, presence: Presence) -> Iterator[Diagnostic]:
@@ -59,15 +76,42 @@ def _decided(device: Device, layer: Record, field: Field, presence: Presence) ->
         text = f"{decider.name} decides whether {field.name} is sent, but does not come before it"
         help = "list the fields in the order of the wire"
         yield finding(_CODE, field.place, _KEY, text, help, label(decider.place, "name", decider.name))
-    objection = _objection(device, decider, presence)
+    objection = _objection(device, decider, presence.bit, needs_enum=presence.bit is None)
     if objection:
         text = f"{decider.name} cannot decide whether {field.name} is sent: {objection}"
         help = "name one unsigned number with the bit or the enum"
         yield finding(_CODE, field.place, _KEY, text, help, label(decider.place, "name", decider.name))
 
 
-def _objection(device: Device, decider: Field, presence: Presence) -> str:
-    """The reason why a field cannot decide another one, or an empty text."""
+def _count_problems(
+    device: Device, sizes: RecordSizes, layer: Record, field: Field, measure: Measure, measured: Field, refuses: bool
+) -> Iterator[tuple[str, str]]:
+    """The problems of a field that counts another one in its bits, each with a help."""
+    assert measure.bits is not None
+    low, high = measure.bits
+    if layer.fields.index(field) >= layer.fields.index(measured):
+        yield "but it does not come before it", "list the fields in the order of the wire"
+    value = field.value
+    objection = _objection(device, field, high, needs_enum=False)
+    has_meaning = value is not None and (value.enum or value.scaled or value.sentinels or value.ranges)
+    if objection or has_meaning:
+        yield f"but {objection or 'it is a number with a meaning of its own'}", "name bits of one unsigned number"
+    if high - low >= _MOST_BITS:
+        yield f"in {high - low + 1} bits", f"a count has at most {_MOST_BITS} bits"
+    if measured.repeat is None or measured.presence is not None or measured.choice is not None:
+        yield "which has no number of elements", "state the `repeat` of a list that is always sent, of one type"
+    is_packed = measured.value is not None and measured.value.packed_bits > 0
+    if measure.of == "bytes" and (is_packed or sizes.element(measured) is None):
+        yield "whose elements have no bytes of one number", f"count the elements: `items: {measured.name}`"
+    measures = [other.stated_measure for other in layer.fields if other.stated_measure is not None]
+    if any(own is not measure and own.field == measured.name for own in measures):
+        yield "which another field measures as well", "remove one of them"
+    if refuses:
+        yield f"and {layer.name} is the data of exceptions", "state a fixed `count`, or list the repeated field last"
+
+
+def _objection(device: Device, decider: Field, bit: int | None, needs_enum: bool) -> str:
+    """The reason why a field cannot decide another one, by a bit or its enum; or an empty text."""
     value = decider.value
     if value is None or decider.is_list:
         return "it is not a single value"
@@ -75,9 +119,9 @@ def _objection(device: Device, decider: Field, presence: Presence) -> str:
         return f"it is {value.type.name}"
     if decider.reserved or value.const is not None or decider.measures is not None or value.parameter is not None:
         return "programs do not set it"
-    if presence.bit is not None and presence.bit >= 8 * value.size:
-        return f"it has no bit {presence.bit}"
-    if presence.bit is None and not value.enum:
+    if bit is not None and bit >= 8 * value.size:
+        return f"it has no bit {bit}"
+    if needs_enum and not value.enum:
         return "it has no enum"
     is_swapped = orders_of(value, device.byte_order, device.word_order)[1]
     return "its word order differs from its byte order" if is_swapped else ""

@@ -220,8 +220,8 @@ def _within(
         else:
             yield from _named(field.place, "same_as", "field", field.same_as, origin)
         yield from _named(field.place, "signal", "signal", field.signal, device.signals)
-        if field.measures is not None:
-            yield from _named(field.place, "measures", "field here", field.measures.field, own)
+        if (measure := field.stated_measure) is not None:
+            yield from _named(field.place, "measures", "field here", measure.field, own)
         if (presence := field.presence) is not None:
             yield from _named(field.place, "present_if", "field here", presence.by, own)
             yield from _of_members(device, layer.named(presence.by), field.place, "present_if", presence.when)

@@ -78,7 +78,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
     counts = [
-        other for other in layer.fields[:index] if other.measures is not None and other.measures.field == field.name
+        other for other in layer.fields[:index] if (own := other.stated_measure) is not None and own.field == field.name
     ]
     varying = next((other for other in later_fields if not sizes.is_fixed(other)), None)
     is_open = field.repeat is not None and not field.is_optional and field.choice is None

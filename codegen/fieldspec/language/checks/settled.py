@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from operator import is_
 
-from fieldspec.foundation.caches import ByIdentity
+from fieldspec.foundation.caches import ByIdentity, ObjectsKey
 from fieldspec.language.checks.facts import values
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
@@ -52,8 +52,16 @@ class _OpenFacts:
         return result
 
 
-_OPEN: ByIdentity[Device, _OpenFacts] = ByIdentity(limit=1)
+_OPEN: dict[ObjectsKey, _OpenFacts] = {}
 """Those of the last device: many checks in a row ask for them."""
+
+
+def _open_facts(device: Device) -> _OpenFacts:
+    key = ObjectsKey((device.enums, device.flags, values(device)))
+    if key not in _OPEN:
+        _OPEN.clear()
+        _OPEN[key] = _OpenFacts(device)
+    return _OPEN[key]
 
 
 def _is_open(fact: Fact, relatives: _Relatives) -> bool:
@@ -65,7 +73,7 @@ def _is_open(fact: Fact, relatives: _Relatives) -> bool:
 
 def of_values(device: Device, judge: Callable[[Fact, Value], Iterable[Diagnostic]]) -> Iterator[Diagnostic]:
     """The findings of a check in values, each of which it judges by the value, its enum, and its word of bits."""
-    open_facts = _OPEN.get_or_compute(device, _OpenFacts)
+    open_facts = _open_facts(device)
     open_facts.unfinished += 1
     for fact, value, _ in open_facts.values:
         yield from open_facts.judged(fact, judge(fact, value))
@@ -74,7 +82,7 @@ def of_values(device: Device, judge: Callable[[Fact, Value], Iterable[Diagnostic
 
 def of_words(device: Device, judge: Callable[[Flags], Iterable[Diagnostic]]) -> Iterator[Diagnostic]:
     """The findings of a check in words of bits, each of which it judges by the word and the enums of its bits."""
-    open_facts = _OPEN.get_or_compute(device, _OpenFacts)
+    open_facts = _open_facts(device)
     open_facts.unfinished += 1
     for word, _ in open_facts.words:
         yield from open_facts.judged(word, judge(word))
@@ -83,7 +91,7 @@ def of_words(device: Device, judge: Callable[[Flags], Iterable[Diagnostic]]) -> 
 
 def settle(device: Device) -> None:
     """Settles what all checks have judged in a device, unless one has ended early."""
-    open_facts = _OPEN.get_or_compute(device, _OpenFacts)
+    open_facts = _open_facts(device)
     if open_facts.unfinished:
         return
     judged_facts: list[tuple[Fact, _Relatives]] = [*open_facts.words]

@@ -5,9 +5,11 @@ A check yields findings and knows nothing of allowances: they are applied here, 
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterable, Iterator
 from importlib import import_module
 
+from fieldspec.foundation.caches import ObjectsKey
+from fieldspec.foundation.observation import observed, read_attributes
 from fieldspec.language.checks.allowances_used import allowances_used
 from fieldspec.language.checks.finding import Allowance, Check, Coverage, allowances
 from fieldspec.language.checks.settled import settle
@@ -152,6 +154,13 @@ INSTALLED: dict[str, Check] = {}
 """The checks of installed packages, by their codes; `command` adds them."""
 
 
+_PASSED: dict[str, dict[tuple[str, ...], dict[ObjectsKey, None]]] = {}
+"""By check, the attributes of devices that it has read, and their values where it has found nothing."""
+
+MOST_PASSED = 100
+"""How many values of the same attributes stay."""
+
+
 def run(device: Device, without: Container[str] = ()) -> list[Diagnostic]:
     """The findings of all checks except those in `without`, in order."""
     all_allowances = list(allowances(device))
@@ -175,13 +184,40 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
     return in_order(_unallowed(device, name, list(allowances(device, name)), set()))
 
 
+def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
+    """The findings of a check. It does not run where it has found nothing in the same objects before."""
+    if name in INSTALLED:
+        yield from INSTALLED[name](device)
+        return
+    passed = _PASSED.setdefault(name, {})
+    if any(_values(device, attributes) in known for attributes, known in passed.items()):
+        return
+    reading = observed(device)
+    count = 0
+    for count, finding in enumerate(_BY_NAME[name](reading), 1):  # noqa: B007
+        yield finding
+    if count:
+        return
+    attributes = tuple(read_attributes(reading))
+    known = passed.setdefault(attributes, {})
+    if len(known) == MOST_PASSED:
+        del known[next(iter(known))]
+    known[_values(device, attributes)] = None
+
+
+def _values(device: Device, attributes: Iterable[str]) -> ObjectsKey:
+    """The values of some attributes. Lists are made again from the same objects."""
+    values = (getattr(device, name) for name in attributes)
+    return ObjectsKey(item for value in values for item in ((tuple, *value) if isinstance(value, tuple) else (value,)))
+
+
 def _unallowed(
     device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]
 ) -> Iterator[Diagnostic]:
     """The findings of a check that no allowance covers; the allowances that cover a finding are added to `used`."""
     coverage: Coverage | None = None
     count = 0
-    for finding in (_BY_NAME.get(name) or INSTALLED[name])(device):
+    for finding in _findings(device, name):
         coverage = coverage or Coverage(own_allowances)
         covering = coverage.of(finding)
         used.update(covering)

@@ -25,7 +25,7 @@ from fieldspec.language.checks.finding import finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_letters, has_sign
-from fieldspec.language.model.encoding import is_signed, is_text
+from fieldspec.language.model.encoding import is_array, is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
 from fieldspec.language.model.record import Field, Message, Record, text_count
@@ -53,7 +53,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
         is_in_place = id(fact) in messages or id(fact) in parts
         problem = _form(value) or _place(fact, is_in_place)
         if problem:
-            yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(value, is_in_place))
+            yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(fact, value, is_in_place))
     for message in device.messages.values():
         for body in _bodies(message):
             yield from _of_message(sizes, message, body)
@@ -85,11 +85,19 @@ def _form(value: Value) -> str:
     return ""
 
 
-def _cure(value: Value, is_in_place: bool) -> str:
+def _cure(fact: Fact, value: Value, is_in_place: bool) -> str:
     """What to write for a value of one width; `is_in_place` says that it could vary where it stands."""
     form = value.text_form
     if not is_in_place and is_text(value.encoding):
         return "remove it; or put a `u8` or `u16` before it that `measures` its bytes, and the record in a message"
+    if not is_text(value.encoding) and not value.has_characters:
+        is_list = is_array(value.encoding) and isinstance(fact, Field)
+        return f"state a list of them: `type: u8, repeat: 0..{value.size}`" if is_list else "remove it"
+    if is_signed(value.encoding) and not has_sign(value):
+        unsigned = f"use `u{8 * value.type.size}`, a number that the program converts"
+        return f"{unsigned}; or remove it, and state the usual length"
+    if not is_in_place and not is_text(value.encoding) and isinstance(fact, Field):
+        return f"remove it, and state the usual length; or state its characters: `type: u8, repeat: 1..{value.size}`"
     if form is None or form.terminator is None or form.encoding == UTF_16 or form.is_right or form.padding:
         return "remove it, and state the usual length"
     end = f"{{name: end, type: u8, const: 0x{form.terminator:02X}}}"

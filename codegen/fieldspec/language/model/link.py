@@ -74,7 +74,7 @@ class ExceptionResponse:
     def is_marked(self, code: int, parts: Mapping[str, object]) -> bool:
         """Whether a response with a code and other parts before the body is an exception response."""
         if self.part:
-            return self.normal is not None and parts[self.part] not in self.normal
+            return self.normal is not None and self.part in parts and parts[self.part] not in self.normal
         return code == self.code if self.code is not None else bool(code & self.flag)
 
     @property

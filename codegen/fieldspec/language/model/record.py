@@ -14,11 +14,15 @@ from fieldspec.language.model.value import Handling, Value
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """A field contains the size of another one, its `bytes` or its number of `items`, and a constant number more."""
+    """A field contains the size of another one, its `bytes` or its number of `items`, and a constant number more.
+
+    It is the whole field, or some adjacent `bits` of it: the first and the last, bit 0 being the least significant.
+    """
 
     of: str
     field: str
     plus: int = 0
+    bits: tuple[int, int] | None = None
 
     def number(self, items: int, size: int) -> int:
         """The content of the field for a number of elements of `size` bytes."""
@@ -27,6 +31,13 @@ class Measure:
     def unit(self, size: int) -> int:
         """The bytes for each unit of the number, where an element has `size` bytes."""
         return 1 if self.of == "bytes" else size
+
+    @property
+    def text(self) -> str:
+        """`the number of bytes of options less 5, in bits 0..3`: what the field contains."""
+        plus = f" {'plus' if self.plus > 0 else 'less'} {abs(self.plus)}" if self.plus else ""
+        bits = f", in bits {self.bits[0]}..{self.bits[1]}" if self.bits is not None else ""
+        return f"the number of {self.of} of {self.field}{plus}{bits}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,7 +83,8 @@ class Field(Fact):
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
     places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
     that `is_implied` is not in the spec: a byte of the record's `separator`, or a DLC. A field with a `presence`
-    repeats from 0 on.
+    repeats from 0 on. It `measures` another field as a whole, or by a `bit_measure` in some of its bits, which programs
+    set and codecs compare.
     """
 
     value: Value | None
@@ -83,6 +95,7 @@ class Field(Fact):
     repeat: Ranges | None
     presence: Presence | None
     measures: Measure | None
+    bit_measure: Measure | None
     reserved: bool
     at: int | None
     words: int | None
@@ -99,6 +112,11 @@ class Field(Fact):
     def is_list(self) -> bool:
         """Whether it is a list of elements."""
         return self.count is not None or self.repeat is not None
+
+    @property
+    def stated_measure(self) -> Measure | None:
+        """The measure that its whole content states, or some of its bits; None for a field that measures nothing."""
+        return self.measures or self.bit_measure
 
     @property
     def is_optional(self) -> bool:
@@ -138,8 +156,10 @@ class Record(Fact):
 def list_count(record: Record, field: Field) -> Field | None:
     """The field before a list that decides how many elements it has if another list follows, None if there is none.
 
-    It is a binary number of one or two bytes without a sign.
+    It is a binary number of one or two bytes without a sign, or has the number in some of its bits.
     """
+    if (bits := bit_count(record, field.name)) is not None:
+        return bits[0]
     for other in record.fields[: record.fields.index(field)]:
         value = other.value
         if other.measures is None or other.measures.field != field.name or value is None or other.is_list:
@@ -148,6 +168,12 @@ def list_count(record: Record, field: Field) -> Field | None:
         if is_number and value.size <= 2:
             return other
     return None
+
+
+def bit_count(record: Record, name: str) -> tuple[Field, Measure] | None:
+    """The field that has the size of another one in some of its bits, and what they contain; None if there is none."""
+    pairs = ((other, other.bit_measure) for other in record.fields)
+    return next(((other, own) for other, own in pairs if own is not None and own.field == name), None)
 
 
 def text_count(record: Record, field: Field) -> Field | None:

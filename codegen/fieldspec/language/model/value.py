@@ -300,7 +300,8 @@ class Value:
     def as_answer(self, trigger: bool) -> Value:
         """The value in a response: a constant binds only what is written.
 
-        Reading a `trigger` does not return what was written, so a closed enum does not bind the response either.
+        Reading a `trigger` does not return what was written, so a closed enum does not bind the response either. Its
+        type does: a truth value is 0 or 1, and digits are digits.
         """
         enum = "" if trigger else self.enum
         return self if self.const is None and enum == self.enum else replace(self, const=None, enum=enum)

@@ -24,8 +24,8 @@ class DeviceSpec:
 
     `trees` are the trees of the versions that are written as changes of others, `bases` the versions that they change.
     A version is the identifier of one, or of several of different lines with a `+` between them. `files` are the paths
-    of all files that it was read from, including protocols. `earlier` has the trees that were selected for versions of
-    the device when it was read before. `reused` and the following attributes cache results.
+    of all files that it was read from, including protocols. `earlier` has the trees that were kept when the device was
+    read before: for each version, and with each misprint. `reused` and the following attributes cache results.
     """
 
     id: str
@@ -57,5 +57,10 @@ class DeviceSpec:
             whole = next((self.trees[identifier] for identifier in picked if identifier in self.trees), self.tree)
             tree = selected(whole, picked, self.lines)
             assert isinstance(tree, Mapping)
-            self.picked[version] = with_unchanged(tree, self.earlier.get(version))
+            self.with_earlier_nodes(version, tree)
         return self.picked[version]
+
+    def with_earlier_nodes(self, name: str, tree: Mapping) -> Mapping:
+        """A tree with the unchanged nodes of the tree of the same name when the device was read before."""
+        self.picked[name] = with_unchanged(tree, self.earlier.get(name))
+        return self.picked[name]

@@ -87,8 +87,10 @@ def function_locals(naming: Naming) -> tuple[Local, ...]:
 
 def declare_member(naming: Naming, record: RecordLayout, field: FieldLayout) -> Iterator[Comment | Variable | Union]:
     """The member of a struct for a field, and the one for the number of its elements where that varies."""
-    presence = (f"Sent if {field.field.presence.condition}.",) if field.field.presence is not None else ()
-    yield describe_fact(field.field, describe_value(field.value), *presence)
+    presence, measure = field.field.presence, field.field.bit_measure
+    relations = [f"Sent if {presence.condition}."] if presence is not None else []
+    relations += [f"Contains {measure.text}."] if measure is not None else []
+    yield describe_fact(field.field, describe_value(field.value), *relations)
     count = greatest_count(field) if field.is_list else None
     if field.cases:
         yield from _declare_union(field, count)
@@ -145,7 +147,7 @@ def element_size(record: RecordLayout, field: FieldLayout) -> Expression:
 
 def measured_size(record: RecordLayout, field: FieldLayout, struct: Expression) -> Expression:
     """`in->points_count * 4u`: the size, or the number of elements, of the field that another one measures."""
-    measure = field.field.measures
+    measure = field.field.stated_measure
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None

@@ -1,4 +1,4 @@
-"""Whether an optional field is sent, as the number of another field says."""
+"""Whether an optional field is sent, and how many elements a list has, as bits of another field say."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from fieldspec.targets.c.expressions import (
     different,
     equal,
 )
-from fieldspec.targets.c.fields import count_member, decoded_selector, encoded_selector
+from fieldspec.targets.c.fields import count_member, decoded_selector, encoded_selector, measured_size
 from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Body, Return, Variable
@@ -27,10 +27,16 @@ from fieldspec.targets.c.values import refuse
 
 
 def _decider(record: RecordLayout, presence: PresenceLayout) -> FieldLayout:
-    """The field that says whether another one is sent."""
+    """The field that says whether another one is sent, or how many elements it has."""
     decider = record.named(presence.by)
     assert decider is not None
     return decider
+
+
+def bits_of(presence: PresenceLayout, number: Expression) -> Expression:
+    """`((load_u8(in + 0) & 240u) >> 4u)`: the number in the bits that count a list."""
+    bits = Group(Operation("&", (number, unsigned(presence.mask))))
+    return Group(Operation(">>", (bits, unsigned(presence.shift)))) if presence.shift else bits
 
 
 def is_present(presence: PresenceLayout, number: Expression) -> Expression:
@@ -56,9 +62,10 @@ def present_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
 
 
 def check_presences(naming: Naming, record: RecordLayout, struct: Expression) -> Body:
-    """Refuses optional fields whose number of elements is not as another field says.
+    """Refuses fields whose number of elements is not as bits of another field say.
 
     `if (((in->flags & 8u) == 8u) != (in->energy_count != 0u)) { return ERR_WRONG_MEASURE; }`
+    `if ((in->control & 15u) != in->options_count) { return ERR_WRONG_MEASURE; }`
     """
     body: Body = ()
     for field in record.fields:
@@ -69,5 +76,7 @@ def check_presences(naming: Naming, record: RecordLayout, struct: Expression) ->
         number = encoded_selector(decider) if struct == IN else decoded_selector(naming, decider)
         has_elements = different(PointerMember(struct, count_member(record, field)), ZERO)
         wrong = different(Group(is_present(presence, number)), Group(has_elements))
+        if field.has_count_in_bits:
+            wrong = different(bits_of(presence, number), measured_size(record, decider, struct))
         body = (*body, *refuse(naming, wrong, "err_wrong_measure"))
     return body

@@ -16,6 +16,7 @@ from fieldspec.targets.c.expressions import (
     OUTPUT_BYTES,
     SIZE_TYPE,
     Call,
+    Cast,
     Conditional,
     Expression,
     Group,
@@ -53,7 +54,7 @@ from fieldspec.targets.c.inner_lists import decided_sizes, decode_inner_lists, e
 from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.packing import check_members, check_unpacked, declare_packing, is_packed
-from fieldspec.targets.c.presences import check_presences, is_present, present_sizes
+from fieldspec.targets.c.presences import bits_of, check_presences, is_present, present_sizes
 from fieldspec.targets.c.statements import (
     Assignment,
     Body,
@@ -329,10 +330,11 @@ def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
         assert field is not None
         assert count is not None
         number = decoded_selector(naming, count)
-        if room.presence is not None:
+        if room.presence is not None and room.presence.numbers:
             items: Expression = Conditional(is_present(room.presence, number), unsigned(1), ZERO)
             body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
             continue
+        number = number if room.presence is None else Cast("size_t", bits_of(room.presence, number))
         if room.plus:
             less_plus = Operation("-" if room.plus > 0 else "+", (number, unsigned(abs(room.plus))))
             number = Group(less_plus)

@@ -243,9 +243,11 @@ def record_value(
 
 
 def _with_presences(device: Device, values: dict[str, Any], record: RecordLayout, changed: str) -> dict[str, Any]:
-    """The values with the optional fields of which others say that they are sent; with that one if it is `changed`."""
+    """The values with the optional fields of which others say that they are sent, with that one if it is `changed`; and
+    with the bits that count lists.
+    """
     decided = record.named(changed)
-    if decided is not None and decided.presence is not None:
+    if decided is not None and decided.presence is not None and decided.presence.numbers:
         presence = decided.presence
         decider = record.named(presence.by)
         assert decider is not None
@@ -255,10 +257,10 @@ def _with_presences(device: Device, values: dict[str, Any], record: RecordLayout
         numbers = [number] if ranges is None or number in ranges else legal_numbers(device, decider.value)
         values = {**values, decider.name: next((own for own in numbers if presence.is_met(own)), values[decider.name])}
     for field in record.fields:
-        if field.presence is not None:
+        if field.presence is not None and field.presence.numbers:
             elements = values[field.name] or field_sample(device, field, low_value)
             values = {**values, field.name: elements[:1] if field.least_count(values) else []}
-    return values
+    return record.with_bit_counts(values)
 
 
 def fitting(device: Device, values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:

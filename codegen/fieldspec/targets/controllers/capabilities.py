@@ -32,7 +32,8 @@ CONSTRUCTS = {
     "bit_numbers": "groups of several bits with a sign or a scale",
     "records": "records, also nested",
     "lists": "lists with a fixed number of elements",
-    "inner_lists": "lists of varying length and choices before other fields, records of varying size, optional fields",
+    "inner_lists": "lists of varying length and choices before other fields, records of varying size, optional fields,"
+    " counts in bits",
     "choices": "fields whose type a different field selects",
     "groups": "register groups",
     "bits": "registers of single bits",

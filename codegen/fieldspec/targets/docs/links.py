@@ -279,12 +279,13 @@ def _case(field: FieldLayout, case: CaseLayout) -> Item:
 
 def _relations(field: FieldLayout) -> Iterator[Line]:
     """The relations of a field to others: what it measures, what says that it is sent, and what it repeats."""
-    measures = field.field.measures
+    measures = field.field.stated_measure
     if measures is not None:
         adjustment = (text_piece(f" {'plus' if measures.plus > 0 else 'less'} {abs(measures.plus)}"),) * bool(
             measures.plus
         )
-        yield (text_piece(f"the number of {measures.of} of "), code(measures.field), *adjustment)
+        bits = f"in bits {measures.bits[0]}..{measures.bits[1]}: " if measures.bits is not None else ""
+        yield (text_piece(f"{bits}the number of {measures.of} of "), code(measures.field), *adjustment)
     if field.field.presence is not None:
         yield (text_piece(f"sent if {field.field.presence.condition}"),)
     if field.field.same_as:

@@ -1,4 +1,4 @@
-"""Whether an optional field is sent, as the number of another field in an array of bytes says."""
+"""Whether an optional field is sent, and how many elements a list has, as bits of a field in an array of bytes say."""
 
 from __future__ import annotations
 
@@ -6,7 +6,13 @@ from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import slot_of
+from fieldspec.targets.js.text import plus
 from fieldspec.targets.js.values import throw_wrong_number
+
+
+def bits_of(presence: PresenceLayout, number: str) -> str:
+    """The number in the bits that count a list, as an expression: `(b[o] & 240) >>> 4`"""
+    return f"(({number} & {presence.mask}) >>> {presence.shift})"
 
 
 def is_present(presence: PresenceLayout, number: str) -> str:
@@ -18,7 +24,7 @@ def is_present(presence: PresenceLayout, number: str) -> str:
 
 
 def presence_check(record: RecordLayout, field: FieldLayout, names: Names, count: str, position: str) -> list[str]:
-    """The statement that refuses an optional field whose number of elements is not as the bytes `b` say.
+    """The statement that refuses a field whose number of elements is not as the bytes `b` say.
 
     `count` and `position`, the place of the deciding number or null, are expressions. Other fields have none.
     """
@@ -28,4 +34,7 @@ def presence_check(record: RecordLayout, field: FieldLayout, names: Names, count
     number = slot_of(decider, names).number("o", decider.offset)
     detail = f"`but there are ${{{count}}} of {field.name}`"
     wrong = throw_wrong_number("wrong_measure", decider.name, number, detail, position)
+    if field.has_count_in_bits:
+        units = f"{count} * {field.presence.unit}" if field.presence.unit > 1 else count
+        return [f"if ({bits_of(field.presence, number)} !== {plus(units, field.presence.plus)}) {wrong}"]
     return [f"if (({is_present(field.presence, number)}) !== ({count} > 0)) {wrong}"]

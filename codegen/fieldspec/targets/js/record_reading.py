@@ -10,7 +10,7 @@ from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import Member, members_of, most_bytes, shapes_of, slot_of
 from fieldspec.targets.js.number_bytes import place
-from fieldspec.targets.js.presences import is_present, presence_check
+from fieldspec.targets.js.presences import bits_of, is_present, presence_check
 from fieldspec.targets.js.text import literal, plus
 from fieldspec.targets.js.values import throw_wrong_number
 
@@ -129,9 +129,12 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
     room = record.room_of(field)
     if room is not None and room.count:
         number = _count_number(record, room, names)
-        number = f"({plus(number, -room.plus)})" if room.plus else number
-        count = number if room.unit == room.element else f"{number} / {room.element}"
-        count = f"{is_present(room.presence, number)} ? 1 : 0" if room.presence is not None else count
+        if room.presence is not None and room.presence.numbers:
+            count = f"{is_present(room.presence, number)} ? 1 : 0"
+        else:
+            number = bits_of(room.presence, number) if room.presence is not None else number
+            number = f"({plus(number, -room.plus)})" if room.plus else number
+            count = number if room.unit == room.element else f"{number} / {room.element}"
     if field.record is not None:
         element, checks = _element(record, field, names.records[field.record.record.name], names, "at"), []
     else:

@@ -35,7 +35,9 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
 
 
 def _presence(presence: PresenceLayout) -> str:
-    """`(8, (8,))`: the bits of a number that say whether the only element is sent, and with which numbers it is."""
+    """`(8, (8,))`: the bits of a number that say whether the only element is sent, and with which numbers it is; none
+    if the bits have the count.
+    """
     return f"({presence.mask}, {tuple_of(presence.numbers)})"
 
 

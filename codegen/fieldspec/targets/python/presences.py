@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.targets.python.reading import local
 from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal
@@ -12,7 +11,7 @@ from fieldspec.targets.python.writing import tuple_of
 
 
 def presences(shaped: RecordShape) -> Iterator[tuple[Slots, Slots]]:
-    """The optional fields of a record, each with the field that says whether it is sent."""
+    """The fields of a record that bits of another one say are sent, or count; each with that other one."""
     by_title = {field.title: field for field in shaped.fields}
     for field in shaped.fields:
         if field.field.presence is not None:
@@ -20,10 +19,15 @@ def presences(shaped: RecordShape) -> Iterator[tuple[Slots, Slots]]:
 
 
 def fitting(field: Slots, number: str, elements: str, operator: str = "==") -> str:
-    """The comparison of what a number says of an optional field with whether it has elements."""
+    """The comparison of what a number says of a field with how many elements it has, or whether it has any."""
     presence = field.field.presence
     assert presence is not None
     numbers = presence.numbers
+    if not numbers:
+        unit = f" * {presence.unit}" if presence.unit > 1 else ""
+        plus = f" {'+' if presence.plus > 0 else '-'} {abs(presence.plus)}" if presence.plus else ""
+        bits = f"({number} & {presence.mask}){f' >> {presence.shift}' if presence.shift else ''}"
+        return f"{bits} {operator} len({elements}){unit}{plus}"
     test = f"== {numbers[0]}" if len(numbers) == 1 else f"in {tuple_of(numbers)}"
     return f"({number} & {presence.mask} {test}) {operator} bool({elements})"
 
@@ -35,9 +39,7 @@ def presence_tests(shaped: RecordShape, owner: str, offset: int) -> list[str]:
         room = shaped.record.image.room_of(field.field)
         if room is not None and room.count:
             continue
-        is_stored_raw = (decider.is_raw or decider.deferred) and decider.stored
-        number = f"_index({owner}.{decider.slot})" if is_stored_raw else local(decider)
-        elements = f"{owner}.{field.name}"
+        number, elements = f"_index({owner}.{decider.slot})", f"{owner}.{field.name}"
         wrong = _wrong(field, decider, number, elements, f", {offset + decider.field.offset}")
         lines += [f"if {fitting(field, number, elements, '!=')}:", f"    raise {wrong}"]
     return lines

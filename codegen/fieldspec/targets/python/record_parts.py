@@ -132,6 +132,8 @@ def _field_doc(field: Slots) -> str:
     facts = [_type_doc(field)]
     if field.field.value is not None:
         facts += value_facts(field.value)
+    if fact.bit_measure is not None:
+        facts.append(f"contains {fact.bit_measure.text}")
     if fact.restart:
         facts.append("takes effect after a restart")
     notes = " ".join(f"Note: {sentence(note)}" for note in fact.notes)

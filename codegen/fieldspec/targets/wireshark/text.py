@@ -84,16 +84,17 @@ def _flat(value: Data, room: int) -> str | None:
         text = _scalar(value)
         return text if len(text) <= room else None
     parts: list[str] = []
-    left = room - len("{  }")
+    left = room - len("{}")
     for key, inner in _entries(value):
-        left -= len(key) + (len(", ") if parts else 0)
+        left -= len(key) + len("  ")  # a comma and a blank follow the previous entry, and blanks are inside the braces
         inner_text = _flat(inner, left)
         if inner_text is None:
             return None
         left -= len(inner_text)
         parts.append(key + inner_text)
-    text = f"{{ {', '.join(parts)} }}" if parts else "{}"
-    return text if len(text) <= room else None
+    if left < 0:
+        return None
+    return f"{{ {', '.join(parts)} }}" if parts else "{}"
 
 
 def _key(key: object) -> str:

@@ -162,7 +162,7 @@ def _whole(
     for erratum in device.errata:
         tree, broken = printed_tree(tree, erratum)
         refused += broken
-    wrong, findings = built(tree, version, spec.reused)
+    wrong, findings = built(spec.with_earlier_nodes(f"{version}/", tree), version, spec.reused)
     return [*refused, *everything(wrong, findings, remembered=remembered, without=OF_WRITING)]
 
 

@@ -14,7 +14,7 @@ from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_w
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
-from fieldspec.tools.captures.slots import Slot, deepened, slots
+from fieldspec.tools.captures.slots import Slot, deepened, slots, with_deep_rooms
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
     OK,
@@ -66,6 +66,7 @@ class BodyReader:
     """
 
     def __init__(self, record: RecordLayout, decoders: Decoders, emits: bool) -> None:
+        record = with_deep_rooms(record)
         self.record, self.decoders, self.emits = record, decoders, emits
         self.has_lists: bool = False
         """Whether it reads the images of bodies with fields after lists."""
@@ -242,9 +243,13 @@ class BodyReader:
                 return
         for start, inner, number in slot.places:
             units = number_at(buffer, place + start + inner.count_at, inner.count_size, inner.count_order)
-            is_there = (units - inner.plus) * inner.unit // inner.element > number
             if inner.presence is not None:
-                is_there = np.isin(units & inner.presence.mask, inner.presence.numbers)
+                units = units & inner.presence.mask
+            if inner.presence is not None and inner.presence.numbers:
+                is_there = np.isin(units, inner.presence.numbers)
+            else:
+                units = units if inner.presence is None else units >> inner.presence.shift
+                is_there = (units - inner.plus) * inner.unit // inner.element > number
             rows, place = rows[is_there], place[is_there]
             index = index if index is None else index[is_there]
             if not len(rows):
@@ -284,8 +289,8 @@ class BodyReader:
         counts: dict[str, Numbers],
         verdict: npt.NDArray[np.int8],
     ) -> None:
-        """Judges a field that measures another one, or is the number of bits that are packed into it; and one that says
-        whether others are sent.
+        """Judges a field that measures another one, or is the number of bits that are packed into it; and one
+        whose bits say how many elements others have.
         """
         self._judge_presence(slot, buffer, offsets, size, counts, verdict)
         if slot.layout is slot.field and slot.layout.bits_of:
@@ -326,9 +331,13 @@ class BodyReader:
         for other in self.record.fields if slot.layout is slot.field else ():
             presence = other.presence
             if presence is not None and presence.by == slot.field.name:
-                is_met = np.isin(_number(slot.layout, buffer, offsets) & presence.mask, presence.numbers)
-                is_known = (counts[other.name] >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
-                blame(verdict, (is_met != (counts[other.name] > 0)) & is_known, WRONG_MEASURE)
+                bits = _number(slot.layout, buffer, offsets) & presence.mask
+                items = counts[other.name]
+                wrong = np.isin(bits, presence.numbers) != (items > 0)
+                if other.has_count_in_bits:
+                    wrong = bits >> presence.shift != items * presence.unit + presence.plus
+                is_known = (items >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
+                blame(verdict, (wrong & is_known) | (items == MISCOUNT), WRONG_MEASURE)
 
 
 def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from fieldspec.codec.explain.values import number_of as number_of_bytes
+from fieldspec.codec.layout.accepted import accepted
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
@@ -27,7 +28,7 @@ from fieldspec.language.model.encoding import (
 from fieldspec.language.model.text_form import decoded_text
 from fieldspec.language.model.value import Value
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Texts, number_at
-from fieldspec.tools.captures.meanings import Counts, Meanings
+from fieldspec.tools.captures.meanings import Counts, Meanings, passing
 from fieldspec.tools.captures.text_list import TextList
 from fieldspec.tools.captures.verdicts import (
     OK,
@@ -72,7 +73,7 @@ class ValueColumns:
 class Decoder:
     """Decodes the values of one definition. Equal definitions share a decoder, as their `key` is equal.
 
-    `is_lenient`: what starts something does not answer what was written, so no verdict applies.
+    `is_lenient`: what starts something does not answer what was written, so that only its type binds what is read.
     """
 
     def __init__(
@@ -135,7 +136,14 @@ class Decoder:
             nameless = is_unsigned_high & (result.text < 0)
             result.text[nameless] = self._digits(raw[nameless])
         if self.is_lenient:
-            result.verdict[:] = OK
+            result.verdict[self._is_of_type(raw)] = OK
+        return result
+
+    def _is_of_type(self, raw: Numbers) -> Mask:
+        """Whether numbers are what a trigger can be read as."""
+        result = np.ones(len(raw), np.bool_)
+        for condition in accepted(self.device, self.value.as_answer(True)).reading:
+            result &= passing(condition.test, raw)
         return result
 
     def _scaled(self, wide: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:

@@ -67,6 +67,25 @@ def _slots_of_cases(
         yield Slot(path, start + form.offset, form, outer or field, numbers=numbers)
 
 
+def with_deep_rooms(record: RecordLayout) -> RecordLayout:
+    """The record with room for the images of elements that differ in size, which have packed numbers in whole bytes."""
+    if record.inner_lists is None:
+        return record
+    fields: list[FieldLayout] = []
+    offset = 0
+    for field in record.fields:
+        nested, size = field.record, field.size
+        if nested is not None and nested.inner_lists is not None:
+            nested = with_deep_rooms(nested)
+            last = inner_lists_of(nested, is_element=True).last
+            size = max(size, last.room + last.most)
+        forms = {number: replace(form, offset=offset) for number, form in field.forms.items()}
+        fields.append(replace(field, record=nested, offset=offset, size=size, forms=forms))
+        offset += size * field.bounds[1]
+    layout = replace(record, fields=tuple(fields))
+    return replace(layout, inner_lists=inner_lists_of(layout))
+
+
 def deepened(record: RecordLayout, image: bytes) -> bytes:
     """The image of a record in which the elements that differ in size are images, too."""
     result = bytearray(image)

@@ -22,6 +22,7 @@ TABLES = {"0": "coils", "1": "discrete_inputs", "3": "input_registers", "4": "re
 
 _HEX = re.compile(r"(?:0x|&h|\$|16#|h'|x)\s?([0-9a-f]{1,8})'?|([0-9a-f]{1,8})h", re.IGNORECASE)
 _HALVES = re.compile(r"([0-9a-f]{2}) ([0-9a-f]{2})", re.IGNORECASE)
+_BYTES = re.compile("([0-9a-f]{2}), ?([0-9a-f]{2})", re.IGNORECASE)
 _TABLE = re.compile(r"([0134])x[ -]?([0-9]{5})|([134])x[ -]?([0-9]{1,5})", re.IGNORECASE)
 _DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
 _POINTLESS = re.compile(r"([0-9]+)\.0+")
@@ -174,6 +175,14 @@ def place(text: str) -> Place | None:
         if first is not None and other is not None:
             return _span([first, other], True) if _follows(first, other) else Place(first, other=other)
     return None
+
+
+def are_of_two_bytes(texts: Sequence[str]) -> bool:
+    """Whether all texts have two bytes, as `07,08`, and some of these are not neighbours: each is an address in two
+    bytes, and not a pair of registers."""
+    pairs = [pair for text in texts if (pair := _BYTES.fullmatch(text.strip()))]
+    ends = [(int(pair[1], 16), int(pair[2], 16)) for pair in pairs]
+    return 0 < len(pairs) == len(texts) and any(low != high + 1 for high, low in ends)
 
 
 def _joined(pieces: Sequence[Place | None]) -> Place | None:

@@ -34,7 +34,7 @@ _COMMA = re.compile(r"(?<![0-9,.])[-+]?[0-9]+,(?:[0-9]{1,2}|0[0-9]{2,}|[0-9]{4,}
 _SMALL_COMMA = re.compile(r"(?<![0-9,.])[-+]?0,[0-9]+(?![0-9,])")
 _POINTED = re.compile(r"(?<![0-9,.])[-+]?[0-9]+\.[0-9]+(?![0-9.,])")
 _PIECES = re.compile(r"[\s/|-]+")
-_CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|:|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
+_CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|[:=]|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
 _WORDS_BEHIND = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
 """The words after the code of a function that describe it."""
 
@@ -140,10 +140,10 @@ def _is_ambiguous(text: str) -> bool:
 def decimal_sign(texts: Iterable[str]) -> tuple[str, str]:
     """`comma` or `point` for the numbers of some cells, and the cell that shows it; empty if none does, or both do."""
     comma = point = ""
-    for text in texts:
-        if "," in text and not comma and (match := _SMALL_COMMA.search(text) or (_COMMA.fullmatch(text.strip()))):
+    for text in map(str.strip, texts):
+        if not comma and not _CLOSED.search(text) and (match := _SMALL_COMMA.search(text) or _COMMA.fullmatch(text)):
             comma = match[0]
-        if "." in text and not point and not _is_ambiguous(text) and (match := _POINTED.fullmatch(text.strip())):
+        if not point and not _is_ambiguous(text) and (match := _POINTED.fullmatch(text)):
             point = match[0]
     if comma and not point:
         return COMMA, comma

@@ -10,7 +10,7 @@ from fieldspec.tools.lists.addresses import address_text, place
 from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.quantities import formula, known_unit
-from fieldspec.tools.lists.row_quantity import decimal_places, example
+from fieldspec.tools.lists.row_quantity import COUNT, decimal_places, example
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import bit_names, value_meanings
@@ -20,10 +20,11 @@ _NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discr
 """Names of address spaces that also are directions, and types."""
 
 
-def are_spaces(rows: Sequence[SheetRow], column: int) -> bool:
-    """Whether a column, whose heading is that of types, has only names of address spaces."""
+def are_no_types(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column, whose heading is that of types, has only names of address spaces, or accesses."""
     texts = {text for row in rows if (text := row.cell(column))}
-    return all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
+    are_spaces = all(map(cells.space, texts)) and not all(folded(text) in _NO_SPACES for text in texts)
+    return are_spaces or all(map(cells.access, texts))
 
 
 def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
@@ -44,7 +45,7 @@ def are_ranks(rows: Sequence[SheetRow], column: int) -> bool:
 
 def are_exponents(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column of scales has powers of ten: small whole numbers, some of them no factors of anything."""
-    numbers = [cells.whole(text) for row in rows if (text := row.cell(column))]
+    numbers = [cells.whole(text) for row in rows if any(map(str.isdigit, text := row.cell(column)))]
     powers = [number for number in numbers if number is not None and abs(number) <= _MOST_PLACES]
     return 0 < len(powers) == len(numbers) and min(powers) <= 0
 
@@ -84,7 +85,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "first": lambda text: cells.whole(text) is not None,
     "bit": lambda text: re.search(r"[0-9]", text),
     "name": lambda text: any(map(str.isalpha, text)),
-    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None,
+    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None and not cells.access(text),
     "unit": lambda text: not text.isdecimal() or text == "1",
     "type": typed,
     "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,
@@ -113,7 +114,7 @@ _BY_CELLS: dict[str, Callable[[str], object]] = {
     "access": cells.access,
     "unit": known_unit,
     "values": lambda text: value_meanings(text) is not None and example(text, cells.POINT) is None,
-    "formula": lambda text: formula(text, cells.POINT) is not None,
+    "formula": lambda text: COUNT.match(text) and formula(text, cells.POINT) is not None,
 }
 """The roles that the cells of a column show without a heading, where all of them fit."""
 

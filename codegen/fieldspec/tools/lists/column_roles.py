@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import product
+from itertools import pairwise, product
 
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.tools.lists import cells
@@ -14,8 +14,8 @@ from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.column_contents import (
     NOTED,
     are_exponents,
+    are_no_types,
     are_ranks,
-    are_spaces,
     counts_on,
     has_role,
     is_alike,
@@ -47,6 +47,9 @@ _ANNOTATIONS = {NOTE, "label", "values"}
 
 _SHORTEST_SPACE, _SHORT_SPACES = 4, ("hr", "ir", "3x", "4x")
 """The fewest letters of an address space that heads its addresses, and the shorter names that nothing else has."""
+
+_FEWEST_ROLES = 3
+"""The fewest columns with roles, and rows, so that another column is that of addresses by its cells."""
 
 LOOKED_AT = 200
 """The number of rows whose cells show what a column has_role."""
@@ -113,12 +116,11 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
     sample = rows[:LOOKED_AT]
     further: dict[str, tuple[int, ...]] = {}
-    of_spaces = [column for column in _ranked(heads, words("headings")["type"], set()) if are_spaces(sample, column)]
     for role, role_words in words("headings").items():
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         fits = _ranked(heads, role_words, used_columns)
-        if role in ("type", "space"):
-            fits = [column for column in fits if column not in of_spaces] + (of_spaces if role == "space" else [])
+        if role == "type":
+            fits = [column for column in fits if not are_no_types(sample, column)]
         if role in ("word_order", "byte_order"):
             fits = [column for column in fits if not are_ranks(sample, column)]
         is_fallback = not fits
@@ -196,13 +198,16 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         places.setdefault("address", len(headings) - 1)
     if "address" not in places and len(marked := _marked_columns(sample, {*places.values()})) == 1:
         places["address"] = marked[0]
+    rising = _rising_columns(sample, {*places.values()}) if len(places) >= _FEWEST_ROLES else []
+    risen = {"address": rising[0]} if "address" not in places and len(rising) == 1 else {}
+    places |= risen
     if "address" not in places:
         return None
-    by_cells = _places_by_cells(headings, sample, places, further) if not names else {}
+    by_cells = _places_by_cells(headings, sample, places, further)
     if (space := _space_of_heading(headings[places["address"]])) and "space" not in {*places, *by_cells}:
         rows, places["space"] = _with_spaces_of_heading(rows, len(headings), space), len(headings)
         headings = (*headings, headings[places["address"]])
-    return Columns({**places, **by_cells}, headings, rows, further, tuple(by_cells))
+    return Columns({**places, **by_cells}, headings, rows, further, (*risen, *by_cells))
 
 
 def _places_by_cells(
@@ -268,6 +273,19 @@ def _marked_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[in
         and len(cells_of_column) * 2 > len(rows)
         and all((address := address_text(text)) is not None and address.mark for text in cells_of_column)
     ]
+
+
+def _rising_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[int]:
+    """The columns whose cells are addresses that rise from row to row, but those that number the rows."""
+    columns = []
+    for column in set(range(max((len(row.cells) for row in rows), default=0))) - used_columns:
+        addresses = [address_text(row.cell(column)) for row in rows]
+        numbers = [address.number(DECIMAL) for address in addresses if address is not None]
+        rising = [number for number in numbers if number is not None]
+        steps = {after - before for before, after in pairwise(rising)}
+        if len(rising) == len(addresses) > _FEWEST_ROLES and min(steps) > 0 and steps != {1}:
+            columns.append(column)
+    return columns
 
 
 def _byte_columns(heads: Sequence[tuple[str, ...]], used_columns: set[int]) -> tuple[int, ...]:

@@ -11,6 +11,11 @@ _NUMBERED = re.compile(
     r"(?:\s*[:=]\s*|\s+[-\u2013\u2014]\s+|\s+\((?:0x)?[0-9a-f]{1,6}h?\)\s+)(\S[^\t;|]*?)(?:\s*\((R/?W?|W|[RW]O)\))?",
     re.IGNORECASE,
 )
+_SPACED = re.compile(
+    r"\s*(0x[0-9a-f]{1,4}|[0-9]{1,6}) (?!.*  )([^\W\d_][^\t;|,]*?)(?: \((R/?W?|W|[RW]O)\))?", re.IGNORECASE
+)
+"""A line with only a blank between the address and the name."""
+
 _CELL = re.compile(r"\S+(?: \S+)*")
 _FEWEST = 3
 _QUOTED = re.compile(r'(?:^|[,;\t|])"[^"]*$')
@@ -18,13 +23,16 @@ _QUOTED = re.compile(r'(?:^|[,;\t|])"[^"]*$')
 
 
 def numbered_sheet(text: str) -> Sheet | None:
-    """The sheet of a text of lines such as `30001 - Frequency (Hz x 100)`; None for another text, and a longer one."""
+    """The sheet of lines such as `30001 - Frequency (Hz x 100)` or `300 Power`; None for others, and a longer text."""
     lines = text.splitlines()[: MOST_ROWS + 1]
     if _has_cells_of_lines(lines):
         return None
-    matches = [_NUMBERED.fullmatch(line.rstrip()) for line in lines]
     filled = sum(bool(line.strip()) for line in lines)
-    numbered = [match for match in matches if match and any(map(str.isdecimal, match[1]))]
+    for pattern in (_NUMBERED, _SPACED):
+        matches = [pattern.fullmatch(line.rstrip()) for line in lines]
+        numbered = [match for match in matches if match and any(map(str.isdecimal, match[1]))]
+        if len(numbered) * 2 > filled:
+            break
     if len(lines) > MOST_ROWS or len(numbered) < _FEWEST or len(numbered) * 2 <= filled:
         return None
     rows = [SheetRow(0, ("Address", "", "Name", "Access"))]

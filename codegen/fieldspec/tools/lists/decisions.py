@@ -17,9 +17,16 @@ from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import ListError
+from fieldspec.tools.lists.words import folded
 
 _FEWEST = 3
 """The rows that show what addresses count."""
+
+_OF_SCALES = re.compile(r"\b(?:sf|scale|scaling|exponent)(?:\b|_)|_sf$", re.IGNORECASE)
+"""The names of rows with exponents, as in SunSpec."""
+
+_WIDE = 4
+"""The bytes of the registers of most chips."""
 
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "°")
 """The units in whose parts devices measure."""
@@ -35,6 +42,7 @@ def decided(
     undecided: list[Assumption],
 ) -> list[ListRow]:
     """The rows with what the whole list decides: the unit of lengths, the direction of factors, the unit of bounds."""
+    rows = _with_exponents_apart(rows)
     numbers = [wire_number(row_place, ways[0]) for _, row_place in places.rows]
     gaps = [b - a if a is not None and b is not None else 0 for a, b in pairwise(numbers)] + [0]
     sizes = [
@@ -42,7 +50,8 @@ def decided(
     ]
     heading = columns_of_sheet.heading("words") if "words" in columns_of_sheet.places else ""
     unit, length_assumption = directions.length_unit(heading, sizes, options.length)
-    _refuse_bytes(rows, gaps, unit, options.address_unit)
+    if not options.address_unit:
+        _refuse_bytes(rows, numbers, gaps, unit)
     decided = _with_elements([_with_length(row, unit) for row in rows], columns_of_sheet, assumptions)
     role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
     bare_rows = [row for row in decided if row.factor is not None and not row.is_times]
@@ -67,7 +76,12 @@ def decided(
         examples = ", ".join(f"`{text}`" for text in described[:2])
         assumptions.append(Assumption("scales", "those that texts of rows say", examples))
     proved = gain_assumption is not None and gain_assumption.evidence.startswith("the bounds")
-    measured = [decision for row in decided if (decision := _measured(row, row.scale)) is not None]
+    measured = [
+        decision
+        for row in decided
+        for ends in (row, replace(row, low=row.default, high=row.default))
+        if (decision := _measured(ends, row.scale)) is not None
+    ]
     bounds, bounds_assumption = directions.bounds_unit(measured, proved, options.bounds)
     assumptions += [
         decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
@@ -75,20 +89,39 @@ def decided(
     return [replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1)) for row in decided]
 
 
-def _refuse_bytes(rows: Sequence[ListRow], gaps: Sequence[int], unit: str, stated: str) -> None:
-    """Raises ListError for addresses that lie apart as bytes do, where the user does not say what they count."""
+def _with_exponents_apart(rows: Sequence[ListRow]) -> list[ListRow]:
+    """The rows, without the factors that are addresses of rows named as scale factors."""
+    addresses = {
+        folded(row.texts.get("address", "")) for row in rows if any(_OF_SCALES.search(name) for name in row.names)
+    }
+    are_addresses = [folded(row.texts.get("scale", "")) in addresses - {""} for row in rows]
+    return [
+        replace(row, factor=None) if is_address else row for row, is_address in zip(rows, are_addresses, strict=True)
+    ]
+
+
+def _refuse_bytes(rows: Sequence[ListRow], numbers: Sequence[int | None], gaps: Sequence[int], unit: str) -> None:
+    """Raises ListError for addresses that lie apart as bytes do."""
     sizes = [
         row.length * LENGTHS["bytes"] // LENGTHS[unit] if row.length else row.type.bytes if row.type else 0
         for row in rows
     ]
     pairs = [(gap, size) for gap, size in zip(gaps, sizes, strict=True) if gap > 0 and size]
-    if stated or len(pairs) < _FEWEST or len({size for _, size in pairs}) < 2 or any(gap != n for gap, n in pairs):
+    if len(pairs) >= _FEWEST and len({size for _, size in pairs}) > 1 and all(gap == size for gap, size in pairs):
+        row, gap = next((row, gap) for row, gap in zip(rows, gaps, strict=True) if gap > 1)
+        evidence = f"row {row.row} has {gap} bytes, and the next address is {gap} higher, as in all {len(pairs)} rows"
+    elif (
+        sum(gap == _WIDE for gap in gaps) >= _FEWEST - 1
+        and not any((number or 0) % _WIDE for number in numbers)
+        and not any(row.space for row in rows)
+        and (not pairs or max(size for _, size in pairs) == _WIDE)
+    ):
+        evidence = f"all are multiples of {_WIDE}, as of registers of {_WIDE} bytes"
+    else:
         return
-    row, gap = next((row, gap) for row, gap in zip(rows, gaps, strict=True) if gap > 1)
     raise ListError(
-        f"has addresses with two readings: row {row.row} has {gap} bytes, and the next address is {gap} higher, as in "
-        f"all {len(pairs)} such rows. They count bytes, of which a register has two, or registers lie apart; choose "
-        "with --address-unit bytes or --address-unit words"
+        f"has addresses with two readings: {evidence}. They count bytes, of which a register has two, or registers lie "
+        "apart; choose with --address-unit bytes or --address-unit words"
     )
 
 

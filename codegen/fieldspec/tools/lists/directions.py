@@ -138,12 +138,13 @@ def _proofs(measured: Measured, is_gain: bool) -> Iterator[str]:
 
 
 def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tuple[str, Assumption | None]:
-    """Whether bounds beside a scale are counts or in the unit. `in_unit` says that they have proved a gain."""
+    """Whether bounds and defaults beside a scale are counts or in the unit. `in_unit` says that they prove a gain."""
     scaled = [entry for entry in measured if entry.factor != 1]
     if stated or not scaled:
         return stated or COUNTS, None
-    either = [(entry.counts(Fraction(1)), entry.counts(entry.factor)) for entry in scaled]
-    unit, counts = either.count((False, True)), either.count((True, False))
+    either = {(entry.row, entry.counts(Fraction(1)), entry.counts(entry.factor)) for entry in scaled}
+    unit = len({row for row, *proof in either if proof == [False, True]})
+    counts = len({row for row, *proof in either if proof == [True, False]})
     direction = UNIT if (unit or in_unit) and not counts else COUNTS
     if direction == UNIT and unit:
         evidence = f"{unit} rows contain no counts of their types"
@@ -153,9 +154,9 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
         evidence = f"only so, {counts} rows contain whole counts"
     else:
         evidence = "nothing shows which"
-    return direction, Assumption(
-        "bounds beside a scale", "in counts" if direction == COUNTS else "in the unit", evidence, "--bounds"
-    )
+    subject = "bounds" if any(entry.low != entry.high for entry in scaled) else "defaults"
+    reading = "in counts" if direction == COUNTS else "in the unit"
+    return direction, Assumption(f"{subject} beside a scale", reading, evidence, "--bounds")
 
 
 def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str) -> tuple[str, Assumption | None]:
@@ -171,6 +172,9 @@ def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str
     stated_unit = next((name for name in LENGTHS if any(word in folded(heading) for word in _LENGTH_WORDS[name])), "")
     ranked = matches.most_common(2)
     likely = ranked[0][0] if ranked and (len(ranked) == 1 or ranked[0][1] > ranked[1][1]) else ""
+    fits = [name for name in LENGTHS if all(not gap or length <= gap * LENGTHS[name] for length, _, gap in sizes)]
+    if len(fits) == 1 and not stated_unit and not likely:
+        return fits[0], Assumption(heading, f"lengths in {fits[0]}", "others overlap the next addresses", "--length")
     direction = stated_unit or likely or "words"
     if direction == "words" and not (stated_unit and likely and stated_unit != likely):
         return direction, None

@@ -20,6 +20,9 @@ SPACES = {REGISTERS: False, "input_registers": False, "coils": True, "discrete_i
 _ONLY_READ = ("input_registers", "discrete_inputs")
 
 _HIGHEST_ADDRESS = 0xFFFF
+_MOST_CLASHES = 3
+"""The rows at addresses of others for each row with its own, beyond which a list is not one of a device."""
+
 _MOST_WORDS = 1 << 20
 
 
@@ -173,7 +176,7 @@ def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
     """The registers of which no word is in another row: an earlier one, or one that says more."""
     owners: dict[str, dict[int, int]] = {}
     disjoint_entries: list[Entry] = []
-    words = 0
+    words = clashes = 0
     for entry in sorted(wholes, key=_is_bare):
         row, own_shape = entry.row, entry.shape
         stride = row.stride or own_shape.words
@@ -183,6 +186,7 @@ def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
         rows_by_address = owners.setdefault(entry.space, {})
         numbers = [row.address + n * stride + word for n in range(own_shape.count) for word in range(own_shape.words)]
         clash = next((number for number in numbers if number in rows_by_address), None)
+        clashes += clash is not None
         if clash is not None or numbers[-1] > _HIGHEST_ADDRESS:
             reason = (
                 f"holds 0x{clash:04X}, as row {rows_by_address[clash]} does"
@@ -193,6 +197,11 @@ def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
             continue
         rows_by_address.update(dict.fromkeys(numbers, row.row))
         disjoint_entries.append(entry)
+    if clashes > _MOST_CLASHES * len(disjoint_entries):
+        raise ListError(
+            f"has {clashes} rows at addresses of other rows, and {len(disjoint_entries)} at addresses of their own: it "
+            "has several devices, or its addresses count within blocks; keep one device, with whole addresses"
+        )
     return sorted(disjoint_entries, key=lambda entry: entry.row.row)
 
 

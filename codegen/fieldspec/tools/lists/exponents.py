@@ -25,8 +25,9 @@ def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:
     """
     places: dict[str, list[int]] = {}
     for place, row in enumerate(rows):
-        for name in {folded(text) for text in row.names} - {""}:
+        for name in {folded(text) for text in (*row.names, row.texts.get("address", ""))} - {""}:
             places.setdefault(name, []).append(place)
+    readable = ("ro", "rw") if any(row.access for row in rows) else ("",)
     return {
         place: other
         for place, row in enumerate(rows)
@@ -34,7 +35,7 @@ def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:
         and other != place
         and is_count(PRIMITIVES[types[place]].encoding)
         and _named(rows[other], places) is None
-        and is_exponent(rows[other], types[other])
+        and is_exponent(rows[other], types[other], readable)
     }
 
 
@@ -44,10 +45,10 @@ def _named(row: ListRow, places: Mapping[str, Sequence[int]]) -> int | None:
     return places_of_name[0] if len(places_of_name) == 1 else None
 
 
-def is_exponent(row: ListRow, type_name: str) -> bool:
-    """Whether a row may have exponents: a single whole number that can be read, within the usual bounds."""
+def is_exponent(row: ListRow, type_name: str, readable: Sequence[str]) -> bool:
+    """Whether a row may have exponents: a single whole number within the usual bounds that is `readable`."""
     kind = PRIMITIVES[type_name]
-    if not is_count(kind.encoding) or row.count > 1 or row.access not in ("ro", "rw"):
+    if not is_count(kind.encoding) or row.count > 1 or row.access not in readable:
         return False
     if row.texts.get("scale", "1") != "1":
         return False

@@ -13,7 +13,7 @@ from fieldspec.tools.lists.type_words import Typed
 
 _HALF = re.compile(
     r"(?:[\s_(\[,-]+|(?=[高低]))(?P<half>h|l|msw|lsw|(?:high|hi|upper|low|lo|lower)[\s_-]*(?P<word>word|16|half)?"
-    r"(?:[\s_-]*bits?)?|[高低](?P<sign>字|16位|位))[)\]]*$",
+    r"(?:[\s_-]*bits?)?(?: of (?P<real>float|real))?|[高低](?P<sign>字|16位|位))[)\]]*$",
     re.IGNORECASE,
 )
 _LONGEST_HALF = 30
@@ -48,10 +48,12 @@ def _joined(rows: Sequence[ListRow], pairs: dict[int, tuple[ListRow, ListRow]]) 
         texts = {
             role: _stem(text) if role in ("name", "printed_name", "label") else text for role, text in row.texts.items()
         }
+        match = _match(row.names[0])
+        kind = "f" if match and match["real"] else row.type.name[0] if row.type is not None and row.type.name else "u"
         yield replace(
             row,
             words=2,
-            type=Typed(f"{row.type.name[0]}32") if row.type is not None and row.type.name else Typed("u32"),
+            type=Typed(f"{kind}32"),
             names=tuple(map(_stem, row.names)),
             texts=texts,
             order="" if _half(row)[0] == "high" else "CDAB",

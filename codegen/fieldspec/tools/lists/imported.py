@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.addresses import REFERENCE
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.entries import SPACES, Entry, entries
@@ -13,7 +14,7 @@ from fieldspec.tools.lists.listing import Listing, moved
 from fieldspec.tools.lists.message_entries import message_entries
 from fieldspec.tools.lists.numbering import chosen
 from fieldspec.tools.lists.rolling_up import rolled_up
-from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, SIGNAL, ListRow
+from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.sheet import ListError, Sheet
 
@@ -79,7 +80,7 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
         assumptions.append(Assumption("address space", "registers", "the list does not say it", "--space"))
     if sheet.encoding:
         assumptions.append(Assumption("encoding", sheet.encoding, "the bytes are not UTF-8", "--encoding"))
-    return _entered(
+    result = _entered(
         Imported(
             register_list,
             sheet,
@@ -93,6 +94,16 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
             (*register_list.refused, *refused),
         )
     )
+    if register_list.own or not any(map(_lacks_order, result.registers)):
+        return result
+    order = Assumption("order of words", "ABCD, the high word first", "the list does not say it", "--order")
+    return replace(result, assumptions=(*assumptions, order))
+
+
+def _lacks_order(entry: Entry) -> bool:
+    """Whether a register has several words, and the list does not say which of them is first."""
+    primitive = PRIMITIVES[entry.shape.type]
+    return entry.kind == REGISTER and not entry.row.order and primitive.is_number and primitive.size > 2
 
 
 def _entered(result: Imported) -> Imported:

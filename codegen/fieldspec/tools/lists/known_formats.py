@@ -27,10 +27,14 @@ _FORMATS = (
         r"^(?:module\.exports|export (?:default|const|class|enum|type) |(?:const|let|var) \w+ =)",
         "source code in JavaScript",
     ),
+    (r"<EtherCATInfo\b", "a description of an EtherCAT device (ESI)"),
+    (r"<(?:spirit|ipxact|kactus2):", "a component in IP-XACT"),
+    (r"<device\b[^>]*\bschemaVersion=|<peripherals>", "a description of a chip (CMSIS-SVD)"),
+    (r"<ISO15745Profile", "a device description in XML (XDD)"),
     (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
 )
 _KEY = re.compile(r"[A-Za-z_][\w/]*:(?: |$)")
-_SECTION = re.compile(r"[A-Za-z_][\w/]*:\s*$|- [A-Za-z_]\w*:(?: |$)")
+_SECTION = re.compile(r"(?:[A-Za-z_][\w/-]*|([\"'])[\w.-]+\1):\s*$|- [A-Za-z_]\w*:(?: |$)")
 _REFUSED = "which is not read as a list; write its registers as CSV, XLSX or JSON, a row for each"
 
 

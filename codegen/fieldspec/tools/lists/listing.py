@@ -6,6 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from math import gcd
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.fact import LINES
@@ -40,6 +41,9 @@ from fieldspec.tools.lists.words import folded
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 _SHORTEST_TITLE, _COILS = 8, "coils"
 """The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups."""
+
+_WIDE_STEPS = (4, 8)
+"""The bytes of registers with more than a word."""
 
 _EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
@@ -90,6 +94,7 @@ class Listing:
         refused: list[Refusal] = []
         heading = self.columns.heading("address")
         by_number = {sheet_row.number: (sheet_row, row_place) for sheet_row, row_place in self.places.rows}
+        step = gcd(*(wire_number(row_place, base) or 0 for _, row_place in self.places.rows))
         for row in self.read:
             sheet_row, row_place = by_number[row.row]
             address = wire_number(row_place, base)
@@ -98,7 +103,7 @@ class Listing:
                 refused.append(Refusal(row.row, heading, self.columns.cell(sheet_row, "address"), reason))
                 continue
             numbered = _numbered(row, row_place, address, base)
-            whole = _of_bytes(numbered) if self.in_bytes else numbered
+            whole = _of_bytes(numbered, step) if self.in_bytes else numbered
             if whole is None:
                 cell = self.columns.cell(sheet_row, "address")
                 refused.append(Refusal(row.row, heading, cell, "begins at the second byte of a register"))
@@ -314,13 +319,17 @@ def _by_functions(rows: list[ListRow]) -> list[ListRow]:
     ]
 
 
-def _of_bytes(row: ListRow) -> ListRow | None:
-    """A row whose address counts bytes with that of its register; None for more bytes than one from its second one."""
+def _of_bytes(row: ListRow, step: int) -> ListRow | None:
+    """A row whose address counts bytes with that of its register; None for more bytes than one from its second one.
+
+    `step` divides all addresses: it is the number of bytes of a row without a type and a length.
+    """
     address, is_second = divmod(row.address, 2)
     if row.type is not None and row.type.bytes == 1 and row.bits is None:
         low = 0 if is_second else 8
         return replace(row, address=address, bits=(low, low + 7), words=None)
-    return None if is_second else replace(row, address=address)
+    is_wide = row.type is None and row.words is None and step in _WIDE_STEPS
+    return None if is_second else replace(row, address=address, words=step // 2 if is_wide else row.words)
 
 
 def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRow:

@@ -27,7 +27,8 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
     elif row.offset:
         doubts.append(f"Offset in the list: {row.offset:f}.")
     has_counts, (lowest, highest) = is_exact(primitive.encoding), (primitive.low, primitive.high)
-    low, high = (count_of(bound, row) for bound in (row.low, row.high))
+    is_whole = row.in_unit or row.is_own or not any(map(_has_places, (row.low, row.high)))
+    low, high = (count_of(bound, row) if is_whole else None for bound in (row.low, row.high))
     are_counts = has_counts and (low, high).count(None) == (row.low, row.high).count(None)
     is_switch = is_truth(primitive.encoding) and not row.is_own
     if is_switch and row.low == 0 and row.high == 1:
@@ -46,6 +47,8 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
     is_set = row.is_own or row.kind == PARAMETER or row.access != "ro" or row.default != 0
     for key, word, number in (("default", "Default", row.default), ("const", "Constant", row.const)):
         count = count_of(number, row) if key == "default" else _whole(number)
+        if _has_places(number) and not (row.in_unit or row.is_own):
+            count = None  # nobody writes counts with a fraction
         if key == "default" and key in texts and not is_set:
             doubts.append(f"{word} in the list, whose value is only read: {texts[key]}.")
         elif key in texts and count is not None and are_counts and (lowest <= count <= highest or count in special):
@@ -63,6 +66,11 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
 def _bound(number: Decimal | None) -> str:
     """A bound without zeros after a point."""
     return exact(Fraction(number or 0))
+
+
+def _has_places(number: Decimal | None) -> bool:
+    """Whether a list writes a number with places after the point: `50.00`."""
+    return number is not None and "." in str(number)
 
 
 def _whole(number: Decimal | None) -> int | None:

@@ -16,6 +16,7 @@ from fieldspec.tools.lists.addresses import (
     AddressText,
     Place,
     address_text,
+    are_of_two_bytes,
     base_of_heading,
     place,
 )
@@ -49,10 +50,11 @@ def placed(columns: Columns, base: str = "") -> Placed:
     skipped: list[SheetRow] = []
     refused: list[Refusal] = []
     heading = columns.heading("address")
+    are_bytes = are_of_two_bytes([text for row in columns.rows if (text := columns.cell(row, "address"))])
     for row in columns.rows:
         text = columns.cell(row, "address")
         try:
-            row_place = place(text) if text else None
+            row_place = place(text.replace(",", " ") if are_bytes else text) if text else None
         except CellError as error:
             refused.append(Refusal(row.number, heading, text, str(error)))
             continue

@@ -106,6 +106,12 @@ def _has_address(item: dict[str, Any], unless: tuple[str, ...] = _NO_ADDRESSES) 
     return any(folded(str(key)) in addresses and not isinstance(value, list | dict) for key, value in item.items())
 
 
+def _has_inner_address(value: Any) -> bool:
+    """Whether an object, or one in it, has an address."""
+    inner = value.values() if isinstance(value, dict) else ()
+    return isinstance(value, dict) and (_has_address(value) or any(map(_has_inner_address, inner)))
+
+
 def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
     """An object whose lists of bits are texts of their names: `0..7 data; 16 error`. Other facts of bits stay apart."""
     result: dict[str, Any] = {}
@@ -125,7 +131,10 @@ def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
 
 def _bit_parts(bit: object) -> dict[str, str]:
     """The number of a bit, or of the first and the last one, and its name; empty for anything else."""
-    facts = {meaning("bit_parts", str(key)): value for key, value in bit.items()} if isinstance(bit, dict) else {}
+    if not isinstance(bit, dict):
+        return {}
+    place = next((inner for inner in bit.values() if isinstance(inner, dict)), {})
+    facts = {meaning("bit_parts", str(key)): value for key, value in {**bit, **place}.items()}
     low, width = whole(str(facts.get("low"))), whole(str(facts.get("width", 1)))
     name = facts.get("name")
     if low is None or width is None or width < 1 or not isinstance(name, str) or not name:
@@ -176,7 +185,8 @@ def _group(value: Any) -> list[dict[str, Any]]:
     if not isinstance(value, dict):
         return inner
     is_name = len(value) == 1 and str(next(iter(value)))[:1].isalpha()
-    key = "address" if not is_name and all(address_text(str(text)) for text in value) else "name"
+    numbered = sum(address_text(str(text)) is not None for text in value) * 2 > len(value)
+    key = "address" if not is_name and numbered and not any(map(_has_inner_address, inner)) else "name"
     return [{key: str(text), **item} for text, item in zip(value, inner, strict=True)]
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists.brackets import parted
-from fieldspec.tools.lists.cells import number, whole
+from fieldspec.tools.lists.cells import bounds, number, whole
 from fieldspec.tools.lists.quantities import (
     Quantity,
     factor,
@@ -20,6 +20,7 @@ from fieldspec.tools.lists.quantities import (
     times,
     unit_cell,
 )
+from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.words import folded, words
 
 FACTORS = ("scale", "gain", "divisor")
@@ -39,27 +40,36 @@ _STEP = re.compile(
     r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})",
     re.IGNORECASE,
 )
+_UNIT = re.compile(r"(?:units?|einheit|unidad|unité|unità|单位|單位)\s*[:=]?\s*(\S{1,8})\.?", re.IGNORECASE)
+_FRACTION = re.compile(
+    r"\b(?:(tenths? of an?|tenths? of|zehntel|decimi di|d[ée]cimas de|dixi[èe]mes? de)"
+    r"|(?:hundredths? of an?|hundredths? of|hundertstel|centesimi di|cent[ée]simas de|centi[èe]mes? de))\s+(\S{1,8})",
+    re.IGNORECASE,
+)
 _FACTOR_AND_UNIT = re.compile(r"[x\u00d7*]\s*(10{1,5})(?:\s*(\S{1,6}))?", re.IGNORECASE)
 _DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
 _PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
 _EXAMPLE = re.compile(
-    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
+    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
-_RAW = re.compile(
+COUNT = re.compile(
     r"\(?\s*(?:raw|reg(?:ister)?|value|val|data|count|wert|rohwert|x|n)(?:[ _]?(?:value|val|data))?\s*[-+*/x\u00d7÷]",
     re.IGNORECASE,
 )
 """The count in a formula within a text."""
 
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
+_BEHIND_RANGE = re.compile(r"(?:(?<=[0-9])[^\s0-9.,xX]|(?<=[0-9]) [^\s0-9])[^\s0-9]*$")
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
 """The places after the point of formats that have names beside `FIX2`."""
 
 _NO_FORMULAS = ("none", "v", "value", "raw", "rawvalue", "x", "val", "y", "keine", "无")
 _HIGHEST_EXPONENT = 9
+_COULOMB = "C"
+"""The symbol that lists write for degrees."""
 
 
 def quantity_of(
@@ -72,9 +82,12 @@ def quantity_of(
 ) -> Quantity:
     """The unit of a row, and the scale and the offset that need no decision for the whole list."""
     text = texts.get("unit", "")
-    unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_name(names, decimal)
-    if unit is None:
-        doubts.append(f"Unit in the list: {text}.")
+    unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_texts(texts, names, decimal)
+    if unit is not None and unit.unit == _COULOMB:
+        is_temperature = any(word in folded(name) for name in names for word in words("measured")["K"])
+        unit = replace(unit, unit="°C") if is_temperature else None
+    if unit is None or (typed(unit.unit) is not None and not known_unit(unit.unit)):
+        doubts.append(f"Unit in the list: {text or texts['range']}.")
         unit = Quantity()
     stated: list[tuple[Fraction, str]] = [(unit.scale, text)] if unit.scale not in (None, 1) else []
     in_counts = replace(unit, evidence=text or next(iter(names), ""))
@@ -125,6 +138,8 @@ def quantity_of(
                 own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
             if own_factor is not None:
                 stated.append((own_factor, texts[role]))
+            elif scaled is not None and scaled.times is None:
+                unit = replace(unit, unit=unit.unit or scaled.unit)
     type_aside = texts.get("type", "").partition(",")[2].strip()
     if not stated and in_counts.times is None and not has_factors:
         for described in (
@@ -174,16 +189,32 @@ def example(text: str, decimal: str) -> Quantity | None:
     return Quantity(scale, max(units)) if len(scales) == len(units) == 1 and is_power and max(units) else None
 
 
+def described_range(text: str, decimal: str) -> Quantity | None:
+    """The unit of a description that is a range: `0~100%`; None for another one, and for numbers alone."""
+    unit = known_unit(re.sub(r"^.*[0-9]", "", text))
+    return Quantity(unit=unit) if unit and bounds(text, decimal) is not None else None
+
+
 def _described(text: str, decimal: str) -> Quantity | None:
     """The quantity that a description says: `Dew point in 0.01 °C`, `Charge (÷10 for %)`, `(Hz x 100)`, `(XX.X V)`,
     `325 = 32.5 °C`, `Temperature = raw / 10 - 40`."""
-    quantity = example(text, decimal) or scaled_unit(text, decimal)
+    quantity = example(text, decimal) or scaled_unit(text, decimal) or described_range(text, decimal)
     if quantity is not None and known_unit(quantity.unit):
         return quantity
-    for piece in _SENTENCES.split(text):
+    pieces = [piece.strip() for piece in _SENTENCES.split(text)]
+    for piece in pieces:
         right = piece.partition("=")[2].strip()
-        if _RAW.match(right) and (linear := formula(right, decimal)) is not None:
+        if COUNT.match(right) and (linear := formula(right, decimal)) is not None:
             return linear
+    after_word = _UNIT.fullmatch(text.strip())
+    if unit := known_unit(after_word[1] if after_word else text if len(text.strip()) > 1 else ""):
+        return Quantity(unit=unit)
+    if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
+        return Quantity(Fraction(1, 10 if fraction[1] else 100), unit)
+    scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
+    powers = [piece for piece in scaled_pieces if piece is not None and known_unit(piece.unit) and _is_power(piece)]
+    if len(powers) == 1:
+        return replace(powers[0], evidence=text)
     if step := _STEP.search(text):
         quantity = scaled_unit(step[1], decimal)
         return quantity if quantity is not None and known_unit(quantity.unit) else None
@@ -195,15 +226,23 @@ def _described(text: str, decimal: str) -> Quantity | None:
         if parts := _DIVIDED.fullmatch(aside):
             unit = known_unit(parts[2] or "")
             return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None
-        quantity = unit_cell(aside, decimal)
+        quantity = unit_cell(aside, decimal) if typed(aside) is None else None
         if quantity is not None and known_unit(quantity.unit) and (quantity.times or quantity.scale):
             return quantity
     return None
 
 
+def _is_power(quantity: Quantity) -> bool:
+    """Whether the scale of a quantity, or its factor, is a power of ten other than 1."""
+    scale = quantity.scale or quantity.times or Fraction(1)
+    digits = str(max(scale.numerator, scale.denominator))
+    return scale != 1 and min(scale.numerator, scale.denominator) == 1 and digits.strip("0") == "1"
+
+
 def unread_scales(texts: Mapping[str, str]) -> list[str]:
     """The cells of columns of scales, but those that have none."""
-    return [texts[role] for role in FACTORS if role in texts and folded(texts[role]) not in IDLE_SCALES]
+    cells_of_scales = [texts[role] for role in FACTORS if role in texts]
+    return [cell for cell in cells_of_scales if folded(cell) not in IDLE_SCALES and not known_unit(cell)]
 
 
 def decimal_places(text: str) -> int | None:
@@ -235,12 +274,12 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
     return Quantity(scale, "", places) if Fraction(places) == offset else None
 
 
-def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
-    """The unit in brackets after a name, where the list has no cell for it: `Speed [rpm]`."""
+def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str) -> Quantity | None:
+    """The unit in brackets after a name, or after a range, where the list has no cell for it: `Speed [rpm]`."""
     for name in names:
         aside = parted(name)[1]
         quantity = unit_cell(aside, decimal) if aside else None
-        if quantity is None or not known_unit(quantity.unit):
+        if quantity is None or not known_unit(quantity.unit) or typed(aside) is not None:
             continue
         if (
             quantity.scale
@@ -249,7 +288,8 @@ def _unit_of_name(names: Sequence[str], decimal: str) -> Quantity:
             or not _may_be_a_phase(known_unit(quantity.unit), name)
         ):
             return quantity
-    return Quantity()
+    measured = bounds(texts.get("range", ""), decimal) and _BEHIND_RANGE.search(texts["range"])
+    return unit_cell(measured[0], decimal) if measured else Quantity()
 
 
 def _may_be_a_phase(unit: str, name: str) -> bool:

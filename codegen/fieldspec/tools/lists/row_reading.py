@@ -18,7 +18,8 @@ from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
-from fieldspec.tools.lists.row_quantity import FACTORS, example, open_factor, quantity_of
+from fieldspec.tools.lists.remarks import special_states, spoken_access, states_at_ends
+from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
@@ -34,7 +35,6 @@ STATES = ("zero", "one")
 """The roles of columns with the meaning of 0, and of 1."""
 
 _SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
-_STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
 
@@ -146,10 +146,11 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     """A row without its address. `decimal` is the sign before a fraction, `default_order` that of other rows."""
     texts = row.texts
     doubts: list[str] = []
+    described = [text for text in (texts.get("label", ""), *(note for _, note in row.notes)) if text]
     own_type = _type(texts, row.notes, doubts)
     if own_type is not None and own_type.factor and not row.has_factors:
         texts = {**texts, "scale": own_type.factor}
-    low, high, meanings = _bounds(texts, decimal, doubts)
+    low, high, meanings = _bounds(texts, described, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
     quantity = quantity_of(texts, row.names, row.notes, decimal, row.has_factors, doubts)
     count = whole(texts.get("count", "")) or 1
@@ -160,7 +161,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         names=row.names,
         type=own_type,
         form={"digits": own_type.digits} if own_type is not None and own_type.digits else {},
-        access=_access(texts, doubts),
+        access=_access(texts, described, doubts),
         low=low,
         high=high,
         default=number_in_unit(texts.get("default", ""), decimal),
@@ -176,12 +177,18 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         scaled_by=quantity.evidence,
         offset=quantity.offset,
         unit=quantity.unit,
-        order=_order(texts, own_type, default_order, doubts, [*row.names, *(note for _, note in row.notes)]),
+        order=_order(
+            texts,
+            own_type,
+            default_order,
+            doubts,
+            [*row.names, *(note for _, note in row.notes), texts.get("type", "")],
+        ),
         meanings=meanings,
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
         ),
-        special=_special(texts, doubts),
+        special=special_states(texts, doubts) or states_at_ends(own_type, described),
         doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
     )
 
@@ -230,7 +237,10 @@ def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: li
     if text and (own_type is None or (aside and scaled_unit(aside, POINT) is None and value_meanings(aside) is None)):
         doubts.append(f"Type in the list: {text}.")
     if not text:
-        type_texts = [*(parted(texts.get(role, ""))[1] for role in FACTORS), *(note for _, note in notes)]
+        roles = (*FACTORS, "name", "label")
+        unit = texts.get("unit", "")
+        type_texts = ["" if known_unit(unit) else unit, *(parted(texts.get(role, ""))[1] for role in roles)]
+        type_texts += [texts.get("label", ""), *(note for _, note in notes)]
         own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
@@ -250,7 +260,9 @@ def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: li
     return own_type
 
 
-def _access(texts: Mapping[str, str], doubts: list[str]) -> str:
+def _access(texts: Mapping[str, str], described: Sequence[str], doubts: list[str]) -> str:
+    if texts.keys().isdisjoint(("access", "writable", "readable", "function")):
+        return spoken_access(described)
     text, writable = texts.get("access", ""), texts.get("writable", "")
     stated = access(text)
     codes = functions(text) if text and not stated else None
@@ -292,15 +304,6 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     return stated
 
 
-def _special(texts: Mapping[str, str], doubts: list[str]) -> tuple[tuple[str, str], ...]:
-    """The states of a column of special values."""
-    text = texts.get("special", "")
-    states = [_STATE.fullmatch(part.strip()) for part in text.split(";") if part.strip()]
-    if not all(states):
-        doubts.append(f"Special values in the list: {text}.")
-    return tuple((state[1], state[2]) for state in states if state)
-
-
 def bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
     """The lowest and the highest of one or two numbers in a text; None if it has others, or one that is too high."""
     numbers = [int(digits) for digits in re.findall(r"[0-9]{1,3}", text)]
@@ -310,7 +313,7 @@ def bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
 
 
 def _bounds(
-    texts: Mapping[str, str], decimal: str, doubts: list[str]
+    texts: Mapping[str, str], described: Sequence[str], decimal: str, doubts: list[str]
 ) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
     """The least and the greatest number, or the meanings that a list has in their place."""
     low, high = (number_in_unit(texts.get(role, ""), decimal) for role in ("min", "max"))
@@ -318,6 +321,8 @@ def _bounds(
         low = high = None  # programs write 0 for both where there are none
     values = texts.get("values", "")
     text = texts.get("range", "") or (values if bounds(values, decimal) is not None else "")
+    if not text and (low, high) == (None, None):
+        text = next((text for text in described if described_range(text, decimal)), "")
     range_ends = bounds(text, decimal)
     if range_ends is not None:
         if (low, high) != (None, None) and (low, high) != range_ends:
@@ -343,7 +348,7 @@ def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[
         if meanings is not None:
             return meanings
         doubts.append(f"Values in the list: {text}.")
-    asides = (parted(texts.get(role, ""))[1] for role in ("printed_name", "name", "type"))
+    asides = (parted(texts.get(role, ""))[1] for role in ("printed_name", "name", "label", "type"))
     for described_text in (texts.get("label", ""), texts.get("note", ""), *asides):
         described = value_meanings(described_text)
         if of_range is None and described is not None and len(described.members) + len(described.bits) > 1:

@@ -202,6 +202,9 @@ class _Writer:
             low, high = bounds(row)
             row = replace(row, low=low, high=high)
             inferred["range"] = "The list does not say it; that of SunSpec is taken."
+        if place in self._exponents and not row.access:
+            row = replace(row, access="ro")
+            inferred["access"] = "Other rows have it as their exponent."
         parts = _head(entry, name, type_name)
         parts += [f"access: {row.access}"] if row.access else []
         parts += order_keys(row.order, kind, _bytes(entry) if "digits" in row.form else kind.size)

@@ -24,6 +24,9 @@ from fieldspec.tools.lists.words import folded, whole_words
 _HEADED_BY = 40
 """The number of rows among which the heading is searched."""
 
+_SEARCHED, _CLEAR = 1000, 2
+"""The number of rows among which a heading is searched whose addresses are clear, where no other has two roles."""
+
 _MOST_HEADING_ROWS = 3
 _MOST_TABLES, _MOST_MARKED_TABLES = 40, 200
 _LONGEST_HEADING = 100
@@ -40,7 +43,9 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
         return marked
     best: Columns | None = None
     earlier: list[Columns] = []
-    for index, row in enumerate(sheet.rows[:_HEADED_BY]):
+    for index, row in enumerate(sheet.rows[:_SEARCHED]):
+        if index >= _HEADED_BY and ((best and best.headed > 1) or max(map(address_rank, row.cells)) < _CLEAR):
+            continue
         is_comment = _is_comment(row) and not all(map(_is_comment, sheet.rows[:index]))
         if not _is_heading(row) or is_comment:
             continue

@@ -45,7 +45,7 @@ _MOST_BORDERS = 3
 
 _BOLD, _CODE = re.compile(r"\*\*(?=\S)(.+?)\*\*"), re.compile(r"`+([^`]+)`+")
 _LINK, _SLANTED = re.compile(r"\[([^\[\]]+)\]\([^()\s]*\)"), re.compile(r"\*(?=\S)([^*]+)\*")
-_RULE = re.compile(r"[|+:=\s-]+")
+_RULE = re.compile(r"[|+\s]*[-:=][|+:=\s-]*")
 _DELIMITER = re.compile(r"^[ \t]*(?:\|[ \t]*)?:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)+(?:\|[ \t]*)?\r?$", re.MULTILINE)
 """The line below the heading of a table in Markdown."""
 

@@ -40,8 +40,10 @@ _OF_STRUCT = {"b": "i8", "h": "i16", "i": "i32", "l": "i32", "q": "i64", "f": "f
 
 _ARRAY = re.compile(r"\s+array$", re.IGNORECASE)
 _ORDER_PHRASE = re.compile(
-    r"\b(?:low|high|least significant|most significant) word first|\b[lm]sw first|\bwords? swap(?:ped)?"
-    r"|\bCDAB\b|\bBADC\b|\bDCBA\b",
+    r"\b(?:low|lower|low[ -]order|least[ -]significant|high|higher|upper|high[ -]order|most[ -]significant)[ -]?"
+    r"(?:word|reg(?:ister)?)s?[ -](?:first|zuerst)|\b[lm]s[wr] (?:first|zuerst)|\b(?:nieder|höher|hoch)wertiges "
+    r"(?:wort|register) zuerst|\bwords? swap(?:ped)?|\bswap(?:ped)? words?|\b(?:low|high) first\b"
+    r"|\b(?:little|big)[ -]endian words?|\b[lb]e words?|\bCDAB\b|\bBADC\b|\bDCBA\b",
     re.IGNORECASE,
 )
 _OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)

@@ -16,7 +16,13 @@ _PART = re.compile(
 _BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
 """What may stand before the first value: `Condition: 0 = off`."""
 
+_FURTHER = re.compile(r"[/;,|\n]\s*[0-9]{1,4}\s?[.:=)]\s?[^\W\d]")
+"""A further value in the text of one, with another sign after its number: `2: meter / 3.Dual-CT`."""
+
 _SIMPLE = re.compile(r"(-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
+_SEPARATOR = re.compile(r";|\s[/|](?=\s*-?[0-9]+\s)")
+"""What stands between values: `0 off; 1 on`, `0 off / 1 on`."""
+
 _BIT = re.compile(r"([0-9]{1,2}(?:\.\.[0-9]{1,2})?(?:,[0-9]{1,2}(?:\.\.[0-9]{1,2})?)*)\s+(\S.*)")
 _JSON_KEY = re.compile(r"(bit\s*|b)?(0x[0-9a-f]+|-?[0-9]+)", re.IGNORECASE)
 _MOST = 1 << 16
@@ -53,14 +59,14 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
         ends = [*(part.start() for part in parts[1:]), len(text)]
         texts = [text[part.end() : end].strip(" ,;/|.]") for part, end in zip(parts, ends, strict=True)]
-        if all(texts):
+        if all(texts) and not any(map(_FURTHER.search, texts)):
             return _sorted(
                 [
                     (bool(part["bit"]), int(part["number"], 0 if "x" in part["number"].lower() else 10), name)
                     for part, name in zip(parts, texts, strict=True)
                 ]
             )
-    simple = [_SIMPLE.fullmatch(piece.strip()) for piece in text.split(";") if piece.strip()]
+    simple = [_SIMPLE.fullmatch(piece.strip()) for piece in _SEPARATOR.split(text) if piece.strip()]
     if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
         return _sorted(
             [(False, int(piece[1]), piece[2].strip()) for piece in simple if piece and piece[1].lower() != "nan"]

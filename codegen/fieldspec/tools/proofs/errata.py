@@ -131,7 +131,9 @@ def put_back(
     change are not built again.
     """
     wrong, broken = printed_tree(tree, erratum)
-    return (device, broken) if broken else built(wrong, version, spec.reused)
+    if broken:
+        return device, broken
+    return built(spec.with_earlier_nodes(f"{version}/{erratum.id}", wrong), version, spec.reused)
 
 
 def printed_tree(tree: Mapping, erratum: Erratum) -> tuple[Mapping, list[Diagnostic]]:

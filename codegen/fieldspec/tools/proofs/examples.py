@@ -4,20 +4,57 @@ from __future__ import annotations
 
 import math
 import struct
+from collections import deque
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
+from fieldspec.codec.layout.observation import is_same_device, observed_layout, read_of_layout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import MeaningError, Raw, raw_values
 from fieldspec.codec.reference.frames import Decoded, DeviceCodec, FrameCodec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.caches import ByIdentity, ObjectsKey
-from fieldspec.foundation.classes import replace
+from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.checks.layout_conditions import has_layout
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Example
+
+
+@dataclass(frozen=True, slots=True)
+class _Proofs:
+    """The codec of a device that knows what has been read of it, and the examples that it has proven sound."""
+
+    layout: DeviceLayout
+    codec: DeviceCodec
+    sound: ByIdentity[Example, None] = field(default_factory=ByIdentity)
+
+    def findings(self, example: Example) -> list[Diagnostic]:
+        """The findings of an example."""
+        if example in self.sound:
+            return []
+        findings = [*example_proven(self.layout, self.codec, example)]
+        if not findings:
+            self.sound[example] = None
+        return findings
+
+
+_LAST: deque[_Proofs] = deque(maxlen=16)
+
+
+def _proofs(device: Device) -> _Proofs:
+    """The proofs of a device: earlier ones if all of its examples are sound there, and would read the same of it."""
+    for earlier in reversed(_LAST):
+        is_sound = all(example in earlier.sound for example in device.examples.values())
+        if is_sound and is_same_device(read_of_layout(earlier.layout), device):
+            return earlier
+    from fieldspec.codec.reference.frames import codec
+
+    layout = observed_layout(device_layout(device))
+    proofs = _Proofs(layout, codec(layout))
+    _LAST.append(proofs)
+    return proofs
 
 
 class FindingsCache:
@@ -28,26 +65,19 @@ class FindingsCache:
     """
 
     def __init__(self) -> None:
-        self._codecs: dict[ObjectsKey, tuple[DeviceLayout, DeviceCodec] | None] = {}
-        self._findings: dict[ObjectsKey, ByIdentity[Example, list[Diagnostic]]] = {}
+        self._proofs: dict[ObjectsKey, _Proofs | None] = {}
 
     def findings(self, device: Device, sound: bool = False) -> list[Diagnostic]:
         """The findings of a device's examples; none where it has no layout. A `sound` device is known to have one."""
         if not device.examples:
             return []  # nobody waits for the reference and its library
         meaning = _meaning(device)
-        if meaning not in self._codecs:
-            self._findings[meaning] = ByIdentity()
-            self._codecs[meaning] = _layout_and_codec(device) if sound or has_layout(device) else None
-        codec = self._codecs[meaning]
-        if codec is None:
+        if meaning not in self._proofs:
+            self._proofs[meaning] = _proofs(device) if sound or has_layout(device) else None
+        proofs = self._proofs[meaning]
+        if proofs is None:
             return []
-        layout, reference = codec
-        findings = self._findings[meaning]
-        proven = [
-            (example, findings.get_or_compute(example, lambda same: [*example_proven(layout, reference, same)]))
-            for example in device.examples.values()
-        ]
+        proven = [(example, proofs.findings(example)) for example in device.examples.values()]
         common = _commonly_wrong(proven)
         return [
             replace(finding, help=_COMMON)
@@ -76,13 +106,6 @@ def _commonly_wrong(proven: Sequence[tuple[Example, Sequence[Diagnostic]]]) -> s
             wrong = any(finding.code == "checksum_correct" for finding in own)
             verdicts.setdefault(_frames_of(example), []).append(wrong)
     return {frames for frames, own in verdicts.items() if len(own) > 1 and all(own)}
-
-
-def _layout_and_codec(device: Device) -> tuple[DeviceLayout, DeviceCodec]:
-    from fieldspec.codec.reference.frames import codec
-
-    layout = device_layout(device)
-    return layout, codec(layout)
 
 
 def _meaning(device: Device) -> ObjectsKey:

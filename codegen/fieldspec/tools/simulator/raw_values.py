@@ -9,6 +9,7 @@ from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_array, is_signed
+from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.memory import default_raw
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def initial_value(device: Device, field: FieldLayout, values: Mapping[str, Any] 
 
     A list of any length has the least number of records that it can have, and of values the same, but one at least.
     """
-    if field.presence is not None and not field.least_count(values):
+    if field.presence is not None and field.presence.numbers and not field.least_count(values):
         return []
     minimum = field.least_count(values)
     if field.record is not None:
@@ -62,7 +63,7 @@ def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
     for field in decided_fields(record, values):
         if field.field.measures is None:
             values[field.name] = initial_value(device, field, values)
-    return values
+    return record.with_bit_counts(values)
 
 
 def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> Iterator[FieldLayout]:
@@ -75,6 +76,11 @@ def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> It
         if field.selector is not None and field.form_of(values[field.selector.name]) is None:
             values[field.selector.name] = min(field.forms)
         yield record.decided_by(values).fields[index] if field.cases else field
+
+
+def permits(value: Value | None, raw: Any) -> bool:
+    """Whether no printed range excludes the number."""
+    return value is None or value.ranges is None or raw in value.ranges
 
 
 def signed(raw: Any, size: int, is_signed: bool) -> Any:

@@ -17,7 +17,7 @@ from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.tools.simulator import parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
 from fieldspec.tools.simulator.engine import Engine
-from fieldspec.tools.simulator.memory import element_value
+from fieldspec.tools.simulator.memory import default_raw, element_value
 from fieldspec.tools.simulator.received import number_key, received
 from fieldspec.tools.simulator.refusal import Refusal, reason_place
 from fieldspec.tools.simulator.register_requests import read_bits, read_registers, write_bits, write_registers
@@ -239,8 +239,9 @@ class Server:
         for field in raw_values.decided_fields(announced.response, response):
             if field.field.measures is None:
                 response[field.name] = body[field.name] if field.name in body else self._field(field, values)
-            if field.presence is not None and field.name not in body:
+            if field.presence is not None and field.presence.numbers and field.name not in body:
                 response[field.name] = raw_values.initial_value(self.engine.layout.device, field, response)
+        response = announced.response.with_bit_counts(response)
         try:
             return Answer(self._frame(frames, announced.name, response), announced.name)
         except CodecError as error:
@@ -305,11 +306,14 @@ class Server:
                 values[part.name] = self.unit_address
             elif part.constant is not None:
                 values[part.name] = part.constant
-            elif (part.part.same_as or part.name) in head:
-                values[part.name] = head[part.part.same_as or part.name]
+            elif part.part.same_as:
+                values[part.name] = head[part.part.same_as]
+            elif part.name in head and raw_values.permits(part.value, head[part.name]):
+                values[part.name] = head[part.name]
             else:
                 cell = next(iter(self.engine.cells.of(part.part.place.path)), None)
-                values[part.name] = cell.read() if cell is not None else 0
+                usual = default_raw(self.engine.layout.device, part.value) if part.value is not None else 0
+                values[part.name] = cell.read() if cell is not None else usual
         mark = frames.link.link.exception_response
         if mark is not None and mark.normal is not None and values[mark.part] not in mark.normal:
             values[mark.part] = mark.normal.low

@@ -167,7 +167,7 @@ export function partNumberText({ size, value, numberSize = size }, number) {
 
 /** Whether a response with a code and other parts before the body is an exception response; `number` returns a part's. */
 export function isException({ code: own, flag, part, normal }, code, number) {
-  if (part) return !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
+  if (part) return number(part) !== undefined && !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
   return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
 }
 

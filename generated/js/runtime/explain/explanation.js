@@ -215,7 +215,7 @@ class ExplainedFrame {
   codeValue(part, read) {
     let code = exactWhole(read.number);
     if (this.shape.escape?.remote !== undefined) {
-      read = { ...read, number: code % 2 ** 30 };
+      read = { ...read, number: onBits(code, 2 ** 30, (bits, flag) => bits & ~flag) };
       this.values.set(part.name, read.number);
     }
     const { link, direction } = this;
@@ -258,9 +258,10 @@ class ExplainedFrame {
     return { ...read, meanings: [meaningOf("", "", `${title || label || name} is refused`)], notes, facts: [path] };
   }
 
-  /** The number of a part before the body, as far as the bytes reach. */
+  /** The number of a part before the body; undefined where bytes of it are missing. */
   partNumber(name) {
-    return numberOf(this.shape.header.find((part) => part.name === name), this.data);
+    const part = this.shape.header.find((own) => own.name === name);
+    return part.offset + part.size <= this.data.length ? numberOf(part, this.data) : undefined;
   }
 
   addressValue(read) {

@@ -124,9 +124,7 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
   }
   const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
-  let read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved);
-  // What starts something does not answer what was written.
-  if (parameter.trigger && !isRequest) read = { ...read, verdict: "", reason: "" };
+  const read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved, parameter.trigger);
   const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
   return {
     ...row,

@@ -207,9 +207,7 @@ function registerRow(device, span, occupant, spot, operation) {
     const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
     const value = byExponent(device, span, occupant, own);
     const decode = operation === "write" ? decodeValue : decodeAnswer;
-    read = decode(device, value, piece.content, occupant.reserved);
-    // What starts something does not answer what was written.
-    if (occupant.trigger && operation === "read") read = { ...read, verdict: "", reason: "" };
+    read = decode(device, value, piece.content, occupant.reserved, occupant.trigger);
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
     read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });

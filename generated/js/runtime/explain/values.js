@@ -73,12 +73,16 @@ export function forWriting(value) {
   return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
-/** The meaning of the bytes of a value that is read: a constant binds only what is written. */
-export function decodeAnswer(device, value, ...rest) {
-  const read = decodeValue(device, value, ...rest);
-  if (read.reason !== "wrong_const") return read;
-  const answer = decodeValue(device, { ...value, const: undefined }, ...rest);
-  return { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+/** The meaning of the bytes of a value that is read: a constant binds only what is written; a trigger has its type alone. */
+export function decodeAnswer(device, value, bytes, reserved, isTrigger) {
+  let read = decodeValue(device, value, bytes, reserved);
+  if (read.reason === "wrong_const") {
+    const answer = decodeValue(device, { ...value, const: undefined }, bytes, reserved);
+    read = { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+  }
+  if (!isTrigger) return read;
+  const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, reserved);
+  return reason === "unknown_value" ? read : { ...read, verdict: "", reason: "" };
 }
 
 /** The meaning of all bytes of a value. Never throws. */

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.foundation.classes import replace
 from fieldspec.language.changes.attributes import PYTHON, C
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair
@@ -247,9 +248,9 @@ def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, subject
 
 def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
     holder_path = pair.old.place.path.rpartition("/")[0]
-    old, new = _measure(pair.old.measures), _measure(pair.new.measures)
-    if (measure := pair.old.measures) is not None:
-        old = _measure(Measure(measure.of, comparison.renamed_to(holder_path, measure.field), measure.plus))
+    old, new = _measure(pair.old.stated_measure), _measure(pair.new.stated_measure)
+    if (measure := pair.old.stated_measure) is not None:
+        old = _measure(replace(measure, field=comparison.renamed_to(holder_path, measure.field)))
     if old != new:
         yield _role_text(pair, "measures", "what it measures", old, new)
     old, new = presence_text(comparison, holder_path, pair.old), presence_text(None, holder_path, pair.new)
@@ -268,7 +269,8 @@ def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
 
 def _measure(measure: Measure | None) -> str:
     plus = f" plus {measure.plus}" if measure and measure.plus else ""
-    return f"the {measure.of} of {measure.field}{plus}" if measure else ""
+    bits = f" in bits {measure.bits[0]}..{measure.bits[1]}" if measure and measure.bits else ""
+    return f"the {measure.of} of {measure.field}{plus}{bits}" if measure else ""
 
 
 def _parameter(part: ParameterPart | None, comparison: Comparison | None) -> str:

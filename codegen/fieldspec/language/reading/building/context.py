@@ -175,6 +175,17 @@ class Entry:
         node = self.get(key)
         return intervals(node.text) if isinstance(node, Scalar) else None
 
+    def bit_range(self, key: str) -> tuple[int, int] | None:
+        """The first and the last of adjacent bits, which may be one."""
+        text = self.text(key)
+        if not text:
+            return None
+        first, _, last = text.partition("..")
+        low, high = int(first), int(last or first)
+        if high < low:
+            self.refuse("wrong_form", key, f"`{key}` ends before it starts", f"write {high}..{low}")
+        return min(low, high), max(low, high)
+
     def whole_ranges(self, key: str) -> Ranges | None:
         """The intervals under a key, whose bounds must be whole numbers."""
         node = self.get(key)

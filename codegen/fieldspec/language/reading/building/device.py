@@ -11,6 +11,7 @@ from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.address_space import WORDS, AddressSpace
 from fieldspec.language.model.device import Detection, Device, Manual, Version, VersionLine
+from fieldspec.language.model.fact import Place
 from fieldspec.language.model.machines import StateMachine
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.language.model.texts import Erratum, Note
@@ -40,7 +41,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
         Device(
             id=head.text("id"),
             version=version,
-            place=head.place(),
+            place=_place(head, reused),
             name=head.text("name"),
             vendor=head.text("vendor"),
             title=head.text("title"),
@@ -75,6 +76,11 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
         ),
         findings,
     )
+
+
+def _place(head: Entry, reused: Reused) -> Place:
+    same = reused.setdefault("place", ByIdentity())
+    return cast("Place", same.get_or_compute(head.stated, lambda _: head.place()))
 
 
 def _with_row(tree: Mapping, erratum: Erratum) -> Erratum:

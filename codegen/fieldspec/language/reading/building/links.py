@@ -170,7 +170,7 @@ def _part(entry: Entry, link_order: str) -> Part:
         if key in _SPECIFIC and key not in _KEYS[role] and key != "algorithm":
             text = f"`{key}` has no effect in a part with the role {role}"
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
-    measures, covers, bits = entry.entry("measures"), entry.entry("covers"), _bits(entry)
+    measures, covers, bits = entry.entry("measures"), entry.entry("covers"), entry.bit_range("bits")
     span = measures if role == "length" else covers if role == "checksum" else None
     return Part(
         **entry.fact(),
@@ -193,18 +193,6 @@ def _part(entry: Entry, link_order: str) -> Part:
 
 def _span(entry: Entry) -> PartSpan:
     return PartSpan(entry.text("from"), entry.text("to"), entry.flag("before_escape"))
-
-
-def _bits(entry: Entry) -> tuple[int, int] | None:
-    text = entry.text("bits")
-    if not text:
-        return None
-    first, _, last = text.partition("..")
-    low, high = int(first), int(last or first)
-    if high < low:
-        entry.refuse("wrong_form", "bits", "`bits` ends before it starts", f"write {high}..{low}")
-        low, high = high, low
-    return low, high
 
 
 def _value(entry: Entry, bits: tuple[int, int] | None) -> Value:

@@ -53,12 +53,8 @@ def _field(entry: Entry) -> Field:
         help = f"state it at the fields of {name}, or give the field a `type`"
         entry.refuse("type_present", key, f"the field is a record, which has no `{key}`", help)
     measures = entry.entry("measures")
-    measure = None
-    if measures:
-        unit = "bytes" if measures.get("bytes") else "items"
-        if "plus" in measures.own and not measures.integer("plus"):
-            measures.refuse("wrong_form", "plus", "a `plus` of 0 has no effect", "remove it")
-        measure = Measure(unit, measures.text(unit), measures.integer("plus") or 0)
+    measure = _measure(measures) if measures else None
+    is_in_bits = measure is not None and measure.bits is not None
     present = entry.entry("present_if")
     return Field(
         **entry.fact(),
@@ -69,7 +65,8 @@ def _field(entry: Entry) -> Field:
         count=entry.integer("count") if present is None else None,
         repeat=entry.whole_ranges("repeat") if present is None else _optional(entry),
         presence=_presence(present) if present is not None else None,
-        measures=measure,
+        measures=None if is_in_bits else measure,
+        bit_measure=measure if is_in_bits else None,
         reserved=entry.flag("reserved"),
         is_implied=not {"separator", "remote"}.isdisjoint(entry.own),
         at=entry.integer("at"),
@@ -82,6 +79,13 @@ def _field(entry: Entry) -> Field:
         handling=entry.handling(),
         same_as=entry.text("same_as"),
     )
+
+
+def _measure(entry: Entry) -> Measure:
+    unit = "bytes" if entry.get("bytes") else "items"
+    if "plus" in entry.own and not entry.integer("plus"):
+        entry.refuse("wrong_form", "plus", "a `plus` of 0 has no effect", "remove it")
+    return Measure(unit, entry.text(unit), entry.integer("plus") or 0, entry.bit_range("bits"))
 
 
 _NEVER_OPTIONAL = ("choice", "const", "count", "measures", "packed_bits", "parameter", "reserved", "varies")

@@ -12,8 +12,9 @@ typedef size_t (*device_decided_size)(const uint8_t *in);
 /**
  * A list with fields after it, which begins after `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
- * element. At `count_at` in the image, in one byte or in two, is the number of units of `unit` bytes, plus `plus`; a
- * `count_size` of 0 is that of a list that always has `most` bytes. The data decide the size of the last one.
+ * element. At `count_at` in the image, in `count_size` bytes, is the number of units of `unit` bytes, plus `plus`; where
+ * `mask` is not 0, in these bits. A `count_size` of 0 is that of a list that always has `most` bytes. The data decide the
+ * size of the last one.
  * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element. Numbers
  * of `bits` bits are packed, from the highest bit or where they are `low_first` from the lowest; it is 0 for whole bytes.
  */
@@ -28,6 +29,7 @@ typedef struct device_inner_list {
     size_t unit;
     long plus;
     bool is_little;
+    uint32_t mask;
     device_element_size element_size;
     device_decided_size decided_size;
     size_t bits;
@@ -39,14 +41,15 @@ typedef struct device_inner_list {
 static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
 {
     const uint8_t *count = image + list->count_at;
+    uint32_t bits = 0u;
     size_t number, size;
     if (list->count_size == 0u) {
         return list->most;
     }
-    number = count[0];
-    if (list->count_size > 1u) {
-        number = list->is_little ? number + count[1] * 256u : number * 256u + count[1];
+    for (number = 0; number < list->count_size; number++) {
+        bits = bits << 8 | count[list->is_little ? list->count_size - 1u - number : number];
     }
+    number = (size_t)(list->mask == 0u ? bits : (bits & list->mask) / (list->mask & (0u - list->mask)));
     if (list->plus > 0 && number < (size_t)list->plus) {
         return SIZE_MAX;
     }

@@ -1,4 +1,4 @@
-import { extentsIn, isPresent, placeAround } from "../lists.js";
+import { bitsText, extentsIn, fits, placeAround } from "../lists.js";
 import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
 import { sameValue, valueText } from "./texts.js";
@@ -111,7 +111,7 @@ export class ExplainedBody {
       return this.missingRow(fields, at);
     } else if (decision) {
       text = `${decision.name} decides that ${name} has more bytes than there are`;
-    } else if (presence) {
+    } else if (presence?.numbers.length) {
       [reason, text] = ["incomplete", `${countName} says that ${name} is sent, but its bytes are missing`];
     } else {
       [reason, text] = ["incomplete", `${countName} counts more ${name} than there are`];
@@ -243,16 +243,19 @@ export class ExplainedBody {
     return Math.max(0, Math.min(this.countOf(field), Math.floor((this.end - this.start - field.offset) / field.size)));
   }
 
-  /** The value of a field that says whether others are sent, judged by whether they are. */
+  /** The value of a field whose bits say how many elements others have, judged by how many they have. */
   deciding(field, read) {
     for (const other of this.record.fields) {
       const { presence, name } = other;
       if (read.reason || presence?.by !== field.name || !isWhole(read.number)) continue;
       const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
+      if (known === this.extents.length) read = this.wrongCount(this.record.inner.lists[known], field, read);
       if (known >= this.extents.length) continue;
       const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
-      if (isPresent(presence, read.number) !== items > 0) {
-        return judged(read, false, `a number with which ${name} is${items ? "" : " not"} sent`, "wrong_measure");
+      if (!fits(presence, read.number, items)) {
+        const isSent = `a number with which ${name} is${items ? "" : " not"} sent`;
+        const count = bitsText(presence, items * presence.unit + presence.plus);
+        return judged(read, false, presence.numbers.length ? isSent : count, "wrong_measure");
       }
     }
     return read;
@@ -260,9 +263,10 @@ export class ExplainedBody {
 
   /** The value of a field, which is wrong if the bytes of the list are not known because of its number. */
   wrongCount(list, field, read) {
-    const { countName, least, most, unit, plus = 0 } = list;
+    const { countName, least, most, unit, plus = 0, presence } = list;
     if (countName !== field.name || !this.hasWrongCount(list)) return read;
-    return judged(read, false, `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`, "wrong_measure");
+    const expected = `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`;
+    return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
   }
 
   /** The value of a field that repeats one of the request, judged by the value there. */

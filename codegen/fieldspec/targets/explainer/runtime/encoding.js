@@ -1,7 +1,7 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
 import { exceedsReal, onBits, realBits } from "../number_bits.js";
-import { isPresent, sentOfImage } from "../lists.js";
+import { fits, sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
 import { isWhole } from "./numbers.js";
@@ -110,7 +110,7 @@ export function encodeRecord(device, record, values) {
   }));
   for (const { name, presence } of fields.filter((field) => field.presence)) {
     const [number] = known.get(presence.by);
-    if (isPresent(presence, number) === known.get(name).length > 0) continue;
+    if (fits(presence, number, known.get(name).length)) continue;
     throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
   }
   if (form.inner) {
