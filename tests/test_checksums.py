@@ -13,8 +13,8 @@ from fieldspec.codec.layout.checksums import checksum
 from fieldspec.codec.reference.checksums import checksum as reference_checksum
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.checksums import algorithm_name, catalogue_name, checksum_named
-from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE, OTHER_NAMES
 from fieldspec.language.schema import schema
+from fieldspec.language.schema.crc_catalogue import CRC_CATALOGUE, OTHER_NAMES
 
 ROWS = {line.split()[0]: line.split()[1:] for line in CRC_CATALOGUE.splitlines()}
 OTHERS = dict(line.split() for line in OTHER_NAMES.splitlines())

@@ -12,7 +12,7 @@ from fieldspec.codec.explain.explanation import explained
 from fieldspec.codec.layout.checksums import checksum
 from fieldspec.codec.reference import CodecError, codec
 from fieldspec.language.model.checksums import SIMPLE, Checksum, algorithm_name, checksum_named, preceded
-from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
+from fieldspec.language.schema.crc_catalogue import CRC_CATALOGUE
 from layouts import TEST_SPECS, layout_at, newest
 from python_package import codec_error, link_of, module_apart, module_of
 from spec_files import gadget

@@ -10,7 +10,7 @@ from pathlib import Path
 from external_tools import require_tool
 from fieldspec.codec.layout.checksums import checksum
 from fieldspec.language.model.checksums import checksum_named
-from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
+from fieldspec.language.schema.crc_catalogue import CRC_CATALOGUE
 from fieldspec.targets.js.links import checksum_function
 from js_output.javascript import package
 

@@ -18,7 +18,7 @@ from st_syntax import parsed
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.checksums import checksum_named
-from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
+from fieldspec.language.schema.crc_catalogue import CRC_CATALOGUE
 from fieldspec.targets.controllers.structured.program import program
 from fieldspec.targets.iec.backend import source
 from fieldspec.targets.iec.backend import text as standard_text

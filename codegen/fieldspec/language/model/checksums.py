@@ -106,7 +106,7 @@ _ORDERS = {"b": "big", "l": "little"}
 @cache
 def public_crcs() -> dict[str, Checksum]:
     """The CRCs of the public catalogue by name."""
-    from fieldspec.language.model.crc_catalogue import CRC_CATALOGUE
+    from fieldspec.language.schema.crc_catalogue import CRC_CATALOGUE
 
     algorithms = {}
     for line in CRC_CATALOGUE.splitlines():
@@ -168,7 +168,7 @@ def catalogue_name(name: str) -> str:
     """The first name of an algorithm that has several."""
     if name in SIMPLE:
         return name
-    from fieldspec.language.model.crc_catalogue import OTHER_NAMES
+    from fieldspec.language.schema.crc_catalogue import OTHER_NAMES
 
     return dict(line.split() for line in OTHER_NAMES.splitlines()).get(name, name)
 

@@ -8,6 +8,7 @@ from functools import cache
 from importlib import resources
 
 from fieldspec.language.schema import Schema, built_in_units, described, referred, resolved, schema
+from fieldspec.language.schema.crc_catalogue import CRC_CATALOGUE, OTHER_NAMES
 
 ROOT = "file"
 """The name under which the template asks for the sections of a file."""
@@ -191,12 +192,13 @@ def _words(part: Schema) -> Iterator[str]:
 
 def _algorithms(words: list[str]) -> Iterator[str]:
     """The names of checksums in a row for each width, with the names of one algorithm together."""
-    from fieldspec.language.model.checksums import catalogue_name, checksum_named
-
+    widths = {name: int(width) for name, width, *_ in map(str.split, CRC_CATALOGUE.splitlines())}
+    first_names = dict(line.split() for line in OTHER_NAMES.splitlines())
     names: dict[int, dict[str, list[str]]] = {}
     for word in words:
-        first = catalogue_name(word)
-        names.setdefault(checksum_named(first).width, {}).setdefault(first, []).append(f"`{word}`")
+        first = first_names.get(word, word)
+        width = widths.get(first) or int(re.sub(r"\D", "", first) or 8)  # `lrc` has eight bits
+        names.setdefault(width, {}).setdefault(first, []).append(f"`{word}`")
     yield "| bits | permitted values; `=` joins the names of one algorithm |"
     yield "|---|---|"
     for width, algorithms in sorted(names.items()):
