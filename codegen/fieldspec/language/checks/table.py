@@ -154,7 +154,7 @@ INSTALLED: dict[str, Check] = {}
 """The checks of installed packages, by their codes; `command` adds them."""
 
 
-_PASSED: dict[str, dict[tuple[str, ...], dict[ObjectsKey, None]]] = {}
+_PASSED: dict[Check, dict[tuple[str, ...], dict[ObjectsKey, None]]] = {}
 """By check, the attributes of devices that it has read, and their values where it has found nothing."""
 
 MOST_PASSED = 100
@@ -189,12 +189,13 @@ def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
     if name in INSTALLED:
         yield from INSTALLED[name](device)
         return
-    passed = _PASSED.setdefault(name, {})
+    check = _BY_NAME[name]
+    passed = _PASSED.setdefault(check, {})
     if any(_values(device, attributes) in known for attributes, known in passed.items()):
         return
     reading = observed(device)
     count = 0
-    for count, finding in enumerate(_BY_NAME[name](reading), 1):  # noqa: B007
+    for count, finding in enumerate(check(reading), 1):  # noqa: B007
         yield finding
     if count:
         return
