@@ -372,7 +372,7 @@ def test_wrong_use_is_one_line(arguments: list[str], expected: str, capsys: pyte
         (["hiwin-e"], "message telegram_3; --message NAME chooses another\n"),
     ],
 )
-def test_the_unit_address_and_the_message_that_nobody_has_chosen_are_printed(arguments: list[str], expected: str) -> None:
+def test_a_unit_address_and_a_message_that_nobody_has_chosen_are_printed(arguments: list[str], expected: str) -> None:
     command = [sys.executable, "-m", "fieldspec", "simulate", *arguments, "--control", "--specs", SPECS]
     ran = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", timeout=HANGING)
     assert ran.returncode == 0

@@ -169,8 +169,8 @@ def test_a_request_that_lacks_a_value_says_how_to_add_it(
         ("axis", "--with axis has no value; write it as NAME=VALUE"),
         ("axes=1", "there is no open field of requests on serial axes; did you mean axis?"),
         ("number=1", "there is no open field of requests on serial number; choose from axis"),
-        ("axis=7", "--with axis=7: out_of_range"),
-        ("axis=left", "--with axis=left"),
+        ("axis=7", "axis=7: out_of_range"),
+        ("axis=left", "axis=left: axis: `left` is not a number"),
     ],
 )
 def test_a_wrong_value_of_requests_is_refused(
