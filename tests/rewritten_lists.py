@@ -31,6 +31,7 @@ from fieldspec.language.diagnostics import has_errors
 from fieldspec.tools.lists.export import as_json
 from fieldspec.tools.lists.item import items
 from random_lists import list_devices
+from steady_draws import BACKEND
 
 BATCH = 10
 UNHEALTHY = tuple(HealthCheck)
@@ -368,7 +369,12 @@ def came_back(first: int, seconds: float, most: int) -> Outcome:
 
 def _draw(number: int, total: Outcome) -> None:
     @settings(
-        max_examples=BATCH, database=None, deadline=None, phases=(Phase.generate,), suppress_health_check=UNHEALTHY
+        max_examples=BATCH,
+        database=None,
+        deadline=None,
+        backend=BACKEND,
+        phases=(Phase.generate,),
+        suppress_health_check=UNHEALTHY,
     )
     @seed(number)
     @given(st.data())

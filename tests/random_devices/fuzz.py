@@ -29,6 +29,7 @@ from random_devices.agreement import JUDGES, Comparison, Judge, compare
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
 from random_devices.key_counts import statistics
+from steady_draws import BACKEND
 
 CASES = Path(__file__).parent / "cases"
 FRAMES = 100
@@ -117,6 +118,7 @@ def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, fra
         max_examples=count,
         database=None,
         deadline=None,
+        backend=BACKEND,
         phases=(Phase.generate, Phase.shrink),
         suppress_health_check=list(HealthCheck),
         derandomize=False,

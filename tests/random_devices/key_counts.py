@@ -19,6 +19,7 @@ from fieldspec.tools.proofs.running import outcome
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
 from random_devices.schema_keys import ANYWHERE, FORMS, WORDS, Key, key_path, known_keys, nodes_in, reason
+from steady_draws import BACKEND
 
 BATCH = 20
 SELDOM = 10
@@ -116,6 +117,7 @@ def drawn(seed: int, count: int = BATCH) -> list[Spec]:
         max_examples=count,
         database=None,
         deadline=None,
+        backend=BACKEND,
         phases=(Phase.generate,),
         suppress_health_check=list(HealthCheck),
     )
