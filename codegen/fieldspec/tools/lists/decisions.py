@@ -127,10 +127,12 @@ def _refuse_bytes(rows: Sequence[ListRow], numbers: Sequence[int | None], gaps: 
 
 def _with_elements(rows: list[ListRow], columns_of_sheet: Columns, assumptions: list[Assumption]) -> list[ListRow]:
     """The rows, with counts as their lengths where each is the number of words of its type, or that of a text without
-    a length: no value is repeated."""
+    a length: no value is repeated. Beside strides, they count values."""
     rows_with_counts = [
         row for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
     ]
+    if any("stride" in row.texts for row in rows_with_counts):
+        return rows
     sized = [row for row in rows_with_counts if row.type is not None and row.type.size]
     if all(row.count == 1 for row in rows_with_counts) or any(row.type and row.count != row.type.size for row in sized):
         return rows
