@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import openpyxl
-from hypothesis import HealthCheck, Phase, given, seed, settings
+from hypothesis import Phase, given, seed
 from hypothesis import strategies as st
 
 from fieldspec.cli import main
@@ -31,10 +31,9 @@ from fieldspec.language.diagnostics import has_errors
 from fieldspec.tools.lists.export import as_json
 from fieldspec.tools.lists.item import items
 from random_lists import list_devices
-from steady_draws import BACKEND
+from steady_draws import steady
 
 BATCH = 10
-UNHEALTHY = tuple(HealthCheck)
 
 HEADINGS = {
     "space": ("Register type", "Registerart", "Area", "寄存器类型"),
@@ -368,14 +367,7 @@ def came_back(first: int, seconds: float, most: int) -> Outcome:
 
 
 def _draw(number: int, total: Outcome) -> None:
-    @settings(
-        max_examples=BATCH,
-        database=None,
-        deadline=None,
-        backend=BACKEND,
-        phases=(Phase.generate,),
-        suppress_health_check=UNHEALTHY,
-    )
+    @steady(BATCH, Phase.generate)
     @seed(number)
     @given(st.data())
     def each(data: st.DataObject) -> None:

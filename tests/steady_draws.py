@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from hypothesis import HealthCheck, Phase, settings
 from hypothesis.internal.conjecture.providers import AVAILABLE_PROVIDERS, HypothesisProvider
 
 BACKEND = "steady"
@@ -29,3 +30,17 @@ class SteadyProvider(HypothesisProvider):
 
 
 AVAILABLE_PROVIDERS[BACKEND] = "steady_draws.SteadyProvider"
+
+
+def steady(examples: int, *phases: Phase) -> settings:
+    """Settings that draw so many examples from a seed, each time the same ones."""
+    return settings(
+        max_examples=examples,
+        database=None,
+        deadline=None,
+        backend=BACKEND,
+        phases=phases,
+        suppress_health_check=list(HealthCheck),
+        derandomize=False,
+        report_multiple_bugs=False,
+    )

@@ -20,7 +20,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import Phase, given
 from hypothesis import seed as seeded
 from hypothesis import strategies as st
 from hypothesis.errors import Flaky
@@ -29,7 +29,7 @@ from random_devices.agreement import JUDGES, Comparison, Judge, compare
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
 from random_devices.key_counts import statistics
-from steady_draws import BACKEND
+from steady_draws import steady
 
 CASES = Path(__file__).parent / "cases"
 FRAMES = 100
@@ -114,16 +114,7 @@ def batch(seed: int, count: int = BATCH, judges: tuple[Judge, ...] = JUDGES, fra
         tally.codes.update(set(result.findings))
         tally.asked.update(result.asked)
 
-    limits = settings(
-        max_examples=count,
-        database=None,
-        deadline=None,
-        backend=BACKEND,
-        phases=(Phase.generate, Phase.shrink),
-        suppress_health_check=list(HealthCheck),
-        derandomize=False,
-        report_multiple_bugs=False,
-    )
+    limits = steady(count, Phase.generate, Phase.shrink)
     try:
         seeded(seed)(limits(given(devices(), st.integers(0, 9999))(run)))()
     except (AssertionError, Flaky):

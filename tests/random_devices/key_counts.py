@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from itertools import combinations, repeat
 from typing import Any
 
-from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import Phase, given
 from hypothesis import seed as seeded
 
 from fieldspec.language.diagnostics import has_errors
@@ -19,7 +19,7 @@ from fieldspec.tools.proofs.running import outcome
 from random_devices.devices import devices, text_of
 from random_devices.draft import Spec
 from random_devices.schema_keys import ANYWHERE, FORMS, WORDS, Key, key_path, known_keys, nodes_in, reason
-from steady_draws import BACKEND
+from steady_draws import steady
 
 BATCH = 20
 SELDOM = 10
@@ -113,14 +113,7 @@ def _words() -> Iterator[str]:
 def drawn(seed: int, count: int = BATCH) -> list[Spec]:
     """The devices of a seed."""
     specs: list[Spec] = []
-    limits = settings(
-        max_examples=count,
-        database=None,
-        deadline=None,
-        backend=BACKEND,
-        phases=(Phase.generate,),
-        suppress_health_check=list(HealthCheck),
-    )
+    limits = steady(count, Phase.generate)
     seeded(seed)(limits(given(devices())(lambda spec: specs.append(spec))))()
     return specs
 
