@@ -203,32 +203,33 @@ def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
         if measured is not None and values[field.name] != measured:
             text = f"{field.name} is {values[field.name]}, but there are {measured}"
             raise CodecError("wrong_measure", text, offset + field.offset)
+        _check_bit_number(field, values, offset)
     _check_counts(record, values, offset)
 
 
 def _check_counts(record: RecordLayout, values: Mapping[str, Any], offset: int | None) -> None:
-    """Refuses a number of bits that takes other bytes than there are, and bits that are wrong about other fields."""
     for field in record.fields:
-        decider, text, presence = field, "", field.presence
-        if field.bits_of and packed_size(values[field.name]) != len(values[field.bits_of]):
-            number, size = values[field.name], len(values[field.bits_of])
-            text = f"{field.name} is {number}, which takes {packed_size(number)} bytes, but {field.bits_of} has {size}"
+        _check_bit_number(field, values, offset)
+        presence = field.presence
         if presence is not None and not presence.fits(values[presence.by], len(values[field.name])):
             decider = next(other for other in record.fields if other.name == presence.by)
             text = f"{presence.text(field.name, values[presence.by])}, but there are {len(values[field.name])}"
-        if text:
             raise CodecError("wrong_measure", text, None if offset is None else offset + decider.offset)
+
+
+def _check_bit_number(field: FieldLayout, values: Mapping[str, Any], offset: int | None) -> None:
+    if field.bits_of and packed_size(values[field.name]) != len(values[field.bits_of]):
+        text = f"{field.name} is {values[field.name]}, but {field.bits_of} has {len(values[field.bits_of])} bytes"
+        raise CodecError("wrong_measure", text, None if offset is None else offset + field.offset)
 
 
 def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
     """The number that a field must have which measures another one."""
     measure = field.field.measures
-    if measure is None:
+    other = record.named(measure.field) if measure is not None else None
+    if measure is None or other is None:
         return None
-    other = record.named(measure.field)
-    assert other is not None
-    value = values[measure.field]
-    items = len(value) if other.is_list else 1
+    items = len(values[measure.field]) if other.is_list else 1
     return measure.number(items, other.size)
 
 
