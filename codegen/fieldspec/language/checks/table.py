@@ -191,7 +191,7 @@ def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
         return
     check = _BY_NAME[name]
     passed = _PASSED.setdefault(check, {})
-    if any(_values(device, attributes) in known for attributes, known in passed.items()):
+    if any(_values(device, attributes) in values for attributes, values in passed.items()):
         return
     reading = observed(device)
     count = 0
@@ -200,10 +200,10 @@ def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
     if count:
         return
     attributes = tuple(read_attributes(reading))
-    known = passed.setdefault(attributes, {})
-    if len(known) == MOST_PASSED:
-        del known[next(iter(known))]
-    known[_values(device, attributes)] = None
+    values = passed.setdefault(attributes, {})
+    if len(values) == MOST_PASSED:
+        del values[next(iter(values))]
+    values[_values(device, attributes)] = None
 
 
 def _values(device: Device, attributes: Iterable[str]) -> ObjectsKey:

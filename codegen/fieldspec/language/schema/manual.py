@@ -196,9 +196,9 @@ def _algorithms(words: list[str]) -> Iterator[str]:
     first_names = dict(line.split() for line in OTHER_NAMES.splitlines())
     names: dict[int, dict[str, list[str]]] = {}
     for word in words:
-        first = first_names.get(word, word)
-        width = widths.get(first) or int(re.sub(r"\D", "", first) or 8)  # `lrc` has eight bits
-        names.setdefault(width, {}).setdefault(first, []).append(f"`{word}`")
+        first_name = first_names.get(word, word)
+        width = widths.get(first_name) or int(re.sub(r"\D", "", first_name) or 8)  # `lrc` has eight bits
+        names.setdefault(width, {}).setdefault(first_name, []).append(f"`{word}`")
     yield "| bits | permitted values; `=` joins the names of one algorithm |"
     yield "|---|---|"
     for width, algorithms in sorted(names.items()):

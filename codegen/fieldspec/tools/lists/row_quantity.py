@@ -126,6 +126,8 @@ def quantity_of(
         if weight and known_unit(weight[1]):
             stated.append((Fraction(1, int(weight[2])), note))
             unit = replace(unit, unit=unit.unit or known_unit(weight[1]))
+        elif len(note.strip()) > 1:  # a name may be a word of a unit, too: `Hour`
+            unit = replace(unit, unit=unit.unit or known_unit(note))
     for role in FACTORS:
         cell = factor_cell(texts, role)
         if (count_factor := times(cell, decimal)) is not None:
@@ -207,7 +209,7 @@ def _described(text: str, decimal: str) -> Quantity | None:
         if COUNT.match(right) and (linear := formula(right, decimal)) is not None:
             return linear
     after_word = _UNIT.fullmatch(text.strip())
-    if unit := known_unit(after_word[1] if after_word else text if len(text.strip()) > 1 else ""):
+    if after_word and (unit := known_unit(after_word[1])):
         return Quantity(unit=unit)
     if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
         return Quantity(Fraction(1, 10 if fraction[1] else 100), unit)

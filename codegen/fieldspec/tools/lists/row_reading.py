@@ -147,7 +147,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     texts = row.texts
     doubts: list[str] = []
     described = [text for text in (texts.get("label", ""), *(note for _, note in row.notes)) if text]
-    own_type = _type(texts, row.notes, doubts)
+    own_type = _type(texts, described, doubts)
     if own_type is not None and own_type.factor and not row.has_factors:
         texts = {**texts, "scale": own_type.factor}
     low, high, meanings = _bounds(texts, described, decimal, doubts)
@@ -177,13 +177,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         scaled_by=quantity.evidence,
         offset=quantity.offset,
         unit=quantity.unit,
-        order=_order(
-            texts,
-            own_type,
-            default_order,
-            doubts,
-            [*row.names, *(note for _, note in row.notes), texts.get("type", "")],
-        ),
+        order=_order(texts, own_type, default_order, doubts, [*row.names, *described, texts.get("type", "")]),
         meanings=meanings,
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
@@ -230,7 +224,7 @@ def _unciting(row: ListRow) -> list[str]:
     return [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
 
 
-def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: list[str]) -> Typed | None:
+def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str]) -> Typed | None:
     text = texts.get("type", "")
     own_type = typed(text)
     aside = own_type.aside if own_type is not None else ""
@@ -239,8 +233,8 @@ def _type(texts: Mapping[str, str], notes: Sequence[tuple[str, str]], doubts: li
     if not text:
         roles = (*FACTORS, "name", "label")
         unit = texts.get("unit", "")
-        type_texts = ["" if known_unit(unit) else unit, *(parted(texts.get(role, ""))[1] for role in roles)]
-        type_texts += [texts.get("label", ""), *(note for _, note in notes)]
+        asides = (parted(texts.get(role, ""))[1] for role in roles)
+        type_texts = ["" if known_unit(unit) else unit, *asides, *described]
         own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
