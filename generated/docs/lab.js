@@ -1149,6 +1149,101 @@ function floatText(number, size = 8) {
   return `${minus}${whole}.${digits.slice(exponent + 1) || "0"}`;
 }
 
+const SENTENCES = {
+ "WRONG": "wrong: {fault}",
+ "SHOULD_BE": "wrong: should be {expected}",
+ "IT": "It {statement}.",
+ "SINGLE_BYTE": "1 byte",
+ "BYTES": "{count} bytes",
+ "BYTE_MISSING": "{count} byte is missing for {names}",
+ "BYTES_MISSING": "{count} bytes are missing for {names}",
+ "TOO_MANY": "{bytes} too many",
+ "CHARACTER_TOO_MANY": "1 character too many",
+ "NOT_PAIRS": "not pairs of hexadecimal characters",
+ "BOUNDS": "{low} to {high}",
+ "NOT_ESCAPED": "the byte at {offset} is not escaped, or its escape means nothing",
+ "ANOTHER_LENGTH": "for another number of bytes",
+ "CODE_REFUSED": "the code {code} is refused",
+ "REQUEST_REFUSED": "a request is refused",
+ "MESSAGE_REFUSED": "{message} is refused",
+ "REFUSED_CODE": "{message}, refused",
+ "SHARED_CODE": "that of {names}; only the request distinguishes them",
+ "PERMITTED_NAMES": "one of {names}",
+ "CODE_OF_NONE": "that of a message, and none has a {direction} here",
+ "BROADCAST": "for all stations",
+ "NO_CODE": "the frame carries no code, so its message is unknown",
+ "UNKNOWN_DATA": "The data of an unknown message.",
+ "WRONG_COUNT": "{count} is not a number of {name}, so it is unknown where they end",
+ "UNDECIDED": "{selector} {number} does not decide the type of {name}",
+ "UNDECIDED_TOO_LONG": "{selector} {number} does not decide the type of {name}, which is {count} bytes too long",
+ "MORE_FOLLOW": "{name} has {count} bytes, and more follow",
+ "MORE_THAN_BITS": "{name} has more bytes than its numbers of {bits} bits",
+ "ELEMENTS_WITHOUT_END": "the elements of {name} do not end with their bytes: see {place}",
+ "DECIDES_MORE": "{selector} decides that {name} has more bytes than there are",
+ "SENT_WITHOUT_BYTES": "{count} says that {name} is sent, but its bytes are missing",
+ "COUNTS_MORE": "{count} counts more {name} than there are",
+ "WITHOUT_END": "{name} has no end",
+ "FEWER_FOLLOW": "{name} has {count} bytes, but only {rest} follow",
+ "WRONG_SIZE": "{count} is not a number of bytes of {name}",
+ "NUMBER_IF_SENT": "a number with which {name} is sent",
+ "NUMBER_IF_ABSENT": "a number with which {name} is not sent",
+ "PERCENTAGE": "{percent} % of {references}",
+ "TRUTH_NUMBERS": "0 or 1",
+ "UNLISTED_BIT": "not listed",
+ "UNLISTED_MEMBER": "{enum} does not list {number}.",
+ "PARAMETER": "parameter {number}",
+ "READ_ONLY": "can only be read",
+ "WRITE_ONLY": "can only be written",
+ "PARTIAL": "The frame contains only some of its {unit}s.",
+ "PARTIAL_ATOMIC": "The frame contains only some of its {unit}s, which must be accessed in one request.",
+ "ABSENT_ELEMENT": "The device has no such element: {count} is {number}.",
+ "UNLISTED_REGISTER": "No register is listed here.",
+ "ELEMENTS_OF_TABLE": "Elements of {table} may be here: {register} has the address of the first one.",
+ "UNKNOWN_MESSAGE": "an unknown message",
+ "NOT_REPEATED": "does not repeat the request",
+ "PART_NOT_REPEATED": "{path} does not repeat the request: {fault}",
+ "ANOTHER_CODE": "{name} is {actual}, but {expected} answers {message}",
+ "ANOTHER_NUMBER": "{name} is {actual}, but {expected} in the request",
+ "ASKED_VALUES": "the request asks for {expected} {unit}s, but the response has {actual}",
+ "ASKED_BITS": "the request asks for {expected} {unit}s, which take {size} bytes, but the response has {actual}",
+ "CLOSEST": "this is not a valid frame of {device}; what is explained here comes closest",
+ "ANSWERS": "this answers the request in line {line}",
+ "DOES_NOT_ANSWER": "this does not answer the request in line {line}",
+ "AMBIGUOUS": "ambiguous: explained as {explained}, it may also be {others}; {options}",
+ "AMBIGUOUS_SIZE": "ambiguous: {count} bytes may be {names}; {options}",
+ "OPTION_TELLS": "{options} tells",
+ "OPTIONS_TELL": "{options} tell",
+ "ON_LINK": " on {link}",
+ "NAMED_MESSAGE": "{message} {direction}{place}",
+ "NAMED_MESSAGES": "one of {count} {direction}{place} ({names})",
+ "READING": "the {kind} {joint} {message}{place}",
+ "READINGS": "a {kind} {joint} one of {count} messages{place} ({names})",
+ "SIZE_OF_MESSAGE": "{message} has {size}",
+ "SIZE_OF_FRAME": "the frame has {bytes}",
+ "SIZE_WITHOUT": "without its {names}, the frame has {bytes}",
+ "SIZE_OF_DATA": "the data of the frame have {bytes}",
+ "SIZES": "{own}; {others}",
+ "NOT_A_BYTE": "`{piece}` is not a byte in hexadecimal digits",
+ "ODD_DIGITS": "`{piece}` has an odd number of digits",
+ "SINGLE_DIGIT": "at byte {offset}, `{piece}` is one digit of two",
+ "NO_BYTES": "there are no bytes in it",
+ "TOO_LONG": "it has {count} characters or more",
+ "END_ASSUMED": "{characters} is missing at the end of the text and is assumed to have been sent",
+ "DIRECTION_WORDS": {"request": ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"], "response": ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"]},
+};
+
+function sentence(text, parts) {
+  return text.replace(/\{(\w+)\}/g, (_, name) => parts[name]);
+}
+
+function byteCount(count) {
+  return count === 1 ? SENTENCES.SINGLE_BYTE : sentence(SENTENCES.BYTES, { count });
+}
+
+function missingText(count, names) {
+  return sentence(count === 1 ? SENTENCES.BYTE_MISSING : SENTENCES.BYTES_MISSING, { count, names });
+}
+
 const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, "0"));
 
 function hexOf(bytes, separator = "") {
@@ -1536,7 +1631,11 @@ function decoded(number, more) {
 function judged(value, right, should, reason) {
   return right
     ? { ...value, verdict: "right", reason: "" }
-    : { ...value, verdict: `wrong: should be ${should}`, reason };
+    : { ...value, verdict: sentence(SENTENCES.SHOULD_BE, { expected: should }), reason };
+}
+
+function faultOf(verdict) {
+  return verdict.replace(sentence(SENTENCES.WRONG, { fault: "" }), "");
 }
 
 function meaningOf(name, label, text, bits = "") {
@@ -1552,7 +1651,7 @@ function decodeAnswer(device, value, bytes, reserved, isTrigger) {
   let read = decodeValue(device, value, bytes, reserved);
   if (read.reason === "wrong_const") {
     const answer = decodeValue(device, { ...value, const: undefined }, bytes, reserved);
-    read = { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+    read = { ...answer, notes: [...answer.notes, sentence(SENTENCES.IT, { statement: faultOf(read.verdict) })] };
   }
   if (!isTrigger) return read;
   const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, reserved);
@@ -1586,7 +1685,7 @@ function decodedFloat(value, number) {
 }
 
 function decodedBoolean(device, value, number) {
-  if (typeof number !== "boolean") return judged(decoded(number), false, "0 or 1", "unknown_value");
+  if (typeof number !== "boolean") return judged(decoded(number), false, SENTENCES.TRUTH_NUMBERS, "unknown_value");
   return value.enum ? { ...namedValue(device, value, Number(number)), number } : decoded(number);
 }
 
@@ -1618,7 +1717,8 @@ function namedValue(device, value, number) {
   const listing = device.enums.get(value.enum);
   const member = memberOf(listing, number);
   if (!member && listing.open) {
-    return decoded(number, { notes: [`${listing.name} does not list ${number}.`], facts: [listing.path] });
+    const note = sentence(SENTENCES.UNLISTED_MEMBER, { enum: listing.name, number });
+    return decoded(number, { notes: [note], facts: [listing.path] });
   }
   const meanings = member && [meaningOf(member.name, member.label, member.problem || member.doc)];
   const result = decoded(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
@@ -1635,7 +1735,7 @@ function setBitsOf(device, word, number) {
     if (count || ((bit.enum || bit.isNumber) && !bit.reserved)) meanings.push(bitMeaning(device, bit, count));
   }
   for (let at = 0; unknown >> BigInt(at); at++) {
-    if ((unknown >> BigInt(at)) & 1n) meanings.push(meaningOf("", "", "not listed", String(at)));
+    if ((unknown >> BigInt(at)) & 1n) meanings.push(meaningOf("", "", SENTENCES.UNLISTED_BIT, String(at)));
   }
   for (const state of word.states ?? []) {
     if ((raw & BigInt(state.mask ?? 0)) === BigInt(state.value ?? 0)) {
@@ -1770,11 +1870,11 @@ function factRow(device, kind, path, fact, spot, at, raw, read, outer) {
 }
 
 function wrongRow(spot, at, raw, reason, detail, path = "", fact = "") {
-  return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: `wrong: ${detail}`, reason });
+  return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: sentence(SENTENCES.WRONG, { fault: detail }), reason });
 }
 
 function surplusRow(spot, at, raw) {
-  return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
+  return wrongRow(spot, at, raw, "wrong_length", sentence(SENTENCES.TOO_MANY, { bytes: byteCount(raw.length) }));
 }
 
 function startRows(parts) {
@@ -1787,14 +1887,14 @@ function endRows(parts) {
   const at = parts.frame.length - parts.end.length;
   const rows = markRows(parts, "end", at, parts.end, parts.marks[1]);
   if (!parts.surplus.length) return rows;
-  const text = parts.reason === "not_hex" ? "not pairs of hexadecimal characters" : "1 character too many";
+  const text = parts.reason === "not_hex" ? SENTENCES.NOT_PAIRS : SENTENCES.CHARACTER_TOO_MANY;
   const surplus = {
     kind: "unexplained",
     offset: at - parts.surplus.length,
     length: parts.surplus.length,
     raw: parts.surplus,
     characters: latinOf(parts.surplus),
-    verdict: `wrong: ${text}`,
+    verdict: sentence(SENTENCES.WRONG, { fault: text }),
     reason: parts.reason,
   };
   return [rowOf(surplus), ...rows];
@@ -1817,7 +1917,7 @@ function markRows({ link }, name, offset, raw, should) {
     characters: link.transmission === "hex_ascii" ? latinOf(raw) : "",
     path: name,
     fact: link.path,
-    verdict: right ? "right" : `wrong: should be ${hexOf(should, " ")}`,
+    verdict: right ? "right" : sentence(SENTENCES.SHOULD_BE, { expected: hexOf(should, " ") }),
     reason: right ? "" : "wrong_mark",
     source: link.source ?? "",
   })];
@@ -1941,7 +2041,8 @@ class ParameterElement {
   }
 
   get meaning() {
-    const text = `parameter ${numberText(this.words, this.number)}${this.index === null ? "" : `[${this.index}]`}`;
+    const index = this.index === null ? "" : `[${this.index}]`;
+    const text = sentence(SENTENCES.PARAMETER, { number: numberText(this.words, this.number) + index });
     if (!this.fact) return meaningOf(this.words.name, "", text);
     const names = new Set([this.parameter, this.subindex].map((fact) => fact?.name).filter(Boolean));
     return meaningOf([...names].join("."), this.fact.label, text);
@@ -2016,7 +2117,7 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
     const stated = fact.value.size;
     if (fact.value.kind === "text" && size < stated) return named;
-    return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
+    return { ...named, verdict: sentence(SENTENCES.SHOULD_BE, { expected: byteCount(stated) }), reason: "out_of_range" };
   }
   const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
   const read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved, parameter.trigger);
@@ -2060,13 +2161,9 @@ function bytesAgain(value, field, row) {
 
 const NOTHING = new Map();
 
-function partialText(unit, isAtomic) {
-  return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
-}
-
 function forbiddenText(operation, access) {
-  if (operation === "write" && access === "ro") return "can only be read";
-  return operation === "read" && access === "wo" ? "can only be written" : "";
+  if (operation === "write" && access === "ro") return SENTENCES.READ_ONLY;
+  return operation === "read" && access === "wo" ? SENTENCES.WRITE_ONLY : "";
 }
 
 class AddressSpan {
@@ -2132,7 +2229,7 @@ function registerRows(device, span, spot, operation) {
     at = Math.max(at, occupant.address + occupant.words);
     const row = registerRow(device, span, occupant, spot, operation);
     const why = forbiddenText(operation, occupant.access);
-    rows.push(why ? { ...row, notes: [...row.notes, `It ${why}.`] } : row);
+    rows.push(why ? { ...row, notes: [...row.notes, sentence(SENTENCES.IT, { statement: why })] } : row);
   }
   if (at < span.end) rows.push(unlistedRow(device, span, at, span.end, spot));
   return rows;
@@ -2173,7 +2270,7 @@ function unknownBases(device, span, first, end) {
     const after = (table.count - 1) * table.stride + table.words;
     const { ranges } = device.data.registers.find(({ name }) => name === table.baseBy).value;
     const isNear = ranges.some(([low, high]) => low < end && first < high + after);
-    return isNear ? [`Elements of ${table.name} may be here: ${table.baseBy} has the address of the first one.`] : [];
+    return isNear ? [sentence(SENTENCES.ELEMENTS_OF_TABLE, { table: table.name, register: table.baseBy })] : [];
   });
 }
 
@@ -2240,7 +2337,8 @@ function registerRow(device, span, occupant, spot, operation) {
     read = decode(device, value, piece.content, occupant.reserved, occupant.trigger);
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
-    read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });
+    const partial = occupant.atomic ? SENTENCES.PARTIAL_ATOMIC : SENTENCES.PARTIAL;
+    read = decoded(null, { notes: inside ? [] : [sentence(partial, span)] });
   }
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
@@ -2254,7 +2352,7 @@ function absence(device, span, { outer, element }) {
   const piece = count && span.piece(count.address, count.value.size);
   if (!piece) return [];
   const number = contentOf(count.value, piece.content);
-  return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
+  return isWhole(number) && element >= number ? [sentence(SENTENCES.ABSENT_ELEMENT, { count: count.name, number })] : [];
 }
 
 function byExponent(device, span, occupant, value) {
@@ -2271,7 +2369,7 @@ function unlistedRow(device, span, first, end, spot) {
   return rowOf({
     kind: "register",
     ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),
-    doc: "No register is listed here.",
+    doc: SENTENCES.UNLISTED_REGISTER,
     notes: [...gaps.map(({ reason }) => reason), ...unknownBases(device, span, first, end)],
     address: first,
     words: end - first,
@@ -2286,7 +2384,7 @@ function withPercentages(device, row, field, number) {
     const { name, label, complement, full, references } = conversion;
     const count = complement ? BigInt(full) - BigInt(number) : BigInt(number);
     const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200), `100/${full}`);
-    return meaningOf(name, label, `${percent} % of ${references}`);
+    return meaningOf(name, label, sentence(SENTENCES.PERCENTAGE, { percent, references }));
   });
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
@@ -2359,23 +2457,23 @@ class ExplainedBody {
     let { reason } = this.fault;
     let text;
     if (this.hasWrongCount(list)) {
-      text = `${countName} is not a number of ${name}, so it is unknown where they end`;
+      text = sentence(SENTENCES.WRONG_COUNT, { count: countName, name });
     } else if (decision && reason === "unknown_value") {
-      text = `${decision.name} ${valueText(this.values.get(decision.name))} does not decide the type of ${name}`;
+      text = this.undecidedText(SENTENCES.UNDECIDED, decision.name, name);
     } else if (decision && reason === "wrong_length") {
-      text = `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`;
+      text = sentence(SENTENCES.MORE_FOLLOW, { name, count: this.fault.at - (at - this.start) });
     } else if (packing && reason === "wrong_length") {
-      text = `${name} has more bytes than its numbers of ${packing.bits} bits`;
+      text = sentence(SENTENCES.MORE_THAN_BITS, { name, bits: packing.bits });
     } else if (parts) {
-      text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
+      text = sentence(SENTENCES.ELEMENTS_WITHOUT_END, { name, place: this.spot.byteText(this.start + this.fault.at) });
     } else if (this.end - this.start < this.record.least) {
       return this.missingRow(fields, at);
     } else if (decision) {
-      text = `${decision.name} decides that ${name} has more bytes than there are`;
+      text = sentence(SENTENCES.DECIDES_MORE, { selector: decision.name, name });
     } else if (presence?.numbers.length) {
-      [reason, text] = ["incomplete", `${countName} says that ${name} is sent, but its bytes are missing`];
+      [reason, text] = ["incomplete", sentence(SENTENCES.SENT_WITHOUT_BYTES, { count: countName, name })];
     } else {
-      [reason, text] = ["incomplete", `${countName} counts more ${name} than there are`];
+      [reason, text] = ["incomplete", sentence(SENTENCES.COUNTS_MORE, { count: countName, name })];
     }
     return this.wrongRow(fields[0], at, reason, text);
   }
@@ -2408,13 +2506,13 @@ class ExplainedBody {
   }
 
   endless(span, at) {
-    if (span.count === undefined) return ["incomplete", `${span.name} has no end`];
+    if (span.count === undefined) return ["incomplete", sentence(SENTENCES.WITHOUT_END, span)];
     const { name } = this.record.spans[span.count];
-    const number = Number(this.values.get(name)) - span.plus;
-    if (number >= 0 && number <= span.most) {
-      return ["incomplete", `${span.name} has ${number} bytes, but only ${this.end - at} follow`];
+    const count = Number(this.values.get(name)) - span.plus;
+    if (count >= 0 && count <= span.most) {
+      return ["incomplete", sentence(SENTENCES.FEWER_FOLLOW, { name: span.name, count, rest: this.end - at })];
     }
-    return ["wrong_measure", `${name} is not a number of bytes of ${span.name}`];
+    return ["wrong_measure", sentence(SENTENCES.WRONG_SIZE, { count: name, name: span.name })];
   }
 
   countOf(field) {
@@ -2426,17 +2524,21 @@ class ExplainedBody {
   missingRow(fields, at, stop = this.end) {
     const missing = this.record.least - (this.end - this.start);
     const later = fields.map(({ name }) => name).join(", ");
-    const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${later}`;
-    return this.wrongRow(fields[0], at, "incomplete", text, stop);
+    return this.wrongRow(fields[0], at, "incomplete", missingText(missing, later), stop);
   }
 
   undecidedRow(field, at) {
     const size = this.end - this.start;
     const { least, most, selector } = this.record;
     if (size < least) return this.missingRow(this.record.fields.slice(-1), at);
-    const text = `${selector} ${valueText(this.values.get(selector))} does not decide the type of ${field.name}`;
-    if (most === undefined || size <= most) return this.wrongRow(field, at, "unknown_value", text);
-    return this.wrongRow(field, at, "wrong_length", `${text}, which is ${size - most} bytes too long`);
+    const isLong = most !== undefined && size > most;
+    const fault = isLong ? SENTENCES.UNDECIDED_TOO_LONG : SENTENCES.UNDECIDED;
+    const text = this.undecidedText(fault, selector, field.name, { count: size - most });
+    return this.wrongRow(field, at, isLong ? "wrong_length" : "unknown_value", text);
+  }
+
+  undecidedText(fault, selector, name, more) {
+    return sentence(fault, { selector, number: valueText(this.values.get(selector)), name, ...more });
   }
 
   wrongRow(field, at, reason, text, stop = this.end) {
@@ -2485,7 +2587,7 @@ class ExplainedBody {
       const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
       low = high = numberOf(other.isList ? most : 1);
     }
-    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : `${low} to ${high}`, "wrong_measure");
+    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : sentence(SENTENCES.BOUNDS, { low, high }), "wrong_measure");
   }
 
   itemsAtEnd(field) {
@@ -2501,7 +2603,7 @@ class ExplainedBody {
       if (known >= this.extents.length) continue;
       const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
       if (!fits(presence, read.number, items)) {
-        const isSent = `a number with which ${name} is${items ? "" : " not"} sent`;
+        const isSent = sentence(items ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT, other);
         const count = bitsText(presence, items * presence.unit + presence.plus);
         return judged(read, false, presence.numbers.length ? isSent : count, "wrong_measure");
       }
@@ -2512,7 +2614,8 @@ class ExplainedBody {
   wrongCount(list, field, read) {
     const { countName, least, most, unit, plus = 0, presence } = list;
     if (countName !== field.name || !this.hasWrongCount(list)) return read;
-    const expected = `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`;
+    const [low, high] = [least, most].map((size) => Math.floor(size / unit) + plus);
+    const expected = sentence(SENTENCES.BOUNDS, { low, high });
     return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
   }
 
@@ -2615,7 +2718,7 @@ class ExplainedFrame {
     const { escape } = this.shape;
     const text = escape.method === "can"
       ? detail
-      : `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
+      : sentence(SENTENCES.NOT_ESCAPED, { offset: this.wrapped.start.length + at });
     const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
     rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
     rows.push(...this.outsideRows(this.shape.trailer));
@@ -2675,8 +2778,7 @@ class ExplainedFrame {
 
   shortRow(part, at, data) {
     const missing = part.size - data.length;
-    const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${part.name}`;
-    return wrongRow(this.spot, at, data, "incomplete", text, part.name, part.path);
+    return wrongRow(this.spot, at, data, "incomplete", missingText(missing, part.name), part.name, part.path);
   }
 
   partValue(part, raw) {
@@ -2695,7 +2797,7 @@ class ExplainedFrame {
   judgedLength(part, read) {
     if (!this.wrapped.whole) return read;
     const should = lengthNumber(part, this.measuredBytes(part).length);
-    return judged(read, should !== undefined && read.number == should, should ?? "for another number of bytes", "wrong_length");
+    return judged(read, should !== undefined && read.number == should, should ?? SENTENCES.ANOTHER_LENGTH, "wrong_length");
   }
 
   checkedValue(part, raw) {
@@ -2726,17 +2828,17 @@ class ExplainedFrame {
       : messageWithCode(link, direction, code, body, this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
-      if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
+      if (this.error) return { ...read, meanings: [meaningOf("", "", sentence(SENTENCES.CODE_REFUSED, { code: `0x${digits}` }))] };
       if (isAmbiguous(link, direction, code)) {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
-        return judged(read, false, `that of ${names}; only the request distinguishes them`, "unknown_code");
+        return judged(read, false, sentence(SENTENCES.SHARED_CODE, { names }), "unknown_code");
       }
       const known = Object.values(link.codes[direction]).join(", ");
-      const several = known ? `one of ${known}` : `that of a message, and none has a ${direction} here`;
+      const several = sentence(known ? SENTENCES.PERMITTED_NAMES : SENTENCES.CODE_OF_NONE, { names: known, direction });
       return judged(read, false, this.sent.has(this.named) ? link.codes[direction][this.named] : several, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
-    const text = this.error ? `${title || label || name}, refused` : title;
+    const text = this.error ? sentence(SENTENCES.REFUSED_CODE, { message: title || label || name }) : title;
     const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
@@ -2745,9 +2847,10 @@ class ExplainedFrame {
 
   refusingCode(read) {
     this.message = this.link.carriedMessages.request.get(this.named);
-    if (!this.message) return { ...read, meanings: [meaningOf("", "", "a request is refused")] };
+    if (!this.message) return { ...read, meanings: [meaningOf("", "", SENTENCES.REQUEST_REFUSED)] };
     const { name, label, title, notes = [], path } = this.message;
-    return { ...read, meanings: [meaningOf("", "", `${title || label || name} is refused`)], notes, facts: [path] };
+    const text = sentence(SENTENCES.MESSAGE_REFUSED, { message: title || label || name });
+    return { ...read, meanings: [meaningOf("", "", text)], notes, facts: [path] };
   }
 
   partNumber(name) {
@@ -2759,7 +2862,7 @@ class ExplainedFrame {
     const { addresses } = this.link;
     if (!addresses?.ranges) return read;
     if (addresses.broadcast !== undefined && read.number == addresses.broadcast) {
-      return { ...read, meanings: [meaningOf("broadcast", "", "for all stations")], verdict: "", reason: "" };
+      return { ...read, meanings: [meaningOf("broadcast", "", SENTENCES.BROADCAST)], verdict: "", reason: "" };
     }
     if (isWithin(addresses.ranges, read.number)) return read;
     return judged(read, false, intervalsText(addresses.ranges), "out_of_range");
@@ -2785,12 +2888,9 @@ class ExplainedFrame {
 
   unknownRows(start, end) {
     const data = this.data.subarray(start, end);
-    if (!this.shape.code) {
-      const text = "the frame carries no code, so its message is unknown";
-      return [wrongRow(this.spot, start, data, "unknown_code", text)];
-    }
+    if (!this.shape.code) return [wrongRow(this.spot, start, data, "unknown_code", SENTENCES.NO_CODE)];
     if (end <= start) return [];
-    return [{ ...wrongRow(this.spot, start, data, "", ""), verdict: "", doc: "The data of an unknown message." }];
+    return [{ ...wrongRow(this.spot, start, data, "", ""), verdict: "", doc: SENTENCES.UNKNOWN_DATA }];
   }
 
   tailRows() {
@@ -2935,7 +3035,7 @@ function readFrame(device, frame, options, mark = "", asked = null) {
 function unrepeated({ explanation, mismatches }, reading) {
   const own = readingOf(explanation);
   if (reasonsOf(explanation).length || reading.some((value, at) => value !== own[at])) return [];
-  return mismatches.every((text) => text.includes(NOT_REPEATED)) ? mismatches : [];
+  return mismatches.every((text) => text.includes(SENTENCES.NOT_REPEATED)) ? mismatches : [];
 }
 
 function isWrong({ explanation, readings, mismatches }) {
@@ -3009,8 +3109,6 @@ function answerOf(device, frame, request) {
   };
 }
 
-const NOT_REPEATED = "does not repeat the request";
-
 function mismatchesOf(device, request, response) {
   const link = device.links.get(request.link);
   const texts = [];
@@ -3022,16 +3120,16 @@ function mismatchesOf(device, request, response) {
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
       if (isWhole(have ?? "") && have != responseCode) {
-        const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
-        texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
+        const [actual, expected] = [have, responseCode].map((number) => partNumberText(theirs, number));
+        texts.push(sentence(SENTENCES.ANOTHER_CODE, { name: theirs.name, actual, expected, message: request.message }));
       }
     } else if (isWhole(want ?? "") && isWhole(have ?? "") && have != want) {
-      texts.push(`${ours.name} is ${have}, but ${want} in the request`);
+      texts.push(sentence(SENTENCES.ANOTHER_NUMBER, { name: ours.name, actual: have, expected: want }));
     }
   }
   for (const row of response.rows) {
     if (row.verdict.startsWith("wrong") && !row.reason) {
-      texts.push(`${row.path} ${NOT_REPEATED}: ${row.verdict.replace("wrong: ", "")}`);
+      texts.push(sentence(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) }));
     }
   }
   const message = response.error ? undefined : device.messages.get(response.message);
@@ -3041,8 +3139,8 @@ function mismatchesOf(device, request, response) {
     const have = response.values.get(values);
     const size = unit === "bit" && isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : want;
     if (isWhole(want ?? "") && Array.isArray(have) && have.length != size) {
-      const taken = unit === "bit" ? `, which take ${size} bytes` : "";
-      texts.push(`the request asks for ${want} ${unit}s${taken}, but the response has ${have.length}`);
+      const fault = unit === "bit" ? SENTENCES.ASKED_BITS : SENTENCES.ASKED_VALUES;
+      texts.push(sentence(fault, { expected: want, unit, size, actual: have.length }));
     }
   }
   return texts;
@@ -3053,10 +3151,10 @@ const NAMED = 3;
 function remarksOn(device, chosen, askedIn, options) {
   const texts = [];
   if (chosen.chosen === "closest") {
-    texts.push(`this is not a valid frame of ${device.data.device}; what is explained here comes closest`);
+    texts.push(sentence(SENTENCES.CLOSEST, device.data));
     texts.push(...otherLengths(device, chosen, options));
   } else if (askedIn && chosen.explanation.direction === "response" && !isUnrequested(device, chosen)) {
-    texts.push(`${chosen.chosen === "request" ? "this answers" : "this does not answer"} the request in line ${askedIn}`);
+    texts.push(sentence(chosen.chosen === "request" ? SENTENCES.ANSWERS : SENTENCES.DOES_NOT_ANSWER, { line: askedIn }));
   }
   if (chosen.chosen === "likeliest") texts.push(ambiguityText(device, chosen));
   return [...texts, ...chosen.mismatches];
@@ -3075,20 +3173,20 @@ function ambiguityText(device, chosen) {
   const ownKey = JSON.stringify(readingOf(own));
   const alternatives = chosen.readings.filter((reading) => JSON.stringify(reading) !== ownKey);
   const readings = [readingOf(own), ...alternatives];
-  const telling = optionsText(device, own, alternatives);
+  const options = optionsText(device, own, alternatives);
   if (readings.every(([link]) => !isCoded(device.links.get(link)))) {
     const names = readings.map(([link, direction, message]) => messageText(device.links.get(link), direction, message));
-    return `ambiguous: ${own.frame.length} bytes may be ${enumeration(names, "or")}; ${telling}`;
+    return sentence(SENTENCES.AMBIGUOUS_SIZE, { count: own.frame.length, names: enumeration(names, "or"), options });
   }
   const groups = new Map();
   for (const [link, direction, message, error] of alternatives) {
     const key = JSON.stringify([link, direction, error]);
     if (!groups.has(key)) groups.set(key, { link, direction, error, names: [] });
-    groups.get(key).names.push(message || "an unknown message");
+    groups.get(key).names.push(message || SENTENCES.UNKNOWN_MESSAGE);
   }
   const others = [...groups.values()].map(({ link, direction, error, names }) => namedReading(device, own, link, direction, error, names));
-  const first = namedReading(device, own, own.link, own.direction, own.error, [own.message || "an unknown message"]);
-  return `ambiguous: explained as ${first}, it may also be ${others.join(" or ")}; ${telling}`;
+  const explained = namedReading(device, own, own.link, own.direction, own.error, [own.message || SENTENCES.UNKNOWN_MESSAGE]);
+  return sentence(SENTENCES.AMBIGUOUS, { explained, others: others.join(" or "), options });
 }
 
 function optionsText(device, own, alternatives) {
@@ -3103,26 +3201,30 @@ function optionsText(device, own, alternatives) {
   const byMessage = telling[2][1];
   if (own.direction === "response" && link.request.code && byMessage.some(Boolean)) telling = [["request", byMessage], ...telling];
   const enough = telling.filter(([, tells]) => tells.every(Boolean)).map(([option]) => option);
-  if (enough.length) return `${enough.join(" or ")} tells`;
-  return `${telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option).join(" and ")} tell`;
+  if (enough.length) return sentence(SENTENCES.OPTION_TELLS, { options: enough.join(" or ") });
+  const helpful = telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option);
+  return sentence(SENTENCES.OPTIONS_TELL, { options: helpful.join(" and ") });
 }
 
 function namedReading(device, own, link, direction, error, messages) {
-  const place = link === own.link ? "" : ` on ${link}`;
-  const names = (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", ");
+  const isSingle = messages.length === 1;
   const name = device.links.get(link).directionNames[direction];
-  if (!DIRECTIONS.includes(name) && !error) {
-    return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
-  }
+  const parts = {
+    message: messages[0],
+    count: messages.length,
+    names: (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", "),
+    direction: name,
+    place: link === own.link ? "" : sentence(SENTENCES.ON_LINK, { link }),
+  };
+  if (!DIRECTIONS.includes(name) && !error) return sentence(isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES, parts);
   const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
   const kind = error ? "exception response" : isAnswer || direction === "request" ? direction : "frame";
   const joint = isAnswer ? "to" : "of";
-  if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
-  return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
+  return sentence(isSingle ? SENTENCES.READING : SENTENCES.READINGS, { kind, joint, ...parts });
 }
 
 function messageText(link, direction, message) {
-  return `${message} ${link.directionNames[direction]}`;
+  return sentence(SENTENCES.NAMED_MESSAGE, { message, direction: link.directionNames[direction], place: "" });
 }
 
 function otherLengths(device, chosen, options) {
@@ -3136,25 +3238,21 @@ function otherLengths(device, chosen, options) {
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
     const [, , , size] = link.lengths[direction].find(([other]) => other === name);
-    return `${messageText(link, direction, name)} has ${size}`;
+    return sentence(SENTENCES.SIZE_OF_MESSAGE, { message: messageText(link, direction, name), size });
   }));
-  return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];
+  return sizes.length ? [sentence(SENTENCES.SIZES, { own: ownSize(link, own), others: sizes.join(", ") })] : [];
 }
 
 function ownSize(link, { direction, frame, rows }) {
   const { escape } = link[direction];
-  if (escape?.method === "can") return `the data of the frame have ${byteCount(frame.length - 8)}`;
+  if (escape?.method === "can") return sentence(SENTENCES.SIZE_OF_DATA, { bytes: byteCount(frame.length - 8) });
   const inner = rows.filter(({ kind }) => kind !== "mark");
   const isHex = link.transmission === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
   const preamble = link.preamble ? ["preamble"] : [];
   const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
-  const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
-  return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
-}
-
-function byteCount(count) {
-  return count === 1 ? "1 byte" : `${count} bytes`;
+  const bytes = byteCount(isHex ? Math.trunc(size / 2) : size);
+  return sentence(without.length ? SENTENCES.SIZE_WITHOUT : SENTENCES.SIZE_OF_FRAME, { names: without.join(" and "), bytes });
 }
 
 const EACH_ENCLOSED = /^(?:(?:\[[0-9A-Fa-f]{2}\]\s*)+|(?:<[0-9A-Fa-f]{2}>\s*)+)$/;
@@ -3165,11 +3263,7 @@ const LAST = /(?:\\x(?<code>[0-9a-f]{2})|[<[]?(?<name>crlf|cr|lf|\\r|\\n)[>\]]?|
 const CHARACTERS = { "\\r": "\r", "\\n": "\n", cr: "\r", lf: "\n", crlf: "\r\n" };
 const CONTROLS = { 0x02: "STX", 0x03: "ETX", 0x0a: "LF", 0x0d: "CR" };
 
-const WORDS = {
-  request: ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"],
-  response: ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"],
-};
-const DIRECTION_OF = new Map(Object.entries(WORDS).flatMap(([direction, words]) => words.map((word) => [word, direction])));
+const DIRECTION_OF = new Map(Object.entries(SENTENCES.DIRECTION_WORDS).flatMap(([direction, words]) => words.map((word) => [word, direction])));
 const MOST_MARKS = 8;  // each is tried, and a line of a log has few
 const LETTER = "[\\p{L}\\p{N}_]";
 const MARK = new RegExp(
@@ -3223,13 +3317,13 @@ function bytesOfText(text) {
   const isPadded = pieces.some((piece) => /^0[0-9A-Fa-f]/.test(piece));
   for (const piece of pieces) {
     const match = PIECE.exec(piece);
-    if (!match) throw new Unreadable(`\`${piece}\` is not a byte in hexadecimal digits`);
+    if (!match) throw new Unreadable(sentence(SENTENCES.NOT_A_BYTE, { piece }));
     const own = match.groups.digits || match.groups.suffixed;
-    if (own.length % 2 && own.length > 1) throw new Unreadable(`\`${piece}\` has an odd number of digits`);
-    if (piece.length === 1 && isPadded) throw new Unreadable(`at byte ${digits.length / 2}, \`${piece}\` is one digit of two`);
+    if (own.length % 2 && own.length > 1) throw new Unreadable(sentence(SENTENCES.ODD_DIGITS, { piece }));
+    if (piece.length === 1 && isPadded) throw new Unreadable(sentence(SENTENCES.SINGLE_DIGIT, { offset: digits.length / 2, piece }));
     digits += own.padStart(2, "0");
   }
-  if (!digits) throw new Unreadable("there are no bytes in it");
+  if (!digits) throw new Unreadable(SENTENCES.NO_BYTES);
   return bytesOfHex(digits);
 }
 
@@ -3269,7 +3363,7 @@ function withEnd(body, end, mark) {
   if (endsWith(end, rest)) return { frame: Uint8Array.from([...body, ...rest]), remarks: [] };
   if (!end.every((byte, at) => rest[at] === byte)) return { frame: Uint8Array.from([...body, ...end]), remarks: [] };
   const lacking = rest.slice(end.length).map((byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
-  const remark = `${lacking.join(" ")} is missing at the end of the text and is assumed to have been sent`;
+  const remark = sentence(SENTENCES.END_ASSUMED, { characters: lacking.join(" ") });
   return { frame: Uint8Array.from([...body, ...rest]), remarks: [remark] };
 }
 
@@ -3345,11 +3439,11 @@ function frameBehind(text, links) {
     const before = BEFORE.exec(rest);
     const word = /^\S+/.exec(rest);
     if (before) rest = rest.slice(before[0].length);
-    else if (word && MISTYPED.test(word[0])) throw new Unreadable(`\`${word[0]}\` is not a byte in hexadecimal digits`);
+    else if (word && MISTYPED.test(word[0])) throw new Unreadable(sentence(SENTENCES.NOT_A_BYTE, { piece: word[0] }));
     else if (word && !isHexWord(word[0])) rest = rest.slice(word[0].length);
     else return { frame: bytesOfText(rest.trimEnd().replace(BEHIND, "")), remarks: [] };
   }
-  throw new Unreadable("there are no bytes in it", true);
+  throw new Unreadable(SENTENCES.NO_BYTES, true);
 }
 
 const LONGEST_LINE = 8192;
@@ -3368,7 +3462,7 @@ class LogReader {
 
   read(text) {
     this.number += 1;
-    if (text.length >= LONGEST_LINE) throw new Unreadable(`it has ${LONGEST_LINE} characters or more`);
+    if (text.length >= LONGEST_LINE) throw new Unreadable(sentence(SENTENCES.TOO_LONG, { count: LONGEST_LINE }));
     const line = logLine(text.replaceAll("\0", ""), this.links);
     if (!line) return null;
     this.mark = line.direction || this.mark;
@@ -3830,7 +3924,7 @@ function isName(directionNames, direction) {
 function inputFrame(device, input) {
   if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
   const line = logLine(String(input), [...device.links.values()]);
-  if (!line?.frame.length) throw new Unreadable("there are no bytes in it");
+  if (!line?.frame.length) throw new Unreadable(SENTENCES.NO_BYTES);
   return line;
 }
 

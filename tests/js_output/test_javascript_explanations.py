@@ -12,6 +12,8 @@ from typing import Any
 
 import pytest
 
+from compiler_modules import PACKAGE
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.frames.frame_hints import FrameHints, HintedReading, ReadFrame
@@ -204,3 +206,13 @@ def test_options_that_a_device_does_not_have_are_refused(options: dict[str, str]
     module = module_path(LAYOUTS["widget-2.0"]).replace(".js", "_explain.js")
     ((result,),) = explained_by_node([{"module": module, "text": "01", "options": options}])
     assert result["error"].startswith(why)
+
+
+def test_both_explainers_use_every_sentence() -> None:
+    names = {name for name in vars(sentences) if name.isupper()}
+    used_within = {".py": {"SINGLE_BYTE", "BYTES", "BYTE_MISSING", "BYTES_MISSING"}, ".js": set()}
+    packages = {".py": ("codec/explain", "command/verbs"), ".js": ("targets/explainer/runtime",)}
+    for suffix, folders in packages.items():
+        files = (file for folder in folders for file in (PACKAGE / folder).rglob(f"*{suffix}"))
+        texts = "".join(file.read_text("utf-8") for file in files)
+        assert set(re.findall(r"(?:sentences|SENTENCES)\.([A-Z_]+)\b", texts)) | used_within[suffix] == names

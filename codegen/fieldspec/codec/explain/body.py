@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Context, Decimal
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.parameters import with_parameter
 from fieldspec.codec.explain.registers import exponent_applied
 from fieldspec.codec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
@@ -45,7 +46,8 @@ def percentage_text(device: Device, conversion: Conversion, number: int) -> str:
 
     percent = conversion.quantity(number, Fraction(100))
     exact = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
-    return f"{decimal_text(exact, Fraction(100, conversion.full_scale))} % of {references_text(device, conversion)}"
+    text = decimal_text(exact, Fraction(100, conversion.full_scale))
+    return sentences.PERCENTAGE.format(percent=text, references=references_text(device, conversion))
 
 
 def references_text(device: Device, conversion: Conversion) -> str:
@@ -165,24 +167,24 @@ class Body:
         assert self.fault is not None
         name, reason = fields[0].name, self.fault.reason
         if self._has_wrong_count(inner):
-            text = f"{inner.count} is not a number of {name}, so it is unknown where they end"
+            text = sentences.WRONG_COUNT.format(count=inner.count, name=name)
         elif inner.decision is not None and reason == "unknown_value":
-            text = f"{inner.decision.name} {self.values[inner.decision.name]!r} does not decide the type of {name}"
+            text = self._undecided_text(inner.decision.name, name)
         elif inner.decision is not None and reason == "wrong_length":
-            text = f"{inner.name} has {self.fault.at - (offset - self.start)} bytes, and more follow"
+            text = sentences.MORE_FOLLOW.format(name=inner.name, count=self.fault.at - (offset - self.start))
         elif inner.packing is not None and reason == "wrong_length":
-            text = f"{inner.name} has more bytes than its numbers of {inner.packing.number.bits} bits"
+            text = sentences.MORE_THAN_BITS.format(name=inner.name, bits=inner.packing.number.bits)
         elif inner.parts is not None:
             place = self.spot.byte_text(self.start + self.fault.at)
-            text = f"the elements of {name} do not end with their bytes: see {place}"
+            text = sentences.ELEMENTS_WITHOUT_END.format(name=name, place=place)
         elif self.end - self.start < self.record.least:
             return self._missing(fields, offset)
         elif inner.decision is not None:
-            text = f"{inner.decision.name} decides that {name} has more bytes than there are"
+            text = sentences.DECIDES_MORE.format(selector=inner.decision.name, name=name)
         elif inner.presence is not None and inner.presence.numbers:
-            reason, text = "incomplete", f"{inner.count} says that {name} is sent, but its bytes are missing"
+            reason, text = "incomplete", sentences.SENT_WITHOUT_BYTES.format(count=inner.count, name=name)
         else:
-            reason, text = "incomplete", f"{inner.count} counts more {name} than there are"
+            reason, text = "incomplete", sentences.COUNTS_MORE.format(count=inner.count, name=name)
         return self._wrong(fields[0], offset, reason, text)
 
     def _has_wrong_count(self, inner: InnerList) -> bool:
@@ -227,11 +229,13 @@ class Body:
         """The reason why the end of a field is not known, as the reason of a codec and in words."""
         span = self.record.spans[number]
         if span.count is None or span.value is None:
-            return "incomplete", f"{span.name} has no end"
+            return "incomplete", sentences.WITHOUT_END.format(name=span.name)
         count = self.values[self.record.spans[span.count].name]
         if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
-            return "incomplete", f"{span.name} has {count - span.plus} bytes, but only {self.end - offset} follow"
-        return "wrong_measure", f"{self.record.spans[span.count].name} is not a number of bytes of {span.name}"
+            sizes = {"count": count - span.plus, "rest": self.end - offset}
+            return "incomplete", sentences.FEWER_FOLLOW.format(name=span.name, **sizes)
+        text = sentences.WRONG_SIZE.format(count=self.record.spans[span.count].name, name=span.name)
+        return "wrong_measure", text
 
     def _count(self, field: FieldLayout) -> int:
         """The number of elements that the field should have: all that fit if their number is free."""
@@ -245,8 +249,7 @@ class Body:
         """The row of the place where the body, or the bytes up to `stop`, are not enough for fields."""
         missing = self.record.least - (self.end - self.start)
         later = ", ".join(other.name for other in fields)
-        text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {later}"
-        return self._wrong(fields[0], offset, "incomplete", text, stop)
+        return self._wrong(fields[0], offset, "incomplete", sentences.missing(missing, later), stop)
 
     def _undecided(self, field: FieldLayout, offset: int) -> ExplanationRow:
         """The row of a field whose type is open, because the field that decides it has a value without a case."""
@@ -254,12 +257,15 @@ class Body:
         assert selector is not None
         if size < self.record.least:
             return self._missing(self.record.fields[-1:], offset)
-        long = self.record.most is not None and size > self.record.most
-        number = self.values[selector.name]
-        reason, text = "unknown_value", f"{selector.name} {number!r} does not decide the type of {field.name}"
-        if long:
-            reason, text = "wrong_length", f"{text}, which is {size - (self.record.most or 0)} bytes too long"
-        return self._wrong(field, offset, reason, text)
+        if self.record.most is None or size <= self.record.most:
+            return self._wrong(field, offset, "unknown_value", self._undecided_text(selector.name, field.name))
+        names = {"selector": selector.name, "number": repr(self.values[selector.name]), "name": field.name}
+        text = sentences.UNDECIDED_TOO_LONG.format(**names, count=size - self.record.most)
+        return self._wrong(field, offset, "wrong_length", text)
+
+    def _undecided_text(self, selector: str, name: str) -> str:
+        """That a field whose value has no case does not decide the type of another one."""
+        return sentences.UNDECIDED.format(selector=selector, number=repr(self.values[selector]), name=name)
 
     def _wrong(self, field: FieldLayout, start: int, reason: str, text: str, stop: int | None = None) -> ExplanationRow:
         """The row of the rest of the body, or of the bytes up to `stop`, where a field is expected."""
@@ -321,7 +327,8 @@ class Body:
             items = (other.count or 0) if self.record.spans else items
             low = high = measure.number(items, other.size)
         is_right = isinstance(read.number, int) and low <= read.number <= high
-        return read.judged(is_right, low if low == high else f"{low} to {high}", "wrong_measure")
+        expected = low if low == high else sentences.BOUNDS.format(low=low, high=high)
+        return read.judged(is_right, expected, "wrong_measure")
 
     def _items_at_end(self, field: FieldLayout) -> int:
         """How many elements of a list that ends the body there are."""
@@ -338,9 +345,11 @@ class Body:
                 unknown = self.record.inner_lists.lists[len(self.extents)]
                 read = self._wrong_count(unknown, field, read) if unknown.name == other.name else read
             elif items is not None and not presence.fits(number, items):
-                is_sent = f"a number with which {other.name} is{'' if items else ' not'} sent"
-                count = presence.bits_text(items * presence.unit + presence.plus)
-                return read.judged(False, is_sent if presence.numbers else count, "wrong_measure")
+                expected = presence.bits_text(items * presence.unit + presence.plus)
+                if presence.numbers:
+                    is_sent = sentences.NUMBER_IF_SENT if items else sentences.NUMBER_IF_ABSENT
+                    expected = is_sent.format(name=other.name)
+                return read.judged(False, expected, "wrong_measure")
         return read
 
     def _items_if_known(self, field: FieldLayout) -> int | None:
@@ -354,7 +363,7 @@ class Body:
         if inner.count != field.name or not self._has_wrong_count(inner):
             return read
         low, high = (size // inner.unit + inner.plus for size in (inner.least, inner.most))
-        expected = f"{low} to {high}"
+        expected = sentences.BOUNDS.format(low=low, high=high)
         expected = expected if inner.presence is None else inner.presence.bits_text(expected)
         return read.judged(False, expected, "wrong_measure")
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.body import Body
 from fieldspec.codec.explain.explained_frame import Explanation
 from fieldspec.codec.explain.registers import NO_REGISTERS, RegisterRows
@@ -179,7 +180,7 @@ class _Frame:
     def _unreadable(self, offset: int) -> Explanation:
         """The explanation of a frame with bytes that are the escape of nothing, from the byte at `offset` on."""
         start, stop = self.shape.escape_start, len(self.data) + (self.shape.escape_stop or 0)
-        text = f"the byte at {len(self.wrapped.start) + offset} is not escaped, or its escape means nothing"
+        text = sentences.NOT_ESCAPED.format(offset=len(self.wrapped.start) + offset)
         if self.shape.escape is not None and self.shape.escape.method == "can":
             text = self.shape.escape.header_fault(self.data[start:stop], offset - start)
         rows = [*start_rows(self.wrapped), *self._unescaped_rows(self.shape.header)]
@@ -234,7 +235,7 @@ class _Frame:
 
     def _short(self, part: PartLayout, offset: int, data: bytes) -> ExplanationRow:
         missing = part.size - len(data)
-        text = f"{missing} {'byte is' if missing == 1 else 'bytes are'} missing for {part.name}"
+        text = sentences.missing(missing, part.name)
         return wrong_row(self.spot, offset, data, "incomplete", text, part.name, part.part.place.path)
 
     def _part_text(self, part: PartLayout, raw: bytes) -> DecodedValue:
@@ -265,7 +266,7 @@ class _Frame:
             return read
         expected = part.number(len(self._measured(part)))
         right = expected is not None and read.number == expected
-        return read.judged(right, expected if expected is not None else "for another number of bytes", "wrong_length")
+        return read.judged(right, expected if expected is not None else sentences.ANOTHER_LENGTH, "wrong_length")
 
     def _checked(self, part: PartLayout, raw: bytes) -> DecodedValue:
         """A checksum, compared with the one that the bytes have."""
@@ -295,18 +296,21 @@ class _Frame:
             self.message = link.message_with_code(code, self.direction, self.data[start:end], self.named)
         if self.message is None:
             if self.error:
-                return replace(read, meanings=(Meaning("", "", f"the code {code:#04x} is refused", ""),))
+                text = sentences.CODE_REFUSED.format(code=f"{code:#04x}")
+                return replace(read, meanings=(Meaning("", "", text, ""),))
             ambiguous = link.ambiguous_codes(self.direction).get(code)
             if ambiguous is not None:
                 names = ", ".join(message.name for message in ambiguous)
-                return read.judged(False, f"that of {names}; only the request distinguishes them", "unknown_code")
+                return read.judged(False, sentences.SHARED_CODE.format(names=names), "unknown_code")
             expected = self.sent.get(self.named)
             known = ", ".join(link.code_text(message, self.direction) for message in self.sent.values())
-            several_text = f"one of {known}" if known else f"that of a message, and none has a {self.direction} here"
+            sentence = sentences.PERMITTED_NAMES if known else sentences.CODE_OF_NONE
+            several_text = sentence.format(names=known, direction=self.direction)
             text = several_text if expected is None else link.code_text(expected, self.direction)
             return read.judged(False, text, "unknown_code")
         message = self.message.message
-        text = f"{message.title or message.label or message.name}, refused" if self.error else message.title
+        title = message.title or message.label or message.name
+        text = sentences.REFUSED_CODE.format(message=title) if self.error else message.title
         meaning = Meaning(message.name, message.label, text, "")
         read = replace(read, meanings=(meaning,), notes=message.notes, facts=(message.place.path,))
         expected = self.sent.get(self.named)
@@ -318,9 +322,9 @@ class _Frame:
         """The code of all exception responses, which does not say what it answers: only the request does."""
         self.message = self.layout.links[self.link.name].carried("request").get(self.named)
         if self.message is None:
-            return replace(read, meanings=(Meaning("", "", "a request is refused", ""),))
+            return replace(read, meanings=(Meaning("", "", sentences.REQUEST_REFUSED, ""),))
         message = self.message.message
-        text = f"{message.title or message.label or message.name} is refused"
+        text = sentences.MESSAGE_REFUSED.format(message=message.title or message.label or message.name)
         return replace(read, meanings=(Meaning("", "", text, ""),), notes=message.notes, facts=(message.place.path,))
 
     def _unit_address(self, read: DecodedValue) -> DecodedValue:
@@ -328,7 +332,7 @@ class _Frame:
         if addresses is None or addresses.ranges is None:
             return read
         if read.number == addresses.broadcast:
-            return replace(read, meanings=(Meaning("broadcast", "", "for all stations", ""),), verdict="", reason="")
+            return replace(read, meanings=(Meaning("broadcast", "", sentences.BROADCAST, ""),), verdict="", reason="")
         if read.number in addresses.ranges:
             return read
         return read.judged(False, addresses.ranges.text(), "out_of_range")
@@ -363,11 +367,10 @@ class _Frame:
     def _unknown(self, start: int, end: int) -> Iterator[ExplanationRow]:
         """The row of a body that nothing describes."""
         if self.shape.role("code") is None:
-            text = "the frame carries no code, so its message is unknown"
-            yield wrong_row(self.spot, start, self.data[start:end], "unknown_code", text)
+            yield wrong_row(self.spot, start, self.data[start:end], "unknown_code", sentences.NO_CODE)
         elif end > start:
             row = wrong_row(self.spot, start, self.data[start:end], "", "")
-            yield replace(row, verdict="", doc="The data of an unknown message.")
+            yield replace(row, verdict="", doc=sentences.UNKNOWN_DATA)
 
     def _tail(self) -> Iterator[ExplanationRow]:
         end = max(self.shape.header_size + self.shape.trailer_size, len(self.data))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.explanation import Explanation
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.language.model.escape import CAN_HEADER
@@ -10,19 +11,15 @@ from fieldspec.language.model.escape import CAN_HEADER
 def size_text(link: LinkLayout, own: Explanation) -> str:
     """The size of a frame, counted like the size of a message: `without its delimiters, the frame has 4 bytes`."""
     if link.link.is_can:
-        return f"the data of the frame have {_byte_count(len(own.frame) - CAN_HEADER)}"
+        return sentences.SIZE_OF_DATA.format(bytes=sentences.byte_count(len(own.frame) - CAN_HEADER))
     rows = [row for row in own.rows if row.kind != "mark"]
     is_hex = link.link.transmission == "hex_ascii"
     size = sum(row.length for row in rows) // 2 if is_hex else sum(len(row.raw) for row in rows)
     without = ["preamble"] * (link.link.preamble is not None)
     without += ["delimiters"] if any(link.link.marks(own.direction)) else []
     without += ["escapes"] if link.frame(own.direction).escape is not None else []
-    opening = f"without its {' and '.join(without)}, " if without else ""
-    return f"{opening}the frame has {_byte_count(size)}"
-
-
-def _byte_count(count: int) -> str:
-    return "1 byte" if count == 1 else f"{count} bytes"
+    sentence = sentences.SIZE_WITHOUT if without else sentences.SIZE_OF_FRAME
+    return sentence.format(names=" and ".join(without), bytes=sentences.byte_count(size))
 
 
 def bounds_text(minimum: int, maximum: int | None, identifier: int) -> str:
@@ -30,4 +27,4 @@ def bounds_text(minimum: int, maximum: int | None, identifier: int) -> str:
     lowest = minimum - identifier
     if maximum is None or maximum == minimum:
         return f"{lowest}{' or more' if maximum is None else ''}"
-    return f"{lowest} to {maximum - identifier}"
+    return sentences.BOUNDS.format(low=lowest, high=maximum - identifier)

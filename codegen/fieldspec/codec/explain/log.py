@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterable
 from itertools import islice
 
+from fieldspec.codec.explain import sentences
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.escape import CAN_EXTENDED, CAN_REMOTE
 from fieldspec.language.model.link import Link
@@ -56,15 +57,15 @@ def bytes_of(text: str) -> bytes:
     for piece in pieces:
         match = re.fullmatch(_PIECE, piece)
         if match is None:
-            raise Unreadable(f"`{piece}` is not a byte in hexadecimal digits")
+            raise Unreadable(sentences.NOT_A_BYTE.format(piece=piece))
         digits = match["digits"] or match["suffixed"]
         if len(digits) % 2 and len(digits) > 1:
-            raise Unreadable(f"`{piece}` has an odd number of digits")
+            raise Unreadable(sentences.ODD_DIGITS.format(piece=piece))
         if len(piece) == 1 and is_padded:
-            raise Unreadable(f"at byte {len(data)}, `{piece}` is one digit of two")
+            raise Unreadable(sentences.SINGLE_DIGIT.format(offset=len(data), piece=piece))
         data += bytes.fromhex(digits.zfill(2))
     if not data:
-        raise Unreadable("there are no bytes in it")
+        raise Unreadable(sentences.NO_BYTES)
     return data
 
 
@@ -107,16 +108,12 @@ def _split_end(body: bytes, end: bytes, mark: bytes) -> tuple[bytes, tuple[str, 
     if not rest.startswith(end):
         return body + end, ()
     missing = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in rest[len(end) :])
-    return body + rest, (f"{missing} is missing at the end of the text and is assumed to have been sent",)
+    return body + rest, (sentences.END_ASSUMED.format(characters=missing),)
 
 
 # Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment after them.
 
-_WORDS = {
-    "request": ("tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"),
-    "response": ("rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"),
-}
-_DIRECTIONS = {word: direction for direction, words in _WORDS.items() for word in words}
+_DIRECTIONS = {word: direction for direction, words in sentences.DIRECTION_WORDS.items() for word in words}
 # Each mark is tried, and a line of a log has few.
 _MOST_MARKS = 8
 _MARK = (
@@ -245,9 +242,9 @@ def _frame(text: str, links: Collection[Link]) -> tuple[bytes, tuple[str, ...]]:
         if before is not None:
             text = text[before.end() :]
         elif word is not None and re.fullmatch(_MISTYPED, word[0]):
-            raise Unreadable(f"`{word[0]}` is not a byte in hexadecimal digits")
+            raise Unreadable(sentences.NOT_A_BYTE.format(piece=word[0]))
         elif word is not None and not is_hex_word(word[0]):
             text = text[word.end() :]
         else:
             return bytes_of(re.sub(_BEHIND, "", text.rstrip())), ()
-    raise _NoBytes("there are no bytes in it")
+    raise _NoBytes(sentences.NO_BYTES)

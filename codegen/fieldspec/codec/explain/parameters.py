@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.row import ExplanationRow, citations, errata_at, errata_of_words
 from fieldspec.codec.explain.values import Meaning, decode_answer, decode_value, in_unit
 from fieldspec.codec.layout.record import FieldLayout, Orders
@@ -34,7 +35,7 @@ class _Element:
     def meaning(self) -> Meaning:
         """Its name, or that of the set if the spec does not list the number, with the number as printed."""
         index = "" if self.index is None else f"[{self.index}]"
-        text = f"parameter {self.parameter_set.number_text(self.number)}{index}"
+        text = sentences.PARAMETER.format(number=self.parameter_set.number_text(self.number) + index)
         fact = self.fact
         if fact is None:
             return Meaning(self.parameter_set.name, "", text, "")
@@ -153,7 +154,7 @@ def _read_as(
         stated = fact.value.size
         if is_text(fact.value.encoding) and size < stated:
             return row  # without the zeros that fill it up
-        text = f"wrong: should be {stated} {'byte' if stated == 1 else 'bytes'}"
+        text = sentences.SHOULD_BE.format(expected=sentences.byte_count(stated))
         return replace(row, verdict=text, reason="out_of_range")
     value = fact.value.for_writing() if is_request else fact.value
     if is_request:

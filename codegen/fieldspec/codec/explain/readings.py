@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.examples import examples_of_bytes
 from fieldspec.codec.explain.explanation import Explanation, explained
 from fieldspec.codec.explain.frame_sizes import bounds_text, size_text
 from fieldspec.codec.explain.recognition import Reading, closest, lengths, recognised
+from fieldspec.codec.explain.values import fault_of
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
@@ -117,7 +119,7 @@ def _unrepeated(answer: ChosenReading, reading: Reading) -> tuple[str, ...]:
     """
     if answer.explanation.reasons or _reading(answer.explanation) != reading:
         return ()
-    only = all(_NOT_REPEATED in text for text in answer.mismatches)
+    only = all(sentences.NOT_REPEATED in text for text in answer.mismatches)
     return answer.mismatches if only else ()
 
 
@@ -208,9 +210,6 @@ def _answer(layout: DeviceLayout, frame: bytes, open_request: OpenRequest) -> Ch
     )
 
 
-_NOT_REPEATED = "does not repeat the request"
-
-
 def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanation) -> Iterator[str]:
     """The places where a response does not fit its request."""
     for role in ("unit_address", "code"):
@@ -225,14 +224,14 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
             expected = announced.message.code_of("response")
             assert expected is not None
             if theirs and isinstance(actual, int) and actual != expected:
-                texts = theirs.number_text(actual), theirs.number_text(expected)
-                yield f"{theirs.name} is {texts[0]}, but {texts[1]} answers {request.message}"
+                numbers = {"actual": theirs.number_text(actual), "expected": theirs.number_text(expected)}
+                yield sentences.ANOTHER_CODE.format(name=theirs.name, **numbers, message=request.message)
             continue
         if ours and isinstance(expected, int) and isinstance(actual, int) and actual != expected:
-            yield f"{ours.name} is {actual}, but {expected} in the request"
+            yield sentences.ANOTHER_NUMBER.format(name=ours.name, actual=actual, expected=expected)
     for row in response.rows:
         if row.verdict.startswith("wrong") and not row.reason:
-            yield f"{row.path} {_NOT_REPEATED}: {row.verdict.removeprefix('wrong: ')}"
+            yield sentences.PART_NOT_REPEATED.format(path=row.path, fault=fault_of(row.verdict))
     message = layout.messages.get(response.message)
     access = message.message.single_access if message and not response.error else None
     if access is not None and access.operation == "read":
@@ -241,9 +240,9 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
         actual = response.values.get(access.values)
         if isinstance(expected, int) and isinstance(actual, list):
             size = packed_size(expected) if unit == BIT else expected
-            size_text = f", which take {size} bytes" if unit == BIT else ""
             if len(actual) != size:
-                yield f"the request asks for {expected} {unit}s{size_text}, but the response has {len(actual)}"
+                sentence = sentences.ASKED_BITS if unit == BIT else sentences.ASKED_VALUES
+                yield sentence.format(expected=expected, unit=unit, size=size, actual=len(actual))
 
 
 def _has_code_of_its_own(layout: DeviceLayout, response: Explanation) -> bool:
@@ -258,11 +257,11 @@ _NAMED = 3
 def remarks(layout: DeviceLayout, chosen: ChosenReading, asked_in: int, options: FrameOptions) -> Iterator[str]:
     """The remarks on a frame. `asked_in` is the line of the request before it, 0 if there is none."""
     if chosen.chosen == "closest":
-        yield f"this is not a valid frame of {layout.device.id}; what is explained here comes closest"
+        yield sentences.CLOSEST.format(device=layout.device.id)
         yield from _of_other_length(layout, chosen, options)
     elif asked_in and chosen.explanation.direction == "response" and not _is_unrequested(layout, chosen):
-        answers = "this answers" if chosen.chosen == "request" else "this does not answer"
-        yield f"{answers} the request in line {asked_in}"
+        answers = sentences.ANSWERS if chosen.chosen == "request" else sentences.DOES_NOT_ANSWER
+        yield answers.format(line=asked_in)
     if chosen.chosen == "likeliest":
         yield _ambiguous(layout, chosen)
     yield from chosen.mismatches
@@ -283,19 +282,19 @@ def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
     """The remark that other readings fit, and which options tell them apart."""
     own = chosen.explanation
     readings = [_reading(own), *chosen.alternatives]
+    options = _options(layout, own, chosen.alternatives)
     if all(not _coded(layout, link) for link, _, _, _ in readings):
-        bytes_ = f"{len(own.frame)} bytes"
         names = _enumeration(
             [_message_text(layout.device.links[link], direction, name) for link, direction, name, _ in readings], "or"
         )
-        return f"ambiguous: {bytes_} may be {names}; {_options(layout, own, chosen.alternatives)}"
+        return sentences.AMBIGUOUS_SIZE.format(count=len(own.frame), names=names, options=options)
     names_of: dict[tuple[str, str, bool], list[str]] = {}
     for link, direction, message, error in chosen.alternatives:
-        names_of.setdefault((link, direction, error), []).append(message or "an unknown message")
+        names_of.setdefault((link, direction, error), []).append(message or sentences.UNKNOWN_MESSAGE)
     alternatives_text = " or ".join(_readings_text(layout, own, *key, names) for key, names in names_of.items())
-    explained = _readings_text(layout, own, own.link, own.direction, own.error, [own.message or "an unknown message"])
-    options = _options(layout, own, chosen.alternatives)
-    return f"ambiguous: explained as {explained}, it may also be {alternatives_text}; {options}"
+    own_names = [own.message or sentences.UNKNOWN_MESSAGE]
+    explained = _readings_text(layout, own, own.link, own.direction, own.error, own_names)
+    return sentences.AMBIGUOUS.format(explained=explained, others=alternatives_text, options=options)
 
 
 def _options(layout: DeviceLayout, own: Explanation, alternatives: Sequence[Reading]) -> str:
@@ -311,8 +310,9 @@ def _options(layout: DeviceLayout, own: Explanation, alternatives: Sequence[Read
         telling = {"--request": telling[word], **telling}
     enough = [option for option, tells in telling.items() if all(tells)]
     if enough:
-        return f"{' or '.join(enough)} tells"
-    return f"{' and '.join(option for option, tells in telling.items() if any(tells))} tell"
+        return sentences.OPTION_TELLS.format(options=" or ".join(enough))
+    helpful = (option for option, tells in telling.items() if any(tells))
+    return sentences.OPTIONS_TELL.format(options=" and ".join(helpful))
 
 
 def _asks(layout: DeviceLayout, link: str) -> bool:
@@ -324,25 +324,28 @@ def _readings_text(
     layout: DeviceLayout, own: Explanation, link: str, direction: str, error: bool, messages: Sequence[str]
 ) -> str:
     """Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`."""
-    place = "" if link == own.link else f" on {link}"
-    names = ", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."])
+    is_single = len(messages) == 1
     name = layout.device.links[link].direction_name(direction)
+    parts = {
+        "message": messages[0],
+        "count": len(messages),
+        "names": ", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."]),
+        "direction": name,
+        "place": "" if link == own.link else sentences.ON_LINK.format(link=link),
+    }
     if name not in DIRECTIONS and not error:
-        return (
-            f"{messages[0]} {name}{place}" if len(messages) == 1 else f"one of {len(messages)} {name}{place} ({names})"
-        )
+        return (sentences.NAMED_MESSAGE if is_single else sentences.NAMED_MESSAGES).format(**parts)
     kind = "exception response" if error else direction
     joint = "of" if kind != "response" else "to"
     if kind == "response" and all(not layout.messages[message].message.is_requested for message in messages):
         kind, joint = "frame", "of"  # it answers nothing
-    if len(messages) == 1:
-        return f"the {kind} {joint} {messages[0]}{place}"
-    return f"a {kind} {joint} one of {len(messages)} messages{place} ({names})"
+    sentence = sentences.READING if is_single else sentences.READINGS
+    return sentence.format(kind=kind, joint=joint, **parts)
 
 
 def _message_text(link: Link, direction: str, message: str) -> str:
     """A message with its direction, as remarks name it: `telegram_3 sent`"""
-    return f"{message} {link.direction_name(direction)}"
+    return sentences.NAMED_MESSAGE.format(message=message, direction=link.direction_name(direction), place="")
 
 
 def _enumeration(names: Iterable[str], last: str) -> str:
@@ -363,10 +366,13 @@ def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: Frame
     escape = link.link.escape if link.link.is_can else None
     identifier = 0 if escape is None else escape.fields_size
     sizes = [
-        f"{_message_text(link.link, direction, name)} has {bounds_text(*lengths(link, direction, name), identifier)}"
+        sentences.SIZE_OF_MESSAGE.format(
+            message=_message_text(link.link, direction, name),
+            size=bounds_text(*lengths(link, direction, name), identifier),
+        )
         for name in ([options.message] if options.message in names else names)
         for direction in ways
         if name in known[direction]
     ]
     if sizes:
-        yield f"{size_text(link, own)}; {', '.join(sizes)}"
+        yield sentences.SIZES.format(own=size_text(link, own), others=", ".join(sizes))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.row import ExplanationRow, Spot, fact_row
 from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.explain.values import DecodedValue, decode_answer, decode_value, number_of
@@ -18,13 +19,7 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.value import Handling, Value
 
-_PARTIAL = {
-    False: "The frame contains only some of its {}s.",
-    True: "The frame contains only some of its {}s, which must be accessed in one request.",
-}
-
-
-FORBIDS = {("write", "ro"): "can only be read", ("read", "wo"): "can only be written"}
+FORBIDS = {("write", "ro"): sentences.READ_ONLY, ("read", "wo"): sentences.WRITE_ONLY}
 """By operation and access: what the access forbids."""
 
 
@@ -120,7 +115,7 @@ def register_rows(layout: DeviceLayout, span: Span, spot: Spot, operation: str) 
         address = max(address, occupant.address + occupant.words)
         row = _occupant_row(layout, span, occupant, spot, operation)
         reason = FORBIDS.get((operation, occupant.access), "")
-        yield replace(row, notes=(*row.notes, f"It {reason}.")) if reason else row
+        yield replace(row, notes=(*row.notes, sentences.IT.format(statement=reason))) if reason else row
     if address < span.end:
         yield _unlisted(layout, span, address, span.end, spot)
 
@@ -293,7 +288,8 @@ def _occupant_row(layout: DeviceLayout, span: Span, occupant: Occupant, spot: Sp
             read = decode_answer(layout.device, value, *arguments, trigger=occupant.trigger)
     else:
         is_inside = _is_within(occupant, span)
-        read = DecodedValue(None, notes=() if is_inside else (_PARTIAL[occupant.atomic].format(span.unit),))
+        partial = sentences.PARTIAL_ATOMIC if occupant.atomic else sentences.PARTIAL
+        read = DecodedValue(None, notes=() if is_inside else (partial.format(unit=span.unit),))
     row = fact_row(layout.device, "register", occupant.path, occupant.fact, spot, offset, raw, read, occupant.outer)
     if not piece:
         row = replace(row, offset=0, can_place="")
@@ -329,7 +325,7 @@ def count_of_occupant(layout: DeviceLayout, occupant: Occupant) -> Occupant | No
 
 def absent_text(count: Occupant, number: int) -> str:
     """Why a device has not got an element: what its register of the count says."""
-    return f"The device has no such element: {count.path} is {number}."
+    return sentences.ABSENT_ELEMENT.format(count=count.path, number=number)
 
 
 def _absence(layout: DeviceLayout, span: Span, occupant: Occupant) -> tuple[str, ...]:
@@ -377,7 +373,7 @@ def _unlisted(layout: DeviceLayout, span: Span, first: int, end: int, spot: Spot
         raw=raw,
         characters=characters,
         can_place=spot.can_place(start) if raw else "",
-        doc="No register is listed here.",
+        doc=sentences.UNLISTED_REGISTER,
         notes=(*reasons, *_unknown_bases(layout, span, first, end)),
         address=first,
         words=end - first,
@@ -394,4 +390,4 @@ def _unknown_bases(layout: DeviceLayout, span: Span, first: int, end: int) -> It
         if layout.device.space_name(table.table.space) != own or _located(layout, table, span) is not None:
             continue
         if any(low < end and first < high + reach for low, high in (ranges.intervals if ranges is not None else ())):
-            yield f"Elements of {name} may be here: {register.name} has the address of the first one."
+            yield sentences.ELEMENTS_OF_TABLE.format(table=name, register=register.name)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.values import DecodedValue, Meaning
 from fieldspec.codec.layout.values import Raw
 from fieldspec.foundation.caches import ByIdentity
@@ -259,16 +260,15 @@ def wrong_row(
         can_place=spot.can_place(position),
         path=path,
         fact=fact,
-        verdict=f"wrong: {detail}",
+        verdict=sentences.WRONG.format(fault=detail),
         reason=reason,
     )
 
 
 def surplus_row(spot: Spot, position: int, raw: bytes) -> ExplanationRow:
     """The row of bytes after the end of a frame or of its body."""
-    return wrong_row(
-        spot, position, raw, "wrong_length", "1 byte too many" if len(raw) == 1 else f"{len(raw)} bytes too many"
-    )
+    text = sentences.TOO_MANY.format(bytes=sentences.byte_count(len(raw)))
+    return wrong_row(spot, position, raw, "wrong_length", text)
 
 
 HEX = b"0123456789ABCDEFabcdef"
@@ -336,14 +336,14 @@ def end_rows(parts: Unwrapped) -> Iterator[ExplanationRow]:
     """The rows of surplus characters, and of the end delimiter, if the link has one."""
     offset = len(parts.frame) - len(parts.end)
     if parts.surplus:
-        text = "not pairs of hexadecimal characters" if not parts.whole else "1 character too many"
+        text = sentences.CHARACTER_TOO_MANY if parts.whole else sentences.NOT_PAIRS
         yield ExplanationRow(
             kind="unexplained",
             offset=offset - len(parts.surplus),
             length=len(parts.surplus),
             raw=parts.surplus,
             characters=parts.surplus.decode("latin-1"),
-            verdict=f"wrong: {text}",
+            verdict=sentences.WRONG.format(fault=text),
             reason=parts.reason,
         )
     yield from _mark_row(parts, "end", offset, parts.end, parts.marks[1])
@@ -377,7 +377,7 @@ def _mark_row(parts: Unwrapped, name: str, offset: int, data: bytes, expected: b
             characters=data.decode("latin-1") if parts.link.transmission == "hex_ascii" else "",
             path=name,
             fact=parts.link.place.path,
-            verdict="right" if right else f"wrong: should be {expected.hex(' ').upper()}",
+            verdict="right" if right else sentences.SHOULD_BE.format(expected=expected.hex(" ").upper()),
             reason="" if right else "wrong_mark",
             source=citations(parts.link.sources),
         )

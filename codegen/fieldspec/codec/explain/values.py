@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Context, Decimal
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.layout.accepted import (
     Equals,
     Fits,
@@ -76,7 +77,12 @@ class DecodedValue:
         """The same value with a verdict; of a wrong one, also the reason for which a codec refuses it."""
         if right:
             return replace(self, verdict="right", reason="")
-        return replace(self, verdict=f"wrong: should be {expected}", reason=reason)
+        return replace(self, verdict=sentences.SHOULD_BE.format(expected=expected), reason=reason)
+
+
+def fault_of(verdict: str) -> str:
+    """The fault of a wrong value by its verdict: `should be 5`."""
+    return verdict.removeprefix(sentences.WRONG.format(fault=""))
 
 
 def whole(data: bytes, order: str) -> int:
@@ -169,7 +175,7 @@ def _expected(device: Device, value: Value, row: Row, test: Test) -> str:
         case Equals():
             return str(test.number)
         case IsBit():
-            return "0 or 1"
+            return sentences.TRUTH_NUMBERS
         case HasDigits():
             return digits_text(value)
         case HasCharacters():
@@ -226,7 +232,7 @@ def decode_answer(
     read = decode_value(device, value, *arguments)
     if read.reason == "wrong_const":
         answer = decode_value(device, value.as_answer(False), *arguments)
-        read = replace(answer, notes=(*answer.notes, f"It {read.verdict.removeprefix('wrong: ')}."))
+        read = replace(answer, notes=(*answer.notes, sentences.IT.format(statement=fault_of(read.verdict))))
     if not trigger or decode_value(device, value.as_answer(True), *arguments).reason == "unknown_value":
         return read
     return replace(read, verdict="", reason="")
@@ -262,7 +268,8 @@ def _member_meaning(device: Device, value: Value, number: int) -> DecodedValue:
     member = enum.member(number)
     if member is None:
         if enum.open:
-            return DecodedValue(number, notes=(f"{enum.name} does not list {number}.",), facts=(enum.place.path,))
+            note = sentences.UNLISTED_MEMBER.format(enum=enum.name, number=number)
+            return DecodedValue(number, notes=(note,), facts=(enum.place.path,))
         return DecodedValue(number)
     meaning = Meaning(member.name, member.label, member.problem or member.doc, "")
     facts = (enum.place.path, member.place.path)
@@ -277,7 +284,8 @@ def member_notes(enum: Enum, member: Member) -> tuple[str, ...]:
 
 def member_list(enum: Enum) -> str:
     """The values of an enum that a codec accepts: `one of 1, 2, 5`."""
-    return f"one of {', '.join(str(member.value) for member in enum.members if not member.unavailable)}"
+    values = (str(member.value) for member in enum.members if not member.unavailable)
+    return sentences.PERMITTED_NAMES.format(names=", ".join(values))
 
 
 def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
@@ -291,7 +299,7 @@ def _set_bits(device: Device, word: Flags, number: int) -> Iterator[Meaning]:
             yield _bit(device, bit, number_of_bits)
     for index in range(unknown.bit_length()):
         if unknown >> index & 1:
-            yield Meaning("", "", "not listed", str(index))
+            yield Meaning("", "", sentences.UNLISTED_BIT, str(index))
     yield from (_state(state) for state in word.states if _shows(word, state, number))
 
 

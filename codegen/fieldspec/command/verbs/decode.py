@@ -9,6 +9,7 @@ import shlex
 import sys
 from collections.abc import Iterator, Sequence
 
+from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.explanation import Explanation
 from fieldspec.codec.explain.log import LogLine, Unreadable, is_hex_word, log_line
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
@@ -235,7 +236,7 @@ class Log:
         for number, line in _lines(stream):
             try:
                 if len(line) >= LONGEST_LINE:
-                    raise Unreadable(f"it has {LONGEST_LINE} characters or more")
+                    raise Unreadable(sentences.TOO_LONG.format(count=LONGEST_LINE))
                 log_record = log_line(line, self.links)
             except Unreadable as error:
                 print_error(f"line {number}: {error}")

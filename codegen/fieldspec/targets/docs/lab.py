@@ -99,7 +99,7 @@ def request_data(layout: DeviceLayout) -> dict[str, Data]:
 
 def lab_script() -> str:
     """The explainer and the lab as one script, since a browser loads no modules from files."""
-    modules = [text(script.runtime_path(name)) for name in (*script.SHARED, *script.RUNTIME)]
+    modules = [script.module_text(name) for name in (*script.SHARED, *script.RUNTIME)]
     modules = [_EXPORT.sub("", _IMPORT.sub("", module)).strip("\n") for module in modules]
     parts = [text(f"targets/docs/{NAME}/{name}.js").strip("\n") for name in _PARTS]
     modules, parts = ([_COMMENT.sub("", part) for part in own] for own in (modules, parts))

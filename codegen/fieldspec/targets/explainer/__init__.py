@@ -1,10 +1,15 @@
 """The explainer as JavaScript: what it knows of a device as data, and the modules that read these."""
 
+from fieldspec.codec.explain import sentences
+from fieldspec.targets.explainer.literals import lines
+from fieldspec.targets.templates import text
+
 SHARED = ("checksums", "error", "escapes", "encodings", "digit_texts", "number_bits", "lists", "widths")
 """The modules that generated codecs use too."""
 
 RUNTIME = (
     "numbers",
+    "sentences",
     "texts",
     "interpreter",
     "device",
@@ -27,6 +32,12 @@ twice.
 """
 
 
-def runtime_path(name: str) -> str:
-    """The file of a module, as a path in the package."""
-    return f"targets/explainer/runtime/{name}.js"
+_HEAD = "/** The sentences of explanations. A name in braces stands for what differs. */"
+
+
+def module_text(name: str) -> str:
+    """The text of a module. The module of the sentences is made from `codec/explain/sentences.py`."""
+    if name == "sentences":
+        constants = {key: value for key, value in vars(sentences).items() if key.isupper()}
+        return f"{_HEAD}\nexport const SENTENCES = {lines(constants, 1)};\n"
+    return text(f"targets/explainer/runtime/{name}.js")

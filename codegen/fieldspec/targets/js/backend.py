@@ -44,8 +44,8 @@ PACKAGE = "fieldspec-devices"
 def shared() -> dict[str, str]:
     """The modules that all devices share, with their types, and the description of the package for npm."""
     files = {f"runtime/{name}.js": text(f"targets/js/runtime/{name}.js") for name in RUNTIME}
-    files |= {f"runtime/{name}.js": text(script.runtime_path(name)) for name in script.SHARED}
-    files |= {f"runtime/explain/{name}.js": text(script.runtime_path(name)) for name in script.RUNTIME}
+    files |= {f"runtime/{name}.js": script.module_text(name) for name in script.SHARED}
+    files |= {f"runtime/explain/{name}.js": script.module_text(name) for name in script.RUNTIME}
     package = {
         "name": PACKAGE,
         "version": "0.0.0",

@@ -1,7 +1,8 @@
 import { bitsText, extentsIn, fits, placeAround } from "../lists.js";
 import { extentsOf } from "../widths.js";
 import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
-import { sameValue, valueText } from "./texts.js";
+import { SENTENCES } from "./sentences.js";
+import { missingText, sameValue, sentence, valueText } from "./texts.js";
 import { formOfData, formOfField } from "./device.js";
 import { runEach } from "./interpreter.js";
 import { decodedRow, exponentApplied, judged, meaningOf, repeatedValue } from "./values.js";
@@ -16,7 +17,7 @@ function withPercentages(device, row, field, number) {
     const { name, label, complement, full, references } = conversion;
     const count = complement ? BigInt(full) - BigInt(number) : BigInt(number);
     const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200), `100/${full}`);
-    return meaningOf(name, label, `${percent} % of ${references}`);
+    return meaningOf(name, label, sentence(SENTENCES.PERCENTAGE, { percent, references }));
   });
   return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
 }
@@ -98,23 +99,23 @@ export class ExplainedBody {
     let { reason } = this.fault;
     let text;
     if (this.hasWrongCount(list)) {
-      text = `${countName} is not a number of ${name}, so it is unknown where they end`;
+      text = sentence(SENTENCES.WRONG_COUNT, { count: countName, name });
     } else if (decision && reason === "unknown_value") {
-      text = `${decision.name} ${valueText(this.values.get(decision.name))} does not decide the type of ${name}`;
+      text = this.undecidedText(SENTENCES.UNDECIDED, decision.name, name);
     } else if (decision && reason === "wrong_length") {
-      text = `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`;
+      text = sentence(SENTENCES.MORE_FOLLOW, { name, count: this.fault.at - (at - this.start) });
     } else if (packing && reason === "wrong_length") {
-      text = `${name} has more bytes than its numbers of ${packing.bits} bits`;
+      text = sentence(SENTENCES.MORE_THAN_BITS, { name, bits: packing.bits });
     } else if (parts) {
-      text = `the elements of ${name} do not end with their bytes: see ${this.spot.byteText(this.start + this.fault.at)}`;
+      text = sentence(SENTENCES.ELEMENTS_WITHOUT_END, { name, place: this.spot.byteText(this.start + this.fault.at) });
     } else if (this.end - this.start < this.record.least) {
       return this.missingRow(fields, at);
     } else if (decision) {
-      text = `${decision.name} decides that ${name} has more bytes than there are`;
+      text = sentence(SENTENCES.DECIDES_MORE, { selector: decision.name, name });
     } else if (presence?.numbers.length) {
-      [reason, text] = ["incomplete", `${countName} says that ${name} is sent, but its bytes are missing`];
+      [reason, text] = ["incomplete", sentence(SENTENCES.SENT_WITHOUT_BYTES, { count: countName, name })];
     } else {
-      [reason, text] = ["incomplete", `${countName} counts more ${name} than there are`];
+      [reason, text] = ["incomplete", sentence(SENTENCES.COUNTS_MORE, { count: countName, name })];
     }
     return this.wrongRow(fields[0], at, reason, text);
   }
@@ -151,13 +152,13 @@ export class ExplainedBody {
 
   /** Why nobody knows where a field ends that begins at a byte, as a reason and in words. */
   endless(span, at) {
-    if (span.count === undefined) return ["incomplete", `${span.name} has no end`];
+    if (span.count === undefined) return ["incomplete", sentence(SENTENCES.WITHOUT_END, span)];
     const { name } = this.record.spans[span.count];
-    const number = Number(this.values.get(name)) - span.plus;
-    if (number >= 0 && number <= span.most) {
-      return ["incomplete", `${span.name} has ${number} bytes, but only ${this.end - at} follow`];
+    const count = Number(this.values.get(name)) - span.plus;
+    if (count >= 0 && count <= span.most) {
+      return ["incomplete", sentence(SENTENCES.FEWER_FOLLOW, { name: span.name, count, rest: this.end - at })];
     }
-    return ["wrong_measure", `${name} is not a number of bytes of ${span.name}`];
+    return ["wrong_measure", sentence(SENTENCES.WRONG_SIZE, { count: name, name: span.name })];
   }
 
   /** How many elements a field should have: as many as fit if their number is free. */
@@ -171,8 +172,7 @@ export class ExplainedBody {
   missingRow(fields, at, stop = this.end) {
     const missing = this.record.least - (this.end - this.start);
     const later = fields.map(({ name }) => name).join(", ");
-    const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${later}`;
-    return this.wrongRow(fields[0], at, "incomplete", text, stop);
+    return this.wrongRow(fields[0], at, "incomplete", missingText(missing, later), stop);
   }
 
   /** The row of a field whose type is open, because the field that decides it has a value without a case. */
@@ -180,9 +180,15 @@ export class ExplainedBody {
     const size = this.end - this.start;
     const { least, most, selector } = this.record;
     if (size < least) return this.missingRow(this.record.fields.slice(-1), at);
-    const text = `${selector} ${valueText(this.values.get(selector))} does not decide the type of ${field.name}`;
-    if (most === undefined || size <= most) return this.wrongRow(field, at, "unknown_value", text);
-    return this.wrongRow(field, at, "wrong_length", `${text}, which is ${size - most} bytes too long`);
+    const isLong = most !== undefined && size > most;
+    const fault = isLong ? SENTENCES.UNDECIDED_TOO_LONG : SENTENCES.UNDECIDED;
+    const text = this.undecidedText(fault, selector, field.name, { count: size - most });
+    return this.wrongRow(field, at, isLong ? "wrong_length" : "unknown_value", text);
+  }
+
+  /** That a field whose value has no case does not decide the type of another one. */
+  undecidedText(fault, selector, name, more) {
+    return sentence(fault, { selector, number: valueText(this.values.get(selector)), name, ...more });
   }
 
   /** The row of the rest of the body, or of the bytes up to `stop`, where a field is expected. */
@@ -235,7 +241,7 @@ export class ExplainedBody {
       const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
       low = high = numberOf(other.isList ? most : 1);
     }
-    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : `${low} to ${high}`, "wrong_measure");
+    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : sentence(SENTENCES.BOUNDS, { low, high }), "wrong_measure");
   }
 
   /** How many elements of a list that ends the body there are. */
@@ -253,7 +259,7 @@ export class ExplainedBody {
       if (known >= this.extents.length) continue;
       const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
       if (!fits(presence, read.number, items)) {
-        const isSent = `a number with which ${name} is${items ? "" : " not"} sent`;
+        const isSent = sentence(items ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT, other);
         const count = bitsText(presence, items * presence.unit + presence.plus);
         return judged(read, false, presence.numbers.length ? isSent : count, "wrong_measure");
       }
@@ -265,7 +271,8 @@ export class ExplainedBody {
   wrongCount(list, field, read) {
     const { countName, least, most, unit, plus = 0, presence } = list;
     if (countName !== field.name || !this.hasWrongCount(list)) return read;
-    const expected = `${Math.floor(least / unit) + plus} to ${Math.floor(most / unit) + plus}`;
+    const [low, high] = [least, most].map((size) => Math.floor(size / unit) + plus);
+    const expected = sentence(SENTENCES.BOUNDS, { low, high });
     return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
   }
 

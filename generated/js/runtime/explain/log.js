@@ -1,6 +1,8 @@
 import { Unreadable, logLine } from "./lines.js";
 import { FrameOptions, isWrong, readFrame, remarksOn } from "./readings.js";
 import { reasonsOf } from "./explanation.js";
+import { SENTENCES } from "./sentences.js";
+import { sentence } from "./texts.js";
 
 /** The characters of a line from which on it is too long for a frame. */
 export const LONGEST_LINE = 8192;
@@ -31,7 +33,7 @@ export class LogReader {
    */
   read(text) {
     this.number += 1;
-    if (text.length >= LONGEST_LINE) throw new Unreadable(`it has ${LONGEST_LINE} characters or more`);
+    if (text.length >= LONGEST_LINE) throw new Unreadable(sentence(SENTENCES.TOO_LONG, { count: LONGEST_LINE }));
     const line = logLine(text.replaceAll("\0", ""), this.links);
     if (!line) return null;
     this.mark = line.direction || this.mark;

@@ -2,7 +2,8 @@ import { isWhole } from "./numbers.js";
 import { typeBounds } from "./frames.js";
 import { bytesOfNumber, orderOf } from "./interpreter.js";
 import { decodeAnswer, decodeValue, forWriting, meaningOf } from "./values.js";
-import { isWithin } from "./texts.js";
+import { SENTENCES } from "./sentences.js";
+import { byteCount, isWithin, sentence } from "./texts.js";
 
 /** The parameter with a number of a set. */
 export function parameterNumbered(words, number) {
@@ -37,7 +38,8 @@ class ParameterElement {
   }
 
   get meaning() {
-    const text = `parameter ${numberText(this.words, this.number)}${this.index === null ? "" : `[${this.index}]`}`;
+    const index = this.index === null ? "" : `[${this.index}]`;
+    const text = sentence(SENTENCES.PARAMETER, { number: numberText(this.words, this.number) + index });
     if (!this.fact) return meaningOf(this.words.name, "", text);
     const names = new Set([this.parameter, this.subindex].map((fact) => fact?.name).filter(Boolean));
     return meaningOf([...names].join("."), this.fact.label, text);
@@ -121,7 +123,7 @@ function readAs(device, row, field, element, isRequest, size = field.size) {
     const stated = fact.value.size;
     // A text may come without the zeros that fill it up.
     if (fact.value.kind === "text" && size < stated) return named;
-    return { ...named, verdict: `wrong: should be ${stated} ${stated === 1 ? "byte" : "bytes"}`, reason: "out_of_range" };
+    return { ...named, verdict: sentence(SENTENCES.SHOULD_BE, { expected: byteCount(stated) }), reason: "out_of_range" };
   }
   const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
   const read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved, parameter.trigger);

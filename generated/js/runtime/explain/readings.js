@@ -1,7 +1,9 @@
 import { codeIn, isAmbiguous, partNumberText } from "./device.js";
 import { isWhole } from "./numbers.js";
-import { enumeration, hexOf } from "./texts.js";
+import { SENTENCES } from "./sentences.js";
+import { byteCount, enumeration, hexOf, sentence } from "./texts.js";
 import { explained, namesOfLength, reasonsOf } from "./explanation.js";
+import { faultOf } from "./values.js";
 
 export const DIRECTIONS = ["request", "response"];
 
@@ -118,7 +120,7 @@ export function readFrame(device, frame, options, mark = "", asked = null) {
 function unrepeated({ explanation, mismatches }, reading) {
   const own = readingOf(explanation);
   if (reasonsOf(explanation).length || reading.some((value, at) => value !== own[at])) return [];
-  return mismatches.every((text) => text.includes(NOT_REPEATED)) ? mismatches : [];
+  return mismatches.every((text) => text.includes(SENTENCES.NOT_REPEATED)) ? mismatches : [];
 }
 
 /** Whether a codec refuses the frame, or a response does not fit its request. */
@@ -203,8 +205,6 @@ function answerOf(device, frame, request) {
   };
 }
 
-const NOT_REPEATED = "does not repeat the request";
-
 /** The places where a response does not fit its request. */
 function mismatchesOf(device, request, response) {
   const link = device.links.get(request.link);
@@ -218,16 +218,16 @@ function mismatchesOf(device, request, response) {
     const { responseCode } = device.messages.get(request.message) ?? {};
     if (role === "code" && responseCode !== undefined) {
       if (isWhole(have ?? "") && have != responseCode) {
-        const [own, right] = [have, responseCode].map((number) => partNumberText(theirs, number));
-        texts.push(`${theirs.name} is ${own}, but ${right} answers ${request.message}`);
+        const [actual, expected] = [have, responseCode].map((number) => partNumberText(theirs, number));
+        texts.push(sentence(SENTENCES.ANOTHER_CODE, { name: theirs.name, actual, expected, message: request.message }));
       }
     } else if (isWhole(want ?? "") && isWhole(have ?? "") && have != want) {
-      texts.push(`${ours.name} is ${have}, but ${want} in the request`);
+      texts.push(sentence(SENTENCES.ANOTHER_NUMBER, { name: ours.name, actual: have, expected: want }));
     }
   }
   for (const row of response.rows) {
     if (row.verdict.startsWith("wrong") && !row.reason) {
-      texts.push(`${row.path} ${NOT_REPEATED}: ${row.verdict.replace("wrong: ", "")}`);
+      texts.push(sentence(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) }));
     }
   }
   const message = response.error ? undefined : device.messages.get(response.message);
@@ -237,8 +237,8 @@ function mismatchesOf(device, request, response) {
     const have = response.values.get(values);
     const size = unit === "bit" && isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : want;
     if (isWhole(want ?? "") && Array.isArray(have) && have.length != size) {
-      const taken = unit === "bit" ? `, which take ${size} bytes` : "";
-      texts.push(`the request asks for ${want} ${unit}s${taken}, but the response has ${have.length}`);
+      const fault = unit === "bit" ? SENTENCES.ASKED_BITS : SENTENCES.ASKED_VALUES;
+      texts.push(sentence(fault, { expected: want, unit, size, actual: have.length }));
     }
   }
   return texts;
@@ -250,10 +250,10 @@ const NAMED = 3;
 export function remarksOn(device, chosen, askedIn, options) {
   const texts = [];
   if (chosen.chosen === "closest") {
-    texts.push(`this is not a valid frame of ${device.data.device}; what is explained here comes closest`);
+    texts.push(sentence(SENTENCES.CLOSEST, device.data));
     texts.push(...otherLengths(device, chosen, options));
   } else if (askedIn && chosen.explanation.direction === "response" && !isUnrequested(device, chosen)) {
-    texts.push(`${chosen.chosen === "request" ? "this answers" : "this does not answer"} the request in line ${askedIn}`);
+    texts.push(sentence(chosen.chosen === "request" ? SENTENCES.ANSWERS : SENTENCES.DOES_NOT_ANSWER, { line: askedIn }));
   }
   if (chosen.chosen === "likeliest") texts.push(ambiguityText(device, chosen));
   return [...texts, ...chosen.mismatches];
@@ -275,20 +275,20 @@ function ambiguityText(device, chosen) {
   const ownKey = JSON.stringify(readingOf(own));
   const alternatives = chosen.readings.filter((reading) => JSON.stringify(reading) !== ownKey);
   const readings = [readingOf(own), ...alternatives];
-  const telling = optionsText(device, own, alternatives);
+  const options = optionsText(device, own, alternatives);
   if (readings.every(([link]) => !isCoded(device.links.get(link)))) {
     const names = readings.map(([link, direction, message]) => messageText(device.links.get(link), direction, message));
-    return `ambiguous: ${own.frame.length} bytes may be ${enumeration(names, "or")}; ${telling}`;
+    return sentence(SENTENCES.AMBIGUOUS_SIZE, { count: own.frame.length, names: enumeration(names, "or"), options });
   }
   const groups = new Map();
   for (const [link, direction, message, error] of alternatives) {
     const key = JSON.stringify([link, direction, error]);
     if (!groups.has(key)) groups.set(key, { link, direction, error, names: [] });
-    groups.get(key).names.push(message || "an unknown message");
+    groups.get(key).names.push(message || SENTENCES.UNKNOWN_MESSAGE);
   }
   const others = [...groups.values()].map(({ link, direction, error, names }) => namedReading(device, own, link, direction, error, names));
-  const first = namedReading(device, own, own.link, own.direction, own.error, [own.message || "an unknown message"]);
-  return `ambiguous: explained as ${first}, it may also be ${others.join(" or ")}; ${telling}`;
+  const explained = namedReading(device, own, own.link, own.direction, own.error, [own.message || SENTENCES.UNKNOWN_MESSAGE]);
+  return sentence(SENTENCES.AMBIGUOUS, { explained, others: others.join(" or "), options });
 }
 
 /** The options that tell the readings apart: those that are each enough, else all that help. */
@@ -304,29 +304,33 @@ function optionsText(device, own, alternatives) {
   const byMessage = telling[2][1];
   if (own.direction === "response" && link.request.code && byMessage.some(Boolean)) telling = [["request", byMessage], ...telling];
   const enough = telling.filter(([, tells]) => tells.every(Boolean)).map(([option]) => option);
-  if (enough.length) return `${enough.join(" or ")} tells`;
-  return `${telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option).join(" and ")} tell`;
+  if (enough.length) return sentence(SENTENCES.OPTION_TELLS, { options: enough.join(" or ") });
+  const helpful = telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option);
+  return sentence(SENTENCES.OPTIONS_TELL, { options: helpful.join(" and ") });
 }
 
 /** Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`. */
 function namedReading(device, own, link, direction, error, messages) {
-  const place = link === own.link ? "" : ` on ${link}`;
-  const names = (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", ");
+  const isSingle = messages.length === 1;
   const name = device.links.get(link).directionNames[direction];
-  if (!DIRECTIONS.includes(name) && !error) {
-    return messages.length === 1 ? `${messages[0]} ${name}${place}` : `one of ${messages.length} ${name}${place} (${names})`;
-  }
+  const parts = {
+    message: messages[0],
+    count: messages.length,
+    names: (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", "),
+    direction: name,
+    place: link === own.link ? "" : sentence(SENTENCES.ON_LINK, { link }),
+  };
+  if (!DIRECTIONS.includes(name) && !error) return sentence(isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES, parts);
   // What the device sends of its own accord answers nothing.
   const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
   const kind = error ? "exception response" : isAnswer || direction === "request" ? direction : "frame";
   const joint = isAnswer ? "to" : "of";
-  if (messages.length === 1) return `the ${kind} ${joint} ${messages[0]}${place}`;
-  return `a ${kind} ${joint} one of ${messages.length} messages${place} (${names})`;
+  return sentence(isSingle ? SENTENCES.READING : SENTENCES.READINGS, { kind, joint, ...parts });
 }
 
 /** `telegram_3 sent` */
 function messageText(link, direction, message) {
-  return `${message} ${link.directionNames[direction]}`;
+  return sentence(SENTENCES.NAMED_MESSAGE, { message, direction: link.directionNames[direction], place: "" });
 }
 
 /** The lengths of the messages, if only the length could tell which one the frame is, and it tells none. */
@@ -341,24 +345,20 @@ function otherLengths(device, chosen, options) {
   const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
   const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
     const [, , , size] = link.lengths[direction].find(([other]) => other === name);
-    return `${messageText(link, direction, name)} has ${size}`;
+    return sentence(SENTENCES.SIZE_OF_MESSAGE, { message: messageText(link, direction, name), size });
   }));
-  return sizes.length ? [`${ownSize(link, own)}; ${sizes.join(", ")}`] : [];
+  return sizes.length ? [sentence(SENTENCES.SIZES, { own: ownSize(link, own), others: sizes.join(", ") })] : [];
 }
 
 /** The size of a frame, counted as those of messages are: `without its delimiters, the frame has 4 bytes`. */
 function ownSize(link, { direction, frame, rows }) {
   const { escape } = link[direction];
-  if (escape?.method === "can") return `the data of the frame have ${byteCount(frame.length - 8)}`;
+  if (escape?.method === "can") return sentence(SENTENCES.SIZE_OF_DATA, { bytes: byteCount(frame.length - 8) });
   const inner = rows.filter(({ kind }) => kind !== "mark");
   const isHex = link.transmission === "hex_ascii";
   const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
   const preamble = link.preamble ? ["preamble"] : [];
   const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
-  const opening = without.length ? `without its ${without.join(" and ")}, the frame has` : "the frame has";
-  return `${opening} ${byteCount(isHex ? Math.trunc(size / 2) : size)}`;
-}
-
-function byteCount(count) {
-  return count === 1 ? "1 byte" : `${count} bytes`;
+  const bytes = byteCount(isHex ? Math.trunc(size / 2) : size);
+  return sentence(without.length ? SENTENCES.SIZE_WITHOUT : SENTENCES.SIZE_OF_FRAME, { names: without.join(" and "), bytes });
 }

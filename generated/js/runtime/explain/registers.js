@@ -2,18 +2,16 @@ import { isWhole } from "./numbers.js";
 import { contentOf } from "./interpreter.js";
 import { decodeAnswer, decoded, decodeValue, exponentApplied, forWriting } from "./values.js";
 import { factRow, rowOf } from "./rows.js";
+import { SENTENCES } from "./sentences.js";
+import { sentence } from "./texts.js";
 
 /** The values of no request. */
 export const NOTHING = new Map();
 
-function partialText(unit, isAtomic) {
-  return `The frame contains only some of its ${unit}s${isAtomic ? ", which must be accessed in one request" : ""}.`;
-}
-
 /** Why an access forbids an operation; empty if it does not. */
 export function forbiddenText(operation, access) {
-  if (operation === "write" && access === "ro") return "can only be read";
-  return operation === "read" && access === "wo" ? "can only be written" : "";
+  if (operation === "write" && access === "ro") return SENTENCES.READ_ONLY;
+  return operation === "read" && access === "wo" ? SENTENCES.WRITE_ONLY : "";
 }
 
 /**
@@ -97,7 +95,7 @@ export function registerRows(device, span, spot, operation) {
     at = Math.max(at, occupant.address + occupant.words);
     const row = registerRow(device, span, occupant, spot, operation);
     const why = forbiddenText(operation, occupant.access);
-    rows.push(why ? { ...row, notes: [...row.notes, `It ${why}.`] } : row);
+    rows.push(why ? { ...row, notes: [...row.notes, sentence(SENTENCES.IT, { statement: why })] } : row);
   }
   if (at < span.end) rows.push(unlistedRow(device, span, at, span.end, spot));
   return rows;
@@ -142,7 +140,7 @@ function unknownBases(device, span, first, end) {
     const after = (table.count - 1) * table.stride + table.words;
     const { ranges } = device.data.registers.find(({ name }) => name === table.baseBy).value;
     const isNear = ranges.some(([low, high]) => low < end && first < high + after);
-    return isNear ? [`Elements of ${table.name} may be here: ${table.baseBy} has the address of the first one.`] : [];
+    return isNear ? [sentence(SENTENCES.ELEMENTS_OF_TABLE, { table: table.name, register: table.baseBy })] : [];
   });
 }
 
@@ -210,7 +208,8 @@ function registerRow(device, span, occupant, spot, operation) {
     read = decode(device, value, piece.content, occupant.reserved, occupant.trigger);
   } else {
     const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
-    read = decoded(null, { notes: inside ? [] : [partialText(span.unit, occupant.atomic)] });
+    const partial = occupant.atomic ? SENTENCES.PARTIAL_ATOMIC : SENTENCES.PARTIAL;
+    read = decoded(null, { notes: inside ? [] : [sentence(partial, span)] });
   }
   const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
   const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
@@ -225,7 +224,7 @@ function absence(device, span, { outer, element }) {
   const piece = count && span.piece(count.address, count.value.size);
   if (!piece) return [];
   const number = contentOf(count.value, piece.content);
-  return isWhole(number) && element >= number ? [`The device has no such element: ${count.name} is ${number}.`] : [];
+  return isWhole(number) && element >= number ? [sentence(SENTENCES.ABSENT_ELEMENT, { count: count.name, number })] : [];
 }
 
 /** A value with its scale, where a field of the same element or a register has the exponent, and the span has that one, too. */
@@ -245,7 +244,7 @@ function unlistedRow(device, span, first, end, spot) {
   return rowOf({
     kind: "register",
     ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),
-    doc: "No register is listed here.",
+    doc: SENTENCES.UNLISTED_REGISTER,
     notes: [...gaps.map(({ reason }) => reason), ...unknownBases(device, span, first, end)],
     address: first,
     words: end - first,

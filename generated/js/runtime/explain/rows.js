@@ -1,6 +1,7 @@
 import { isRemoteRequest } from "../escapes.js";
 import { byteText, identifierSize } from "./frames.js";
-import { hexOf, latinOf, portableValue, sameBytes } from "./texts.js";
+import { SENTENCES } from "./sentences.js";
+import { byteCount, hexOf, latinOf, portableValue, sameBytes, sentence } from "./texts.js";
 
 /**
  * Where the bytes of the parts are in a frame: from `start` on, `width` bytes or characters for each. `escape` is that
@@ -99,12 +100,12 @@ export function factRow(device, kind, path, fact, spot, at, raw, read, outer) {
 
 /** The row of bytes that no fact describes, or of a place where bytes are missing. */
 export function wrongRow(spot, at, raw, reason, detail, path = "", fact = "") {
-  return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: `wrong: ${detail}`, reason });
+  return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: sentence(SENTENCES.WRONG, { fault: detail }), reason });
 }
 
 /** The row of bytes after the end. */
 export function surplusRow(spot, at, raw) {
-  return wrongRow(spot, at, raw, "wrong_length", raw.length === 1 ? "1 byte too many" : `${raw.length} bytes too many`);
+  return wrongRow(spot, at, raw, "wrong_length", sentence(SENTENCES.TOO_MANY, { bytes: byteCount(raw.length) }));
 }
 
 /** The rows of the preamble and of the start delimiter, if the link has them. */
@@ -119,14 +120,14 @@ export function endRows(parts) {
   const at = parts.frame.length - parts.end.length;
   const rows = markRows(parts, "end", at, parts.end, parts.marks[1]);
   if (!parts.surplus.length) return rows;
-  const text = parts.reason === "not_hex" ? "not pairs of hexadecimal characters" : "1 character too many";
+  const text = parts.reason === "not_hex" ? SENTENCES.NOT_PAIRS : SENTENCES.CHARACTER_TOO_MANY;
   const surplus = {
     kind: "unexplained",
     offset: at - parts.surplus.length,
     length: parts.surplus.length,
     raw: parts.surplus,
     characters: latinOf(parts.surplus),
-    verdict: `wrong: ${text}`,
+    verdict: sentence(SENTENCES.WRONG, { fault: text }),
     reason: parts.reason,
   };
   return [rowOf(surplus), ...rows];
@@ -153,7 +154,7 @@ function markRows({ link }, name, offset, raw, should) {
     characters: link.transmission === "hex_ascii" ? latinOf(raw) : "",
     path: name,
     fact: link.path,
-    verdict: right ? "right" : `wrong: should be ${hexOf(should, " ")}`,
+    verdict: right ? "right" : sentence(SENTENCES.SHOULD_BE, { expected: hexOf(should, " ") }),
     reason: right ? "" : "wrong_mark",
     source: link.source ?? "",
   })];

@@ -3,6 +3,7 @@ import { explanationData, reasonsOf } from "./explanation.js";
 import { DIRECTIONS, FrameOptions, isWrong, readFrame, remarksOn } from "./readings.js";
 import { logLine, Unreadable } from "./lines.js";
 import { linesOf, LogReader } from "./log.js";
+import { SENTENCES } from "./sentences.js";
 
 /** The options of frames by the names that a device uses. Throws RangeError for names that it does not have. */
 export function frameOptions(device, { link, direction, message } = {}) {
@@ -30,7 +31,7 @@ function isName(directionNames, direction) {
 function inputFrame(device, input) {
   if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
   const line = logLine(String(input), [...device.links.values()]);
-  if (!line?.frame.length) throw new Unreadable("there are no bytes in it");
+  if (!line?.frame.length) throw new Unreadable(SENTENCES.NO_BYTES);
   return line;
 }
 

@@ -1,5 +1,6 @@
 import { isAmbiguous, isException, messageWithCode, refusedMessage } from "./device.js";
-import { hexOf, intervalsText, isWithin, latinOf, portableValue, sameBytes } from "./texts.js";
+import { SENTENCES } from "./sentences.js";
+import { hexOf, intervalsText, isWithin, latinOf, missingText, portableValue, sameBytes, sentence } from "./texts.js";
 import { wholeOf } from "./interpreter.js";
 import { decoded, decodeValue, judged, meaningOf, repeatedValue } from "./values.js";
 import { endRows, escapeRow, factRow, rowData, Spot, startRows, surplusRow, wrongRow } from "./rows.js";
@@ -114,7 +115,7 @@ class ExplainedFrame {
     const { escape } = this.shape;
     const text = escape.method === "can"
       ? detail
-      : `the byte at ${this.wrapped.start.length + at} is not escaped, or its escape means nothing`;
+      : sentence(SENTENCES.NOT_ESCAPED, { offset: this.wrapped.start.length + at });
     const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
     rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
     rows.push(...this.outsideRows(this.shape.trailer));
@@ -178,8 +179,7 @@ class ExplainedFrame {
 
   shortRow(part, at, data) {
     const missing = part.size - data.length;
-    const text = `${missing} ${missing === 1 ? "byte is" : "bytes are"} missing for ${part.name}`;
-    return wrongRow(this.spot, at, data, "incomplete", text, part.name, part.path);
+    return wrongRow(this.spot, at, data, "incomplete", missingText(missing, part.name), part.name, part.path);
   }
 
   /** The value of a part, judged by its role. */
@@ -200,7 +200,7 @@ class ExplainedFrame {
   judgedLength(part, read) {
     if (!this.wrapped.whole) return read;
     const should = lengthNumber(part, this.measuredBytes(part).length);
-    return judged(read, should !== undefined && read.number == should, should ?? "for another number of bytes", "wrong_length");
+    return judged(read, should !== undefined && read.number == should, should ?? SENTENCES.ANOTHER_LENGTH, "wrong_length");
   }
 
   /** A checksum, compared with the one that the bytes have. */
@@ -233,17 +233,17 @@ class ExplainedFrame {
       : messageWithCode(link, direction, code, body, this.named);
     if (!this.message) {
       const digits = code.toString(16).padStart(2, "0");
-      if (this.error) return { ...read, meanings: [meaningOf("", "", `the code 0x${digits} is refused`)] };
+      if (this.error) return { ...read, meanings: [meaningOf("", "", sentence(SENTENCES.CODE_REFUSED, { code: `0x${digits}` }))] };
       if (isAmbiguous(link, direction, code)) {
         const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
-        return judged(read, false, `that of ${names}; only the request distinguishes them`, "unknown_code");
+        return judged(read, false, sentence(SENTENCES.SHARED_CODE, { names }), "unknown_code");
       }
       const known = Object.values(link.codes[direction]).join(", ");
-      const several = known ? `one of ${known}` : `that of a message, and none has a ${direction} here`;
+      const several = sentence(known ? SENTENCES.PERMITTED_NAMES : SENTENCES.CODE_OF_NONE, { names: known, direction });
       return judged(read, false, this.sent.has(this.named) ? link.codes[direction][this.named] : several, "unknown_code");
     }
     const { name, label, title = "", notes = [], path } = this.message;
-    const text = this.error ? `${title || label || name}, refused` : title;
+    const text = this.error ? sentence(SENTENCES.REFUSED_CODE, { message: title || label || name }) : title;
     const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
     const expected = this.sent.get(this.named);
     if (!expected || expected === this.message || this.error) return meaning;
@@ -253,9 +253,10 @@ class ExplainedFrame {
   /** The code of all exception responses, which does not say what it answers: only the request does. */
   refusingCode(read) {
     this.message = this.link.carriedMessages.request.get(this.named);
-    if (!this.message) return { ...read, meanings: [meaningOf("", "", "a request is refused")] };
+    if (!this.message) return { ...read, meanings: [meaningOf("", "", SENTENCES.REQUEST_REFUSED)] };
     const { name, label, title, notes = [], path } = this.message;
-    return { ...read, meanings: [meaningOf("", "", `${title || label || name} is refused`)], notes, facts: [path] };
+    const text = sentence(SENTENCES.MESSAGE_REFUSED, { message: title || label || name });
+    return { ...read, meanings: [meaningOf("", "", text)], notes, facts: [path] };
   }
 
   /** The number of a part before the body; undefined where bytes of it are missing. */
@@ -268,7 +269,7 @@ class ExplainedFrame {
     const { addresses } = this.link;
     if (!addresses?.ranges) return read;
     if (addresses.broadcast !== undefined && read.number == addresses.broadcast) {
-      return { ...read, meanings: [meaningOf("broadcast", "", "for all stations")], verdict: "", reason: "" };
+      return { ...read, meanings: [meaningOf("broadcast", "", SENTENCES.BROADCAST)], verdict: "", reason: "" };
     }
     if (isWithin(addresses.ranges, read.number)) return read;
     return judged(read, false, intervalsText(addresses.ranges), "out_of_range");
@@ -296,12 +297,9 @@ class ExplainedFrame {
   /** The row of a body that nothing describes. */
   unknownRows(start, end) {
     const data = this.data.subarray(start, end);
-    if (!this.shape.code) {
-      const text = "the frame carries no code, so its message is unknown";
-      return [wrongRow(this.spot, start, data, "unknown_code", text)];
-    }
+    if (!this.shape.code) return [wrongRow(this.spot, start, data, "unknown_code", SENTENCES.NO_CODE)];
     if (end <= start) return [];
-    return [{ ...wrongRow(this.spot, start, data, "", ""), verdict: "", doc: "The data of an unknown message." }];
+    return [{ ...wrongRow(this.spot, start, data, "", ""), verdict: "", doc: SENTENCES.UNKNOWN_DATA }];
   }
 
   tailRows() {

@@ -1,5 +1,6 @@
 import { canBytes } from "../escapes.js";
-import { bytesOfHex } from "./texts.js";
+import { SENTENCES } from "./sentences.js";
+import { bytesOfHex, sentence } from "./texts.js";
 
 // Patterns of bytes in a text, in the spellings of terminals, sniffers and programming languages.
 const EACH_ENCLOSED = /^(?:(?:\[[0-9A-Fa-f]{2}\]\s*)+|(?:<[0-9A-Fa-f]{2}>\s*)+)$/;
@@ -11,11 +12,7 @@ const CHARACTERS = { "\\r": "\r", "\\n": "\n", cr: "\r", lf: "\n", crlf: "\r\n" 
 const CONTROLS = { 0x02: "STX", 0x03: "ETX", 0x0a: "LF", 0x0d: "CR" };
 
 // Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment after them.
-const WORDS = {
-  request: ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"],
-  response: ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"],
-};
-const DIRECTION_OF = new Map(Object.entries(WORDS).flatMap(([direction, words]) => words.map((word) => [word, direction])));
+const DIRECTION_OF = new Map(Object.entries(SENTENCES.DIRECTION_WORDS).flatMap(([direction, words]) => words.map((word) => [word, direction])));
 const MOST_MARKS = 8;  // each is tried, and a line of a log has few
 const LETTER = "[\\p{L}\\p{N}_]";
 const MARK = new RegExp(
@@ -76,13 +73,13 @@ export function bytesOfText(text) {
   const isPadded = pieces.some((piece) => /^0[0-9A-Fa-f]/.test(piece));
   for (const piece of pieces) {
     const match = PIECE.exec(piece);
-    if (!match) throw new Unreadable(`\`${piece}\` is not a byte in hexadecimal digits`);
+    if (!match) throw new Unreadable(sentence(SENTENCES.NOT_A_BYTE, { piece }));
     const own = match.groups.digits || match.groups.suffixed;
-    if (own.length % 2 && own.length > 1) throw new Unreadable(`\`${piece}\` has an odd number of digits`);
-    if (piece.length === 1 && isPadded) throw new Unreadable(`at byte ${digits.length / 2}, \`${piece}\` is one digit of two`);
+    if (own.length % 2 && own.length > 1) throw new Unreadable(sentence(SENTENCES.ODD_DIGITS, { piece }));
+    if (piece.length === 1 && isPadded) throw new Unreadable(sentence(SENTENCES.SINGLE_DIGIT, { offset: digits.length / 2, piece }));
     digits += own.padStart(2, "0");
   }
-  if (!digits) throw new Unreadable("there are no bytes in it");
+  if (!digits) throw new Unreadable(SENTENCES.NO_BYTES);
   return bytesOfHex(digits);
 }
 
@@ -128,7 +125,7 @@ function withEnd(body, end, mark) {
   if (endsWith(end, rest)) return { frame: Uint8Array.from([...body, ...rest]), remarks: [] };
   if (!end.every((byte, at) => rest[at] === byte)) return { frame: Uint8Array.from([...body, ...end]), remarks: [] };
   const lacking = rest.slice(end.length).map((byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
-  const remark = `${lacking.join(" ")} is missing at the end of the text and is assumed to have been sent`;
+  const remark = sentence(SENTENCES.END_ASSUMED, { characters: lacking.join(" ") });
   return { frame: Uint8Array.from([...body, ...rest]), remarks: [remark] };
 }
 
@@ -216,9 +213,9 @@ function frameBehind(text, links) {
     const before = BEFORE.exec(rest);
     const word = /^\S+/.exec(rest);
     if (before) rest = rest.slice(before[0].length);
-    else if (word && MISTYPED.test(word[0])) throw new Unreadable(`\`${word[0]}\` is not a byte in hexadecimal digits`);
+    else if (word && MISTYPED.test(word[0])) throw new Unreadable(sentence(SENTENCES.NOT_A_BYTE, { piece: word[0] }));
     else if (word && !isHexWord(word[0])) rest = rest.slice(word[0].length);
     else return { frame: bytesOfText(rest.trimEnd().replace(BEHIND, "")), remarks: [] };
   }
-  throw new Unreadable("there are no bytes in it", true);
+  throw new Unreadable(SENTENCES.NO_BYTES, true);
 }

@@ -1,4 +1,20 @@
 import { floatText } from "./numbers.js";
+import { SENTENCES } from "./sentences.js";
+
+/** A sentence with the texts for its names in braces. */
+export function sentence(text, parts) {
+  return text.replace(/\{(\w+)\}/g, (_, name) => parts[name]);
+}
+
+/** `1 byte` or `8 bytes`. */
+export function byteCount(count) {
+  return count === 1 ? SENTENCES.SINGLE_BYTE : sentence(SENTENCES.BYTES, { count });
+}
+
+/** How many bytes are missing for the fields or the part of these names. */
+export function missingText(count, names) {
+  return sentence(count === 1 ? SENTENCES.BYTE_MISSING : SENTENCES.BYTES_MISSING, { count, names });
+}
 
 const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, "0"));
 

@@ -2,7 +2,8 @@ import {
   decimalOf, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
 } from "./numbers.js";
 import { loaded, WIDE } from "./interpreter.js";
-import { intervalsText, isWithin, sameValue, valueText } from "./texts.js";
+import { SENTENCES } from "./sentences.js";
+import { intervalsText, isWithin, sameValue, sentence, valueText } from "./texts.js";
 import { memberOf } from "./device.js";
 
 const EXACT_DIGITS = 120;
@@ -59,7 +60,12 @@ export function decoded(number, more) {
 export function judged(value, right, should, reason) {
   return right
     ? { ...value, verdict: "right", reason: "" }
-    : { ...value, verdict: `wrong: should be ${should}`, reason };
+    : { ...value, verdict: sentence(SENTENCES.SHOULD_BE, { expected: should }), reason };
+}
+
+/** What a verdict says of a wrong value: `should be 5`. */
+export function faultOf(verdict) {
+  return verdict.replace(sentence(SENTENCES.WRONG, { fault: "" }), "");
 }
 
 /** A name of a value, or of some of its bits: `bits` is empty, `3`, or `9..10`. */
@@ -78,7 +84,7 @@ export function decodeAnswer(device, value, bytes, reserved, isTrigger) {
   let read = decodeValue(device, value, bytes, reserved);
   if (read.reason === "wrong_const") {
     const answer = decodeValue(device, { ...value, const: undefined }, bytes, reserved);
-    read = { ...answer, notes: [...answer.notes, `It ${read.verdict.replace("wrong: ", "")}.`] };
+    read = { ...answer, notes: [...answer.notes, sentence(SENTENCES.IT, { statement: faultOf(read.verdict) })] };
   }
   if (!isTrigger) return read;
   const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, reserved);
@@ -114,7 +120,7 @@ function decodedFloat(value, number) {
 }
 
 function decodedBoolean(device, value, number) {
-  if (typeof number !== "boolean") return judged(decoded(number), false, "0 or 1", "unknown_value");
+  if (typeof number !== "boolean") return judged(decoded(number), false, SENTENCES.TRUTH_NUMBERS, "unknown_value");
   return value.enum ? { ...namedValue(device, value, Number(number)), number } : decoded(number);
 }
 
@@ -147,7 +153,8 @@ function namedValue(device, value, number) {
   const listing = device.enums.get(value.enum);
   const member = memberOf(listing, number);
   if (!member && listing.open) {
-    return decoded(number, { notes: [`${listing.name} does not list ${number}.`], facts: [listing.path] });
+    const note = sentence(SENTENCES.UNLISTED_MEMBER, { enum: listing.name, number });
+    return decoded(number, { notes: [note], facts: [listing.path] });
   }
   const meanings = member && [meaningOf(member.name, member.label, member.problem || member.doc)];
   const result = decoded(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
@@ -165,7 +172,7 @@ function setBitsOf(device, word, number) {
     if (count || ((bit.enum || bit.isNumber) && !bit.reserved)) meanings.push(bitMeaning(device, bit, count));
   }
   for (let at = 0; unknown >> BigInt(at); at++) {
-    if ((unknown >> BigInt(at)) & 1n) meanings.push(meaningOf("", "", "not listed", String(at)));
+    if ((unknown >> BigInt(at)) & 1n) meanings.push(meaningOf("", "", SENTENCES.UNLISTED_BIT, String(at)));
   }
   for (const state of word.states ?? []) {
     if ((raw & BigInt(state.mask ?? 0)) === BigInt(state.value ?? 0)) {
