@@ -12,8 +12,8 @@ HEAD = """# Command line
 <!-- Written by `pytest --accept tests/test_guides.py` from the parser of the command line. Do not edit. -->
 
 `fieldspec VERB` runs a command. The exit codes are 0 for success, 1 for findings, and 2 for wrong use or unreadable
-input. If the program that reads the output ends before the command, as `head` does, the command also ends. If the
-result is then not yet known, the exit code is 141.
+input. In a pipe, the command also ends when the program that reads its output ends, as `head` does; if the command has
+no result yet, the exit code is 141.
 """
 
 

@@ -15,7 +15,7 @@ from importlib import import_module
 from fieldspec import __version__
 from fieldspec.command.console import streams
 from fieldspec.command.console.usage import WRONG_USE, UsageError
-from fieldspec.command.console.verb_parsers import ImportedNames, LineParser, Suggested, VerbParser
+from fieldspec.command.console.verb_parsers import DEVICE_HELP, ImportedNames, LineParser, Suggested, VerbParser
 
 TYPE_CHECKING = False  # as of `typing`, which takes longer to import than the help to print
 if TYPE_CHECKING:
@@ -64,7 +64,9 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("--watch", action="store_true", help="rebuild whenever a spec is saved, until interrupted")
 
     docs = verb("docs", "build the documentation, serve it on this machine, and open it in a browser")
-    docs.add_argument("--out", metavar="DIR", help="where to build (default: from fieldspec.yaml, or generated)")
+    docs.add_argument(
+        "--out", metavar="DIR", help="the folder to write to (default: from fieldspec.yaml, or generated)"
+    )
     docs.add_argument(
         "--port", type=int, default=8080, metavar="NUMBER", help="the port (default: 8080; 0: any free port)"
     )
@@ -80,18 +82,18 @@ def _parser() -> argparse.ArgumentParser:
     )
 
     show = verb("show", "show a device or one of its items", compiled=True)
-    show.add_argument("device", metavar="DEVICE[@VERSION]")
+    show.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     item = "a name, a name as printed in the manual, an address or a code"
     show.add_argument("item", nargs="?", metavar="ITEM", help=item)
 
     placed = verb("layout", "show where a PLC places the members of a record in memory", compiled=True)
-    placed.add_argument("device", metavar="DEVICE[@VERSION]")
+    placed.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     placed.add_argument("record", metavar="RECORD", help="a record, a table, or a message (by name or number)")
     memories = ImportedNames("fieldspec.targets.controllers.layout.memory", "MEMORIES")
     placed.add_argument("--target", required=True, choices=memories, metavar="NAME", help="one of %(choices)s")
 
     facts = verb("facts", "list all facts of a device", compiled=True)
-    facts.add_argument("device", metavar="DEVICE[@VERSION]")
+    facts.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     facts.add_argument("--format", choices=("csv", "json"), default="csv", help="the output format (default: csv)")
 
     def add_frame_options(inner: VerbParser, direction: str, message: str) -> None:
@@ -108,7 +110,7 @@ def _parser() -> argparse.ArgumentParser:
 
     direction_names = "request, response, or the names that the link has for them"
     decode = verb("decode", "explain a frame or a log of frames, byte by byte", compiled=True)
-    decode.add_argument("device", metavar="DEVICE[@VERSION]")
+    decode.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     frames = "the bytes in hexadecimal (default, or -: lines of standard input); with --to: captures, logs, folders"
     decode.add_argument("frame", nargs="*", default=[], metavar="HEX|-|FILE", help=frames)
     add_frame_options(decode, direction_names, "the message, if the frame does not identify it")
@@ -124,11 +126,11 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--out", metavar="FOLDER", help=out_help)
     decode.add_argument("--port", metavar="NUMBERS", help="with --to: TCP and UDP ports of the devices, such as 502")
     decode.add_argument("--units", metavar="NUMBERS", help="with --to: only these unit addresses, such as 1,3-5")
-    rows = "with --to: the frames in one file of each table (default: 1000000)"
+    rows = "with --to: the number of frames per file (default: 1000000)"
     decode.add_argument("--part-frames", type=int, metavar="NUMBER", help=rows)
 
     encode = verb("encode", "encode the frame of a message", compiled=True)
-    encode.add_argument("device", metavar="DEVICE[@VERSION]")
+    encode.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     encode.add_argument(
         "assignments",
         nargs="*",
@@ -145,7 +147,7 @@ def _parser() -> argparse.ArgumentParser:
 
     forms = ("csv", "xlsx", "json")
     export = verb("export", "export the registers and parameters of a device as a list", compiled=True)
-    export.add_argument("device", metavar="DEVICE[@VERSION]")
+    export.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     export.add_argument("--to", choices=forms, default="csv", help="the output format (default: csv)")
     export.add_argument("--messages", action="store_true", help="also export the fields of messages")
     export.add_argument("--out", metavar="FILE", help="the file to write (default: standard output)")
@@ -165,10 +167,12 @@ def _parser() -> argparse.ArgumentParser:
         roles = "the column of any role, such as scale=F; repeat it for further columns"
         inner.add_argument("--column", action="append", metavar="ROLE=COLUMN", help=roles)
         inner.add_argument("--decimal", choices=("comma", "point"), help="the decimal separator")
-        gains = "how to apply the factors of the list: quantity = count \u00d7 factor, or count ÷ factor"
+        gains = "how to apply the factors of the list: quantity = raw value \u00d7 factor, or raw value ÷ factor"
         inner.add_argument("--gain", choices=("multiply", "divide"), help=gains)
         inner.add_argument(
-            "--bounds", choices=("counts", "unit"), help="whether bounds and defaults are raw counts or in the unit"
+            "--bounds",
+            choices=("counts", "unit"),
+            help="whether bounds and defaults are raw values (counts) or quantities (unit)",
         )
         inner.add_argument("--length", choices=("words", "bytes", "bits"), help="the unit of lengths")
         inner.add_argument("--address-unit", choices=("words", "bytes"), help="the unit of addresses")
@@ -179,7 +183,7 @@ def _parser() -> argparse.ArgumentParser:
         inner.add_argument("--offset", type=int, metavar="NUMBER", help=higher)
 
     compare = verb("compare", "compare a device with a register list from another source", compiled=True)
-    compare.add_argument("device", metavar="DEVICE[@VERSION]")
+    compare.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     kinds = "CSV, XLSX, JSON, EDS, DBC, YAML, or a table separated by tabs or bars (-: standard input)"
     compare.add_argument("file", metavar="FILE", help=kinds)
     list_options(compare)
@@ -193,10 +197,10 @@ def _parser() -> argparse.ArgumentParser:
     target = "the file to write, DEVICE/device.yaml (-: standard output)"
     into.add_argument("--to", metavar="YAML", required=True, help=target)
     list_options(into)
-    frames = "the protocol that carries the registers (default: the only protocol that reads words), or none"
+    frames = "the protocol that carries the registers, or none (default: the only protocol that reads words)"
     into.add_argument("--protocol", metavar="NAME", help=frames)
     into.add_argument("--strict", action="store_true", help="reject a list with unused content")
-    rows = "print the first rows as interpreted (default: 10)"
+    rows = "print the first rows as interpreted, by default 10"
     into.add_argument("--preview", type=int, nargs="?", const=10, metavar="NUMBER", help=rows)
     into.set_defaults(verb="importing")
 
@@ -215,15 +219,17 @@ def _parser() -> argparse.ArgumentParser:
         ("versions", "list the versions of a device and the facts that depend on them"),
         ("resolve", "print the complete spec of a version, with the file and line of each value"),
     ):
-        verb(name, help).add_argument("device", metavar="DEVICE[@VERSION]")
+        verb(name, help).add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
 
     blame = verb("blame", "show which file and line set each attribute of a fact")
-    blame.add_argument("device", metavar="DEVICE[@VERSION]")
+    blame.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     blame.add_argument("path", metavar="FACT", help="the path of the fact, such as registers/NAME")
 
     new = verb("new", "create the first file of a device, the file of a version, or the schema for editors")
-    new.add_argument("kind", choices=("device", "version", "schema"), metavar="{device,version,schema}")
-    new.add_argument("name", nargs="?", metavar="DEVICE")
+    new.add_argument(
+        "kind", choices=("device", "version", "schema"), metavar="{device,version,schema}", help="the file to create"
+    )
+    new.add_argument("name", nargs="?", metavar="DEVICE", help="the device, by the name of its folder")
     new.add_argument("version", nargs="?", metavar="VERSION", help="the version to create")
     new.add_argument("--based-on", metavar="VERSION", help="the base of the new version (default: the newest version)")
     new.add_argument("--line", help="the version line (default: the line of the base)")
@@ -231,14 +237,14 @@ def _parser() -> argparse.ArgumentParser:
     new.add_argument("--protocol", help=f"a new device's protocol or, if it follows none, its kind of frame: {kinds}")
 
     matrix = verb("matrix", "compare the facts of all versions")
-    matrix.add_argument("device", metavar="DEVICE")
+    matrix.add_argument("device", metavar="DEVICE", help="the device")
     matrix.add_argument("--all", action="store_true", help="include facts that are the same in all versions")
     matrix.add_argument(
         "--format", choices=("text", "csv", "html"), default="text", help="the output format (default: text)"
     )
 
     lsp = verb("lsp", "run a Language Server Protocol (LSP) server: findings, completion and hover texts in an editor")
-    lsp.add_argument("--manuals", metavar="DIR", help="the texts of the manuals; default: manuals beside the specs")
+    lsp.add_argument("--manuals", metavar="DIR", help="the folder of the manuals (default: manuals, next to the specs)")
 
     rule = verbs.add_parser("rule", help="explain a rule")
     rule.add_argument("code", nargs="?", metavar="CODE", help="the rule (default: list all)")
@@ -246,7 +252,7 @@ def _parser() -> argparse.ArgumentParser:
     diff = verb("diff", "list the differences between two versions and whom they affect")
     side = "DEVICE@VERSION, a folder of specs, or a git revision such as HEAD~3 or main:specs"
     diff.add_argument("old", metavar="A", help=side)
-    diff.add_argument("new", metavar="B", help="the same")
+    diff.add_argument("new", metavar="B", help="as for A")
     diff.add_argument(
         "--format",
         choices=("text", "json", "markdown", "html", "sarif", "github"),
@@ -259,7 +265,7 @@ def _parser() -> argparse.ArgumentParser:
     verb("devices", "list the devices and their versions")
 
     completion = verbs.add_parser("completion", help="print the completion script of a shell")
-    completion.add_argument("shell", choices=("bash", "zsh", "tcsh"))
+    completion.add_argument("shell", choices=("bash", "zsh", "tcsh"), help="the shell")
     completion.set_defaults(parser=parser)
     return top
 

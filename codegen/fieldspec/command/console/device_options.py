@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 
 from fieldspec.command.console.option_types import natural, positive, seconds, whole
-from fieldspec.command.console.verb_parsers import VerbParser
+from fieldspec.command.console.verb_parsers import DEVICE_HELP, VerbParser
 
 
 def add_simulate(simulate: argparse.ArgumentParser) -> None:
     """Adds the arguments of `simulate`."""
-    simulate.add_argument("device", metavar="DEVICE[@VERSION]")
+    simulate.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     port_help = "pty, tcp://HOST:PORT, udp://HOST:PORT, can://INTERFACE/CHANNEL or a serial port; repeatable"
     port_help += " (default: by the link)"
     simulate.add_argument("--port", metavar="[LINK=]WHERE", action="append", help=port_help)
@@ -37,7 +37,7 @@ def add_simulate(simulate: argparse.ArgumentParser) -> None:
 
 def add_live(live: VerbParser) -> None:
     """Adds the arguments of `live`."""
-    live.add_argument("device", metavar="DEVICE[@VERSION]")
+    live.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     live.add_argument(
         "verb_of_device",
         metavar="VERB",
@@ -62,19 +62,19 @@ def add_live(live: VerbParser) -> None:
     writes.add_argument("--dry-run", action="store_true", help="print the frames and write nothing")
     writes.add_argument("--yes", action="store_true", help="do not ask for confirmation")
     lists = live.add_argument_group("lists")
-    choice = "points, compare: the table (default: the only table, or the table that the file names)"
+    choice = "for points and compare: the table (default: the only table, or the table that the file names)"
     lists.add_argument("--table", metavar="NAME", help=choice)
     other = "accept a file for a different version, and write to a device with a different firmware"
-    lists.add_argument("--any-version", action="store_true", help=f"compare, and all that write: {other}")
+    lists.add_argument("--any-version", action="store_true", help=f"for compare and writes: {other}")
     output = live.add_argument_group("output")
     output.add_argument("--trace", action="store_true", help="print all frames to standard error")
-    forms = "json: the output of find, read, watch, scan and compare as JSON"
+    forms = "json: for find, read, watch, scan and compare"
     output.add_argument("--format", choices=("text", "json"), default="text", help=forms)
 
 
 def add_scan(scan: argparse.ArgumentParser) -> None:
     """Adds the arguments of `scan`."""
-    scan.add_argument("device", metavar="DEVICE[@VERSION]")
+    scan.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     ranges = "addresses such as 0x1000..0x10FF, or SPACE:0..255 (default: all blocks of 256 addresses with registers)"
     scan.add_argument("arguments", nargs="*", default=[], metavar="RANGE", help=ranges)
     _add_connection(scan)
@@ -84,7 +84,7 @@ def add_scan(scan: argparse.ArgumentParser) -> None:
 
 def add_redact(redact: argparse.ArgumentParser) -> None:
     """Adds the arguments of `redact`."""
-    redact.add_argument("device", metavar="DEVICE[@VERSION]")
+    redact.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
     paths = "captures, logs, dumps and scans; the folder of a unit; or a folder with folders of units"
     redact.add_argument("paths", nargs="+", metavar="PATH", help=paths)
     redact.add_argument("--out", metavar="FOLDER", required=True, help="an empty folder for the output")
@@ -107,7 +107,7 @@ def _add_connection(verb: argparse.ArgumentParser) -> None:
     times = verb.add_argument_group("times")
     limit = "the longest time until a response (default: 1; find: 0.3)"
     times.add_argument("--timeout", type=positive, metavar="SECONDS", help=limit)
-    retries = "how often a read without a response is repeated (default: 2)"
+    retries = "the number of repetitions of a read without a response (default: 2)"
     times.add_argument("--retries", type=whole, default=2, metavar="NUMBER", help=retries)
     pause = "idle seconds before each request (default: the link's silence)"
     times.add_argument("--pause", type=seconds, metavar="SECONDS", help=pause)

@@ -25,6 +25,9 @@ def _help(prog: str) -> argparse.HelpFormatter:
     return argparse.HelpFormatter(prog, width=max(width - 2, 40))
 
 
+DEVICE_HELP = "the device, and its version (default: the newest)"
+"""The help of an argument that names a device and perhaps a version."""
+
 _PLACES = {"DIR": "folder", "FOLDER": "folder", "FILE": "file", "PATH": "file or a folder"}
 """What arguments name, by what stands for them in the help."""
 
