@@ -52,8 +52,8 @@ HEAD = """\
 # Benchmarks
 
 This page compares the time, size and memory of the compiler and its outputs with peers. A *peer* is hand-written code
-or another tool that does the same work. Each row and its peer are timed alternately. Therefore the ratios also apply to
-other machines, but the times do not.
+or another tool that does the same work. fieldspec and the peer are timed alternately. The ratios therefore also apply
+to other machines, but the times do not.
 
 The ratio is the value of fieldspec ("ours") divided by the value of the peer ("theirs"). If the goal is *at least*, the
 ratio is the value of the peer divided by the value of fieldspec. [benchmarks/README.md](../benchmarks/README.md)
@@ -100,8 +100,8 @@ def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
     if busy:
         most = max(results[name]["load"] for name in busy)
         yield (
-            f"\nWhen these benchmarks began, the machine had a load of up to {most}, in part from the benchmark "
-            f"before: {', '.join(f'`{name}`' for name in busy)}. Their times by the clock can therefore be too long."
+            f"\nThese benchmarks began while the machine had a load of up to {most}, in part from an earlier "
+            f"benchmark: {', '.join(f'`{name}`' for name in busy)}. Their times by the clock can therefore be too long."
         )
     yield from (f"\n`{name}`: {results[name]['note']}" for name in FILES if results.get(name, {}).get("note"))
     if missing := [name for name in FILES if name not in results]:
