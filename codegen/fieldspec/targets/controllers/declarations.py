@@ -15,9 +15,7 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.targets.controllers.dialects import Dialect, Scope
-from fieldspec.targets.controllers.digits import without_digits
 from fieldspec.targets.controllers.enums import EnumDeclaration, EnumMember, TextTable, available, coded
-from fieldspec.targets.controllers.frames import with_supported_links
 from fieldspec.targets.controllers.layout import fitting
 from fieldspec.targets.controllers.layout.fitting import CONVERT
 from fieldspec.targets.controllers.layout.images import Images, SpecNaming, titled
@@ -31,11 +29,15 @@ from fieldspec.targets.controllers.routines.registers import registers_of
 from fieldspec.targets.controllers.routines.remarks import cited, member_remark, printed
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import Names, World
-from fieldspec.targets.controllers.spaces import with_supported_spaces
 from fieldspec.targets.controllers.statements.expressions import EnumType, StructType, Type
 from fieldspec.targets.controllers.statements.routine import BASE, STATUSES, Status
 from fieldspec.targets.controllers.structs import Struct, StructMember, fixed
-from fieldspec.targets.controllers.wide_enums import wide_enums
+from fieldspec.targets.controllers.unsupported import (
+    wide_enums,
+    with_supported_links,
+    with_supported_spaces,
+    without_digits,
+)
 
 _STATUS = "codec_status"
 

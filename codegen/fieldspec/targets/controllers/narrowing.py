@@ -1,4 +1,7 @@
-"""Devices whose numbers are too wide for a dialect: whole ones become two of half the width, others are refused."""
+"""Devices whose numbers a dialect has no types for: wide whole ones become two of half the width, others are refused.
+
+A sentinel that is not a number is refused too: functions cannot tell it from a disturbance.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,6 @@ from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.record import Measure
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Value
-from fieldspec.targets.controllers.absent import stated_values
 from fieldspec.targets.controllers.dialects import Dialect
 from fieldspec.targets.controllers.routines.world import every_record
 from fieldspec.targets.controllers.statements.numbers import is_single, whole_type
@@ -292,3 +294,32 @@ def _nested(field: FieldLayout, dialect: Dialect) -> Refusal:
         help=LEAVE_OUT,
     )
     return Refusal(field.field, finding)
+
+
+def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
+    """A refusal of each value of which a NaN is a sentinel."""
+    refusals = []
+    refused_facts: set[int] = set()
+    for fact, value in stated_values(layout):
+        sentinel = next((sentinel for sentinel in value.sentinels if sentinel.is_nan), None)
+        if sentinel is not None and id(fact) not in refused_facts:
+            refused_facts.add(id(fact))
+            text = f"the sentinel {sentinel.name} of {fact.name} is a NaN, which {dialect.title} refuses as no number"
+            finding = Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=LEAVE_OUT)
+            refusals.append(Refusal(fact, finding))
+    return refusals
+
+
+def stated_values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value]]:
+    """Every fact with a value that functions convert."""
+    for register in layout.registers:
+        yield register.register, register.register.value
+    for record in every_record(layout):
+        for field in record.fields:
+            if field.value is not None:
+                yield field.field, field.value
+            yield from ((case.case, case.value) for case in field.cases)
+    for parameter_set in layout.device.parameters.values():
+        for parameter in parameter_set.parameters:
+            yield parameter, parameter.value
+            yield from ((inner, inner.value) for inner in parameter.subindices)

@@ -7,18 +7,17 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.targets.controllers.routines.bit_counts import refuse_other_bit_counts
 from fieldspec.targets.controllers.routines.frames import code_type, wire_of
-from fieldspec.targets.controllers.routines.holders import Bytes
+from fieldspec.targets.controllers.routines.holders import Bytes, Holder
 from fieldspec.targets.controllers.routines.named_numbers import named, size_of
 from fieldspec.targets.controllers.routines.parameters import Fields, measure, request_parameters, response_parameters
 from fieldspec.targets.controllers.routines.records import read_choice, read_field, selecting, write_choice, write_field
-from fieldspec.targets.controllers.routines.subcodes import refuse_other_subcode
 from fieldspec.targets.controllers.routines.values import Wire
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.routines.wrapping import LENGTH, framed, link_words, wrapped
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
+    DINT,
     INT,
     Call,
     Conversion,
@@ -29,6 +28,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     Whole,
     compared,
     converted,
+    either,
     every,
     number,
     plus,
@@ -261,3 +261,39 @@ def _element_count(
         draft.refusal(odd, "wrong_length"),
         Assignment(count, Operation("/", (rest, element), INT)),
     ]
+
+
+def refuse_other_bit_counts(
+    draft: Draft, world: World, record: RecordLayout, size: Expression | None, holder: Bytes
+) -> None:
+    """Refuses a number of bits, which has been written, that takes other than `size` bytes."""
+    for field in record.fields:
+        if not field.bits_of or size is None:
+            continue
+        wire = Wire.of_field(field)
+        count = converted(wire.number(world, holder.number(field.offset, field.size, wire.order, wire.swapped)), DINT)
+        room = Operation("*", (size, number(8)), INT)
+        wrong = (compared(count, ">", converted(room, DINT)), compared(count, "<", converted(plus(room, -7), DINT)))
+        draft.refuse(either(wrong), "wrong_measure")
+
+
+def refuse_other_subcode(
+    draft: Draft, link: LinkLayout, message: MessageLayout, holder: Holder, size: Expression
+) -> None:
+    """Refuses the response to another message with the same code.
+
+    Data that are too short for the field count as data of the first message, as in the other codecs.
+    """
+    shared = link.subcodes("response").get(message.message.code_of("response") or 0)
+    if shared is None or all(other is not message for other in shared.messages.values()):
+        return
+    field = next(field for field in message.response.fields if field.offset == shared.offset)
+    wire = Wire.of_field(field)
+    bits = holder.number(field.offset, field.size, shared.order, False)
+    numbers = [key for key, other in shared.messages.items() if other is message]
+    differs = every([compared(bits, "<>", wire.literal(own)) for own in numbers])
+    if next(iter(shared.messages.values())) is message:
+        test = every([compared(size, ">=", number(shared.end)), differs])
+    else:
+        test = either([compared(size, "<", number(shared.end)), differs])
+    draft.refuse(test, "unknown_code")
