@@ -15,7 +15,7 @@ from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.storage import write
 from fieldspec.command.sources import layout_cache
 from fieldspec.foundation.classes import replace
-from fieldspec.language.checks.finding import plural
+from fieldspec.foundation.line_text import plural
 from fieldspec.tools.lists.item import MESSAGES, Item, items
 
 

@@ -218,11 +218,6 @@ def cited(citations: Iterable[Citation]) -> Line:
     return (text_piece("; ".join(citation.text() for citation in citations)),)
 
 
-def many(number: int, noun: str) -> str:
-    """`1 byte`, `4 bytes`"""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
 def address(number: int) -> str:
     """`0x2011`"""
     return f"0x{number:04X}"

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.codec.explain.values import in_unit, range_in_unit
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_array
 from fieldspec.language.model.enums import Enum, Member
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.text_form import text_form_title
 from fieldspec.language.model.value import Value
-from fieldspec.targets.docs.context import Context, many
+from fieldspec.targets.docs.context import Context
 from fieldspec.targets.docs.document import (
     UNKNOWN,
     Cell,
@@ -60,7 +61,7 @@ def _with(lines: list[Line], marks: Line) -> Cell:
 def type_lines(value: Value) -> list[Line]:
     """The type, with its length where the type has none, and the order of its bytes where it has one of its own."""
     qualifier = "at most " if value.width else ""
-    size = f" of {qualifier}{many(value.size, 'byte')}" if is_array(value.encoding) else ""
+    size = f" of {qualifier}{plural(value.size, 'byte')}" if is_array(value.encoding) else ""
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.digits:
         lines.append((text_piece(f"sent as {digits_text(value)}"),))
