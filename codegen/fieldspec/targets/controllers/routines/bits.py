@@ -15,14 +15,11 @@ from fieldspec.targets.controllers.statements.expressions import (
     UINT,
     USINT,
     Call,
-    Conversion,
     Element,
     Expression,
     Negation,
-    Operation,
     Variable,
     Whole,
-    compared,
     either,
     every,
     number,
@@ -64,7 +61,7 @@ def single_bit_routines(world: World) -> Iterator[Routine]:
     body = (*_weighed(), Assignment(Variable(name, BOOL), _is_set()))
     yield Routine(name, "registers", BOOL, (*_INPUTS, *_LOCALS), body, ("Whether a bit of a byte is 1.",))
     name = world.routine("with_bit")
-    result, byte = Variable(name, USINT), Conversion(_BYTE, UINT)
+    result, byte = Variable(name, USINT), _BYTE.converted(UINT)
     changes = (
         (every([_VALUE, Negation(_IS_SET)]), (Assignment(result, _narrowed("+", byte)),)),
         (every([_IS_SET, Negation(_VALUE)]), (Assignment(result, _narrowed("-", byte)),)),
@@ -76,18 +73,18 @@ def single_bit_routines(world: World) -> Iterator[Routine]:
 
 def _weighed() -> tuple[Statement, ...]:
     """The statements that put 2 to the power of the bit's place into the local variable."""
-    twice = Assignment(_WEIGHT, Operation("*", (_WEIGHT, Whole(2, UINT)), UINT))
-    last = Operation("MOD", (_INDEX, number(8)), INT)
+    twice = Assignment(_WEIGHT, _WEIGHT.combined("*", 2))
+    last = _INDEX.combined("MOD", 8)
     return Assignment(_WEIGHT, Whole(1, UINT)), Loop(_STEP, number(1), last, (twice,))
 
 
 def _is_set() -> Expression:
-    share = Operation("/", (Conversion(_BYTE, UINT), _WEIGHT), UINT)
-    return compared(Operation("MOD", (share, Whole(2, UINT)), UINT), "=", Whole(1, UINT))
+    share = _BYTE.converted(UINT).combined("/", _WEIGHT)
+    return share.combined("MOD", 2).compared("=", 1)
 
 
 def _narrowed(operator: str, byte: Expression) -> Expression:
-    return Conversion(Operation(operator, (byte, _WEIGHT), UINT), USINT)
+    return byte.combined(operator, _WEIGHT).converted(USINT)
 
 
 def _about(group: RegisterGroup, registers: list[RegisterLayout]) -> str:
@@ -114,7 +111,7 @@ def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout
             return [Assignment(variable, Call(world.routine("bit"), (("usiByte", byte), ("iIndex", index)), (), BOOL))]
 
         draft.add(bits_range.each(register, struct, None, read))
-    draft.refuse(compared(bits_range.taken, "=", number(0)), "not_covered")
+    draft.refuse(bits_range.taken.compared("=", 0), "not_covered")
     return draft.finished()
 
 
@@ -136,7 +133,7 @@ def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout])
             return [Assignment(byte, Call(world.routine("with_bit"), inputs, (), USINT))]
 
         draft.add(bits_range.each(register, struct, None, write))
-    wrong = [compared(bits_range.count, "<=", number(0)), compared(bits_range.taken, "<>", bits_range.count)]
+    wrong = [bits_range.count.compared("<=", 0), bits_range.taken.compared("<>", bits_range.count)]
     draft.refuse(either(wrong), "not_covered")
     return draft.finished()
 
@@ -147,4 +144,4 @@ def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> Reg
 
 
 def _byte(array: Variable, index: Expression) -> Element:
-    return Element(array, Operation("/", (index, number(8)), INT), USINT)
+    return array.element(index.combined("/", 8))

@@ -6,18 +6,7 @@ from collections.abc import Iterable
 from typing import Protocol, TypeVar
 
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.targets.controllers.statements.expressions import (
-    BYTE,
-    WORD,
-    Element,
-    Expression,
-    Operation,
-    Whole,
-    converted,
-    joined,
-    part,
-    plus,
-)
+from fieldspec.targets.controllers.statements.expressions import BYTE, WORD, Expression, Whole, joined, part
 from fieldspec.targets.controllers.statements.routine import Assignment, Statement
 from fieldspec.targets.controllers.structs import places
 
@@ -84,11 +73,11 @@ class Bytes:
 
     def index(self) -> Expression:
         """See `Holder`."""
-        return plus(self.first, self.start)
+        return self.first.plus(self.start)
 
     def byte(self, offset: int) -> Expression:
         """See `Holder`."""
-        return Element(self.array, plus(self.first, self.start + offset), BYTE)
+        return self.array.element(self.first.plus(self.start + offset))
 
     def byte_stored(self, offset: int, byte: Expression) -> Statement:
         """See `Holder`."""
@@ -129,10 +118,10 @@ class Words:
 
     def index(self) -> Expression | None:
         """See `Holder`."""
-        return None if self.start % 2 else plus(self.first, self.start // 2)
+        return None if self.start % 2 else self.first.plus(self.start // 2)
 
     def _word(self, offset: int) -> Expression:
-        return Element(self.array, plus(self.first, (self.start + offset) // 2), WORD)
+        return self.array.element(self.first.plus((self.start + offset) // 2))
 
     def _above(self, offset: int) -> bool:
         """Whether a byte is the more significant one of its word."""
@@ -145,8 +134,8 @@ class Words:
     def byte_stored(self, offset: int, byte: Expression) -> Statement:
         """See `Holder`. The other byte of the word stays as it is."""
         word, above = self._word(offset), self._above(offset)
-        other_byte = Operation("AND", (word, Whole(0x00FF if above else 0xFF00, WORD)), WORD)
-        return Assignment(word, Operation("OR", (other_byte, joined([(byte, 8 if above else 0)], 2)), WORD))
+        other_byte = word.combined("AND", 0x00FF if above else 0xFF00)
+        return Assignment(word, other_byte.combined("OR", joined([(byte, 8 if above else 0)], 2)))
 
     def _steps(self, offset: int, size: int, order: str, swapped: bool) -> list[int] | None:
         """By how many bits each word is moved, None where the value does not consist of whole words as they are."""
@@ -182,4 +171,4 @@ def _part(bits: Expression, moved: int, size: int) -> Expression:
     kind = BYTE if size == 1 else WORD
     if isinstance(bits, Whole):
         return Whole(bits.value >> moved & kind.high, kind)
-    return part(bits, moved, kind) if moved else converted(bits, kind)
+    return part(bits, moved, kind) if moved else bits.converted(kind)

@@ -20,18 +20,13 @@ from fieldspec.targets.controllers.statements.expressions import (
     DINT,
     INT,
     Call,
-    Conversion,
     Expression,
     Negation,
-    Operation,
     Variable,
     Whole,
-    compared,
-    converted,
     either,
     every,
     number,
-    plus,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Routine, Statement, when
 
@@ -75,7 +70,7 @@ def _build(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     if barred is not None and addressed is not None:
         wire = wire_of(addressed)
         station = parameters.head[addressed.name]
-        draft.refuse(compared(converted(station, wire.whole), "=", Whole(barred, wire.whole)), "out_of_range")
+        draft.refuse(station.converted(wire.whole).compared("=", barred), "out_of_range")
     coded = code_type(shape)
     if coded is not None:
         head[f"{PREFIXES[coded.name]}Code"] = named(
@@ -111,7 +106,7 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
     repeat = last.field.repeat if last is not None else None
     if fields.count is not None and repeat is not None:
         low, high = number(repeat.low), number(repeat.high)
-        wrong = Operation("OR", (compared(fields.count, "<", low), compared(fields.count, ">", high)), BOOL)
+        wrong = fields.count.compared("<", low).combined("OR", fields.count.compared(">", high))
         draft.refuse(wrong, "wrong_length")
     size: Expression = size_of(record.name, "size", record.size or 0)
     element: Expression = number(last.size if last is not None else 0)
@@ -127,8 +122,8 @@ def _write_body(draft: Draft, world: World, record: RecordLayout, fields: Fields
         else:
             draft.add(write_field(draft, world, field, holder, fields.place, _own_count(field, fields)))
     if fields.count is not None and last is not None:
-        size = plus(Operation("*", (fields.count, element), INT), last.offset)
-        size = plus(fields.count, last.offset) if element == number(1) else size
+        size = fields.count.combined("*", element).plus(last.offset)
+        size = fields.count.plus(last.offset) if element == number(1) else size
     refuse_other_bit_counts(draft, world, record, fields.count, holder)
     for field in record.fields:
         if field.field.measures is not None:
@@ -143,10 +138,10 @@ def _write_length(
     measured = measure(record, field, fields.count, element)
     highest = wire.value.ranges.high if wire.value.ranges else wire.value.type.high
     raw = draft.local(f"{PREFIXES[wire.bits.name]}Measure", wire.bits)
-    tests = [draft.refusal(compared(measured, ">", number(highest)), "out_of_range")] if highest < 1 << 15 else []
+    tests = [draft.refusal(measured.compared(">", highest), "out_of_range")] if highest < 1 << 15 else []
     if isinstance(measured, Whole):
         tests = []
-    value = Conversion(measured, wire.bits)
+    value = measured.converted(wire.bits)
     return [*tests, Assignment(raw, value), *holder.stored(field.offset, field.size, wire.order, wire.swapped, raw)]
 
 
@@ -196,7 +191,7 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
     if code is not None and coded is not None:
         own = message.message.code_of("response") or 0
         word = "code" if own == message.message.code else "response_code"
-        other: Expression = compared(code, "<>", named(own, coded, message.name, word, hexadecimal=True))
+        other: Expression = code.compared("<>", named(own, coded, message.name, word, hexadecimal=True))
         error = link.link.exception_response
         if refused is not None and error is not None and error.code is not None:
             other = every([Negation(refused), other])
@@ -217,9 +212,9 @@ def _read_body(
 ) -> None:
     """Adds the statements that check the length of a body and read its fields into the outputs."""
     if record.least:
-        draft.refuse(compared(size, "<", size_of(record.name, "least_size", record.least)), "incomplete")
+        draft.refuse(size.compared("<", size_of(record.name, "least_size", record.least)), "incomplete")
     if record.most is not None:
-        draft.refuse(compared(size, ">", size_of(record.name, "most_size", record.most)), "wrong_length")
+        draft.refuse(size.compared(">", size_of(record.name, "most_size", record.most)), "wrong_length")
     last = record.fields[-1] if record.fields else None
     element: Expression = number(last.size if last is not None else 0)
     if last is not None and last.cases:
@@ -244,23 +239,20 @@ def _read_body(
             bits = holder.number(field.offset, field.size, wire.order, wire.swapped)
             measured = measure(record, field, fields.count, element)
             expected = (
-                Whole(measured.value, wire.bits) if isinstance(measured, Whole) else Conversion(measured, wire.bits)
+                Whole(measured.value, wire.bits) if isinstance(measured, Whole) else measured.converted(wire.bits)
             )
-            draft.refuse(compared(bits, "<>", expected), "wrong_measure")
+            draft.refuse(bits.compared("<>", expected), "wrong_measure")
 
 
 def _element_count(
     draft: Draft, count: Variable, size: Expression, last: FieldLayout, element: Expression
 ) -> list[Statement]:
     """The statements that compute the number of elements in a body, which must hold whole ones only."""
-    rest = plus(size, -last.offset) if last.offset else size
+    rest = size.plus(-last.offset) if last.offset else size
     if element == number(1):
         return [Assignment(count, rest)]
-    odd = compared(Operation("MOD", (rest, element), INT), "<>", number(0))
-    return [
-        draft.refusal(odd, "wrong_length"),
-        Assignment(count, Operation("/", (rest, element), INT)),
-    ]
+    odd = rest.combined("MOD", element).compared("<>", 0)
+    return [draft.refusal(odd, "wrong_length"), Assignment(count, rest.combined("/", element))]
 
 
 def refuse_other_bit_counts(
@@ -271,9 +263,9 @@ def refuse_other_bit_counts(
         if not field.bits_of or size is None:
             continue
         wire = Wire.of_field(field)
-        count = converted(wire.number(world, holder.number(field.offset, field.size, wire.order, wire.swapped)), DINT)
-        room = Operation("*", (size, number(8)), INT)
-        wrong = (compared(count, ">", converted(room, DINT)), compared(count, "<", converted(plus(room, -7), DINT)))
+        count = wire.number(world, holder.number(field.offset, field.size, wire.order, wire.swapped)).converted(DINT)
+        room = size.combined("*", 8)
+        wrong = (count.compared(">", room.converted(DINT)), count.compared("<", room.plus(-7).converted(DINT)))
         draft.refuse(either(wrong), "wrong_measure")
 
 
@@ -291,9 +283,9 @@ def refuse_other_subcode(
     wire = Wire.of_field(field)
     bits = holder.number(field.offset, field.size, shared.order, False)
     numbers = [key for key, other in shared.messages.items() if other is message]
-    differs = every([compared(bits, "<>", wire.literal(own)) for own in numbers])
+    differs = every([bits.compared("<>", wire.literal(own)) for own in numbers])
     if next(iter(shared.messages.values())) is message:
-        test = every([compared(size, ">=", number(shared.end)), differs])
+        test = every([size.compared(">=", shared.end), differs])
     else:
-        test = either([compared(size, "<", number(shared.end)), differs])
+        test = either([size.compared("<", shared.end), differs])
     draft.refuse(test, "unknown_code")

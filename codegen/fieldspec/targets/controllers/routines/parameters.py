@@ -16,12 +16,10 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     ArrayType,
     Expression,
-    Operation,
     StructType,
     Type,
     Variable,
     number,
-    plus,
 )
 from fieldspec.targets.controllers.statements.routine import Draft
 
@@ -134,5 +132,5 @@ def measure(record: RecordLayout, field: FieldLayout, count: Expression | None, 
     if other.field.repeat is None or count is None:
         return number(measured.number(other.count or 1, other.size))
     if measured.of != "bytes" or element == number(1):
-        return plus(count, measured.plus)
-    return plus(Operation("*", (count, element), INT), measured.plus)
+        return count.plus(measured.plus)
+    return count.combined("*", element).plus(measured.plus)

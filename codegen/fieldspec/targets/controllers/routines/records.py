@@ -11,7 +11,6 @@ from fieldspec.targets.controllers.routines.values import Wire, read, runs, writ
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
-    INT,
     UNSIGNED,
     ArrayType,
     Element,
@@ -20,15 +19,10 @@ from fieldspec.targets.controllers.statements.expressions import (
     Expression,
     Member,
     Negation,
-    Operation,
     Type,
     Variable,
     Whole,
-    added,
-    compared,
-    converted,
     number,
-    plus,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Loop, Selection, Statement
 
@@ -132,15 +126,15 @@ def _each(
     start, step = holder.behind(field.offset).index(), field.size // holder.unit
     if start is None or field.size % holder.unit:
         assert count is None
-        elements = [Element(target, number(position), target.type.of) for position in range(field.count or 1)]
+        elements = [target.element(position) for position in range(field.count or 1)]
         inner = [
             statements_of(holder, field.offset + position * field.size, element)
             for position, element in enumerate(elements)
         ]
         return [statement for statements in inner for statement in statements]
     index = _free_index(draft, target)
-    element = Element(target, index, target.type.of)
-    start_index = added([start, Operation("*", (index, number(step)), INT) if step > 1 else index], INT)
+    element = target.element(index)
+    start_index: Expression = start.combined("+", index.combined("*", step) if step > 1 else index)
     if isinstance(start, Whole) and start.value == 0 and step == 1:
         start_index = index
     if field.record is None and field.size == holder.unit:
@@ -148,7 +142,7 @@ def _each(
     else:
         position = draft.local(f"iAt{index.name[1:]}")
         statements = [Assignment(position, start_index), *statements_of(holder.moved(position), 0, element)]
-    last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
+    last = count.plus(-1) if count is not None else number((field.count or 1) - 1)
     return [Loop(index, number(0), last, tuple(statements))]
 
 
@@ -211,34 +205,30 @@ def read_choice(
     sizes = [
         (tuple(runs(numbers)), (Assignment(element, number(case.value.size)),)) for case, numbers in _shapes(field)
     ]
-    statements: list[Statement] = [
-        Selection(selector, tuple(sizes), draft.status.give(draft.result, "unknown_value")),
-    ]
-    rest = plus(size, -field.offset)
+    statements: list[Statement] = [Selection(selector, tuple(sizes), draft.status.give(draft.result, "unknown_value"))]
+    rest = size.plus(-field.offset)
     if count is not None:
         repeat = field.field.repeat
         assert repeat is not None
         statements += [
-            draft.refusal(compared(Operation("MOD", (rest, element), INT), "<>", number(0)), "wrong_length"),
-            Assignment(count, Operation("/", (rest, element), INT)),
-            draft.refusal(compared(count, "<", number(repeat.low)), "incomplete"),
-            draft.refusal(compared(count, ">", number(repeat.high)), "wrong_length"),
+            draft.refusal(rest.combined("MOD", element).compared("<>", 0), "wrong_length"),
+            Assignment(count, rest.combined("/", element)),
+            draft.refusal(count.compared("<", repeat.low), "incomplete"),
+            draft.refusal(count.compared(">", repeat.high), "wrong_length"),
         ]
     index, position, wide = draft.local("iElement"), draft.local("iAtElement"), _widest(field)
     branches = []
     for case, numbers in _shapes(field):
         bits = Bytes(holder.array, position).number(0, case.value.size, case.order, case.swapped)
-        target_element = Element(target, index, wide)
-        body: list[Statement] = [Assignment(target_element, converted(bits, wide))]
+        target_element = target.element(index)
+        body: list[Statement] = [Assignment(target_element, bits.converted(wide))]
         if is_truth(case.value.encoding):
             whole = UNSIGNED[wide.size]
-            body.append(
-                draft.refusal(compared(converted(target_element, whole), ">", Whole(1, whole)), "unknown_value")
-            )
+            body.append(draft.refusal(target_element.converted(whole).compared(">", 1), "unknown_value"))
         branches.append((tuple(runs(numbers)), tuple(body)))
-    start = plus(holder.first, holder.start + field.offset)
-    place = Operation("+", (start, Operation("*", (index, element), INT)), INT)
-    last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
+    start = holder.first.plus(holder.start + field.offset)
+    place = start.combined("+", index.combined("*", element))
+    last = count.plus(-1) if count is not None else number((field.count or 1) - 1)
     loop = Loop(index, number(0), last, (Assignment(position, place), Selection(selector, tuple(branches))))
     return [*statements, loop]
 
@@ -260,23 +250,21 @@ def write_choice(
     ]
     index, position = draft.local("iElement"), draft.local("iAtElement")
     wide = _widest(field)
-    source_element = Element(source, index, wide)
+    source_element = source.element(index)
     branches = []
     for case, numbers in _shapes(field):
         highest = 1 if is_truth(case.value.encoding) else (1 << (8 * case.value.size)) - 1
         body: list[Statement] = []
         if highest < wide.high:
             whole = UNSIGNED[wide.size]
-            body.append(
-                draft.refusal(compared(converted(source_element, whole), ">", Whole(highest, whole)), "out_of_range")
-            )
+            body.append(draft.refusal(source_element.converted(whole).compared(">", highest), "out_of_range"))
         raw = draft.local(f"{PREFIXES[wide.name]}Raw", wide)
         body.append(Assignment(raw, source_element))
         body += Bytes(holder.array, position).stored(0, case.value.size, case.order, case.swapped, raw)
         branches.append((tuple(runs(numbers)), tuple(body)))
-    start = plus(holder.first, holder.start + field.offset)
-    place = Operation("+", (start, Operation("*", (index, element), INT)), INT)
-    last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
+    start = holder.first.plus(holder.start + field.offset)
+    place = start.combined("+", index.combined("*", element))
+    last = count.plus(-1) if count is not None else number((field.count or 1) - 1)
     return [
         Selection(selector, tuple(sizes), draft.status.give(draft.result, "unknown_value")),
         Loop(index, number(0), last, (Assignment(position, place), Selection(selector, tuple(branches)))),

@@ -21,17 +21,12 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     UDINT,
     UINT,
-    Conversion,
     Expression,
-    Operation,
     Truth,
     Variable,
     Whole,
-    compared,
     either,
     every,
-    number,
-    plus,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Draft, Routine, Statement, when
 
@@ -73,7 +68,7 @@ def _words(world: World, draft: Draft, record: RecordLayout, remark: str) -> tup
     first = draft.declare("iFirst", INT, "input", "index of the first word in aWords")
     array = draft.declare("aWords", world.words, "in_out", remark)
     words = (record.size or 0) // 2
-    bounds = [compared(first, "<", number(0)), compared(first, ">", number(world.words.high + 1 - words))]
+    bounds = [first.compared("<", 0), first.compared(">", world.words.high + 1 - words)]
     draft.refuse(either(bounds), "no_room")
     return Words(array, first, world.layout.device.byte_order), words
 
@@ -90,7 +85,7 @@ def _unpacked(world: World, record: RecordLayout) -> Routine:
     holder, words = _words(world, draft, record, "is read only")
     assert isinstance(holder.first, Variable)
     struct = draft.declare("stData", world.struct(record.name), "in_out", "receives the values")
-    draft.refuse(compared(plus(holder.first, words), ">", count), "incomplete")
+    draft.refuse(holder.first.plus(words).compared(">", count), "incomplete")
     draft.add(read_fields(draft, world, record, holder, members_of(world, record, struct)))
     return draft.finished()
 
@@ -131,9 +126,9 @@ def _address(world: World, table_layout: TableLayout) -> Routine:
     address = draft.declare("uiAddress", UINT, "output")
     first, last = table.index_from, table.index_from + table.count - 1
     draft.add([Assignment(address, Whole(0, UINT))])
-    draft.refuse(either([compared(index, "<", number(first)), compared(index, ">", number(last))]), "out_of_range")
-    steps = Operation("*", (Conversion(plus(index, -first), UINT), Whole(table.stride, UINT)), UINT)
-    draft.add([Assignment(address, Operation("+", (Whole(table.base, UINT), steps), UINT))])
+    draft.refuse(either([index.compared("<", first), index.compared(">", last)]), "out_of_range")
+    steps = index.plus(-first).converted(UINT).combined("*", table.stride)
+    draft.add([Assignment(address, Whole(table.base, UINT).combined("+", steps))])
     return draft.finished()
 
 
@@ -179,8 +174,8 @@ def _holds(world: World) -> Routine:
     end = _sum(register, size)
     is_within = every(
         [
-            compared(register, ">=", address),
-            compared(end, "<=", Operation("+", (Conversion(address, UDINT), Conversion(words, UDINT)), UDINT)),
+            register.compared(">=", address),
+            end.compared("<=", address.converted(UDINT).combined("+", words.converted(UDINT))),
         ]
     )
     return Routine(
@@ -195,14 +190,14 @@ def _holds(world: World) -> Routine:
         ),
         (
             Assignment(Variable(name, BOOL), Truth(False)),
-            when(compared(words, ">", number(0)), [Assignment(Variable(name, BOOL), is_within)]),
+            when(words.compared(">", 0), [Assignment(Variable(name, BOOL), is_within)]),
         ),
         ("Whether all words of a register are among some words.",),
     )
 
 
 def _sum(left: Expression, right: Expression) -> Expression:
-    return Operation("+", (Conversion(left, UDINT), Conversion(right, UDINT)), UDINT)
+    return left.converted(UDINT).combined("+", right.converted(UDINT))
 
 
 def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout], function: str) -> str:
@@ -248,7 +243,7 @@ def _words_to_group(world: World, group: RegisterGroup, registers: list[Register
             return read(draft, world, Wire.of_answer(register), words, 0, variable)
 
         draft.add(words_range.each(register, struct, answer_type(world, register), register_statements))
-    draft.refuse(compared(words_range.taken, "=", number(0)), "not_covered")
+    draft.refuse(words_range.taken.compared("=", 0), "not_covered")
     return draft.finished()
 
 
@@ -272,6 +267,6 @@ def _group_to_words(world: World, group: RegisterGroup, registers: list[Register
             return write(draft, world, Wire.of_register(register), words, 0, variable)
 
         draft.add(words_range.each(register, struct, None, register_statements))
-    wrong = [compared(words_range.count, "<=", number(0)), compared(words_range.taken, "<>", words_range.count)]
+    wrong = [words_range.count.compared("<=", 0), words_range.taken.compared("<>", words_range.count)]
     draft.refuse(either(wrong), "not_covered")
     return draft.finished()

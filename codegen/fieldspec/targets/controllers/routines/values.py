@@ -43,12 +43,9 @@ from fieldspec.targets.controllers.statements.expressions import (
     Expression,
     Member,
     Negation,
-    Operation,
     Truth,
     Variable,
     Whole,
-    compared,
-    converted,
     number,
     outside,
 )
@@ -101,16 +98,16 @@ class Wire:
         """The whole number in a bit string; the sign is repeated in bits that its type has beyond."""
         whole = number_of_encoding(self.value.encoding)
         if whole is None:
-            return converted(bits, self.whole)
+            return bits.converted(self.whole)
         match whole.sign:
             case Sign.NONE:
-                return converted(bits, self.whole)
+                return bits.converted(self.whole)
             case Sign.COMPLEMENT:
                 if not is_odd(whole):
-                    return converted(bits, self.whole)
+                    return bits.converted(self.whole)
                 sign = 1 << (whole.bits - 1)
-                moved = Operation("XOR", (bits, Whole(sign, self.bits)), self.bits)
-                return Operation("-", (converted(moved, self.whole), Whole(sign, self.whole)), self.whole)
+                moved = bits.combined("XOR", sign)
+                return moved.converted(self.whole).combined("-", sign)
             case Sign.MAGNITUDE:
                 return world.number_from_magnitude(whole, bits)
             case _:
@@ -120,14 +117,14 @@ class Wire:
         """The bit string of a whole number that is within the bounds of the type."""
         whole = number_of_encoding(self.value.encoding)
         if whole is None or not has_magnitude(whole):
-            return converted(source, self.bits)
-        return world.magnitude_from_number(whole, converted(source, self.whole))
+            return source.converted(self.bits)
+        return world.magnitude_from_number(whole, source.converted(self.whole))
 
     def differs(self, world: World, bits: Expression, const: int) -> Expression:
         """Whether a bit string is that of another number: of a sign and a magnitude, zero has two."""
         if has_magnitude(self.value.encoding):
-            return compared(self.number(world, bits), "<>", Whole(const, self.whole))
-        return compared(bits, "<>", self.literal(const))
+            return self.number(world, bits).compared("<>", const)
+        return bits.compared("<>", self.literal(const))
 
 
 def read(
@@ -152,13 +149,7 @@ _Reading = Callable[[Draft, World, Wire, Expression, Expression], list[Statement
 
 
 def _number_read(
-    draft: Draft,
-    world: World,
-    wire: Wire,
-    holder: Holder,
-    offset: int,
-    target: Expression | None,
-    reading: _Reading,
+    draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None, reading: _Reading
 ) -> list[Statement]:
     """The statements that reject any value except a constant, or read another value from its bits."""
     value = wire.value
@@ -172,29 +163,26 @@ def _reading_real(precision: Precision) -> _Reading:
     def reading(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
         received = _received(draft, target, "rValue")
         call = world.real_from_bits(precision, bits, received)
-        refusal = draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")
+        refusal = draft.refusal(call.compared("<>", draft.status.of("ok")), "no_number")
         return [refusal, *_moved(target, received)]
 
     return reading
 
 
 def _read_truth(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
-    raw = converted(bits, wire.whole)
-    return [
-        draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
-        Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
-    ]
+    raw = bits.converted(wire.whole)
+    return [draft.refusal(raw.compared(">", 1), "unknown_value"), Assignment(target, raw.compared("=", 1))]
 
 
 def _read_count(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
     if isinstance(target.type, EnumType):
         name = wire.value.enum
         received = _received(draft, target, f"e{Name.of(name).pascal()}")
-        raw = converted(wire.number(world, bits), world.raw_type(name))
+        raw = wire.number(world, bits).converted(world.raw_type(name))
         refusal = draft.refusal(Negation(world.enum_from_raw(name, raw, received)), "unknown_value")
         return [refusal, *_moved(target, received)]
     assert isinstance(target.type, Elementary)
-    read_number = bits if target.type == wire.bits else converted(wire.number(world, bits), target.type)
+    read_number = bits if target.type == wire.bits else wire.number(world, bits).converted(target.type)
     statements: list[Statement] = [Assignment(target, read_number)]
     return [*statements, *_closed(draft, world, wire, target)]
 
@@ -229,7 +217,7 @@ def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, s
             if value.ranges is not None:
                 limits = [draft.refusal(outside_real(value, source), "out_of_range")]
             stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
-            return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+            return [*limits, draft.refusal(call.compared("<>", draft.status.of("ok")), "no_number"), *stored]
         case TruthValue():
             true = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
             zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
@@ -251,18 +239,18 @@ def _write_count(
         call = world.enum_to_raw(value.enum, source, enum_number)
         return [
             draft.refusal(Negation(call), "unknown_value"),
-            *_put(world, wire, holder, offset, raw, converted(enum_number, wire.whole)),
+            *_put(world, wire, holder, offset, raw, enum_number.converted(wire.whole)),
         ]
     statements = _closed(draft, world, wire, source)
     if value.const is not None:
-        differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
+        differs = source.converted(wire.whole).compared("<>", value.const)
         statements.append(draft.refusal(differs, "wrong_constant"))
     ranges, bounds = value.writable_ranges, bounds_of(value.encoding)
     if ranges is None and bounds != (wire.whole.low, wire.whole.high):
         ranges = Ranges((bounds,))
     if ranges is not None:
         sentinels = [interval for interval in value.special_intervals if not ranges.includes(*interval)]
-        wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
+        wrong = outside(source.converted(wire.whole), [*ranges.intervals, *sentinels])
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
     statements += _bounded_bits(draft, world, wire, source)
@@ -312,7 +300,7 @@ def _closed(draft: Draft, world: World, wire: Wire, tested: Expression) -> list[
     members = world.layout.device.enums[name].members
     known = {member.value for member in members if not member.unavailable}
     intervals = merged([*((number, number) for number in known), *wire.value.special_intervals])
-    refused = outside(converted(tested, wire.whole), intervals, wire.whole) if intervals else Truth(True)
+    refused = outside(tested.converted(wire.whole), intervals) if intervals else Truth(True)
     return [] if refused is None else [draft.refusal(refused, "unknown_value")]
 
 
@@ -331,7 +319,7 @@ def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, targ
     assert isinstance(target.type, ArrayType)
     statements: list[Statement] = []
     for index in range(wire.value.size):
-        element = Element(target, number(index), BYTE)
+        element = target.element(index)
         statements.append(Assignment(element, holder.byte(offset + index)))
     return [*statements, *_ascii(draft, wire, target)]
 
@@ -339,7 +327,7 @@ def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, targ
 def _write_characters(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
     statements = _ascii(draft, wire, source)
     for index in range(wire.value.size):
-        statements.append(holder.byte_stored(offset + index, Element(source, number(index), BYTE)))
+        statements.append(holder.byte_stored(offset + index, source.element(index)))
     return statements
 
 
@@ -348,8 +336,8 @@ def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
     if not is_text(wire.value.encoding):
         return []
     index = draft.local("iCharacter")
-    character = converted(Element(array, index, BYTE), UNSIGNED[1])
-    test = draft.refusal(compared(character, ">", Whole(127, UNSIGNED[1])), "unknown_value")
+    character = array.element(index).converted(UNSIGNED[1])
+    test = draft.refusal(character.compared(">", 127), "unknown_value")
     return [Loop(index, number(0), number(wire.value.size - 1), (test,))]
 
 

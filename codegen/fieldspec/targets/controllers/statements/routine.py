@@ -25,7 +25,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Type,
     Variable,
     Whole,
-    compared,
 )
 
 
@@ -217,7 +216,7 @@ class Status:
 
     def passed_on(self, result: Variable, status: Expression) -> Statement:
         """The statement that returns the status of another routine unless it is ok."""
-        return when(compared(status, "<>", self.of("ok")), (Assignment(result, status), Return()))
+        return when(status.compared("<>", self.of("ok")), (Assignment(result, status), Return()))
 
 
 BASE = UINT

@@ -31,7 +31,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Operation,
     Truth,
     Variable,
-    converted,
     number,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Routine, Statement, when
@@ -317,5 +316,5 @@ def masked(word: Expression, changed: Iterable[Bit], on: bool) -> Statement:
     by_place = {bit.first: bit for bit in changed}
     masks = [mask_of(by_place[first], bits) for first in sorted(by_place)]
     mask = masks[0] if len(masks) == 1 else Operation("OR", tuple(masks), bits)
-    operands = (converted(word, bits), mask if on else Negation(mask, bits))
-    return Assignment(word, converted(Operation("OR" if on else "AND", operands, bits), kind))
+    operands = (word.converted(bits), mask if on else Negation(mask, bits))
+    return Assignment(word, Operation("OR" if on else "AND", operands, bits).converted(kind))
