@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.register_range import RegisterRange
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
@@ -24,15 +25,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     every,
     number,
 )
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Condition,
-    Declared,
-    Draft,
-    Loop,
-    Routine,
-    Statement,
-)
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Declared, Loop, Routine, Statement
 
 _BYTE, _INDEX, _VALUE = Variable("usiByte", USINT), Variable("iIndex", INT), Variable("xValue", BOOL)
 _STEP, _WEIGHT, _IS_SET = Variable("iStep", INT), Variable("uiWeight", UINT), Variable("xIsSet", BOOL)
@@ -96,13 +89,13 @@ def _about(group: RegisterGroup, registers: list[RegisterLayout]) -> str:
 
 def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
     draft = Draft(
+        world,
         world.routine("unpack", group.name),
         f"registers {group.name}",
-        world.status,
         f"Bits to struct: {_about(group, registers)}",
         "Each register whose bit is there is put into the struct; the others stay as they are.",
     )
-    bits_range = _range(world, group, draft, "is read only")
+    bits_range = _range(group, draft, "is read only")
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
     for register in registers:
 
@@ -117,14 +110,14 @@ def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout
 
 def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
     draft = Draft(
+        world,
         world.routine("pack", group.name),
         f"registers {group.name}",
-        world.status,
         f"Struct to bits: {_about(group, registers)}",
         "All requested bits must belong to writable registers. Other bits of the bytes do not change.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
-    bits_range = _range(world, group, draft, "receives the bits")
+    bits_range = _range(group, draft, "receives the bits")
     for register in registers:
 
         def write(index: Expression, variable: Expression) -> list[Statement]:
@@ -138,9 +131,9 @@ def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout])
     return draft.finished()
 
 
-def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
-    array = Variable("aBits", world.bits)
-    return RegisterRange(world, group, draft, array, 8 * (world.bits.high + 1), "bit", remark)
+def _range(group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
+    array = Variable("aBits", draft.world.bits)
+    return RegisterRange(draft.world, group, draft, array, 8 * (draft.world.bits.high + 1), "bit", remark)
 
 
 def _byte(array: Variable, index: Expression) -> Element:

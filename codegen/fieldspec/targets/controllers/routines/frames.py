@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.language.model.encoding import is_odd
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Bytes, Holder
 from fieldspec.targets.controllers.routines.values import Wire, read, write
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
@@ -23,7 +24,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     number,
     outside,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Routine, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
 _LENGTHS = {1: "byLength", 2: "wLength", 4: "dwLength"}
 _CHECKS = {1: "byCheck", 2: "wCheck"}
@@ -58,12 +59,12 @@ def frame_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
 def _close(world: World, link: LinkLayout) -> Routine:
     shape = link.request
     draft = Draft(
+        world,
         world.routine("close", *link_words(world, link), "request"),
         f"frames of {link.name}",
-        world.status,
         f"Completes a request whose body lies from aFrame[{shape.header_size}] on. {_form(link)}",
     )
-    arguments = {part.name: _part_declared(draft, world, part, "input") for part in head_members(shape)}
+    arguments = {part.name: _part_declared(draft, part, "input") for part in head_members(shape)}
     kind = code_type(shape)
     code = draft.declare("uCode" if kind is None else f"{PREFIXES[kind.name]}Code", kind, "input") if kind else None
     body_length = draft.declare("iBodyLength", INT, "input", "bytes of the body")
@@ -77,7 +78,7 @@ def _close(world: World, link: LinkLayout) -> Routine:
     draft.refuse(either([body_length.compared("<", 0), out_of_room]), "no_room")
     for part in shape.header:
         if part.role != "checksum":
-            draft.add(_write_header_part(draft, world, link, shape, part, arguments, code, total, holder))
+            draft.add(_write_header_part(draft, link, shape, part, arguments, code, total, holder))
     check = shape.checksum
     trailing_parts = [part for part in shape.trailer if part is not check]
     if trailing_parts:
@@ -105,7 +106,6 @@ def _close(world: World, link: LinkLayout) -> Routine:
 
 def _write_header_part(
     draft: Draft,
-    world: World,
     link: LinkLayout,
     shape: FrameLayout,
     part: PartLayout,
@@ -118,7 +118,7 @@ def _write_header_part(
     if part.role == "length":
         raw = draft.local(_LENGTHS[wire.bits.size], wire.bits)
         units, tests = _units(shape, part, total)
-        greatest_length = (world.frame.high + 1 - part.base) // part.unit_size
+        greatest_length = (draft.world.frame.high + 1 - part.base) // part.unit_size
         if greatest_length > wire.value.type.high:
             tests.append(units.compared(">", wire.value.type.high))
         refusals = [draft.refusal(either(tests), "wrong_length")] if tests else []
@@ -139,7 +139,7 @@ def _write_header_part(
         wrong = outside(source.converted(wire.whole), intervals)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
-    return [*statements, *write(draft, world, wire, holder, part.offset, source)]
+    return [*statements, *write(draft, wire, holder.behind(part.offset), source)]
 
 
 def _write_constant(part: PartLayout, holder: Holder, offset: int) -> list[Statement]:
@@ -177,14 +177,14 @@ def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: 
 def _open(world: World, link: LinkLayout) -> Routine:
     shape = link.response
     draft = Draft(
+        world,
         world.routine("open", *link_words(world, link), "response"),
         f"frames of {link.name}",
-        world.status,
         f"Checks a response and finds its body. {_form(link)}",
     )
     length = draft.declare(LENGTH, INT, "input", "bytes of the response")
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
-    outputs = {part.name: _part_declared(draft, world, part, "output") for part in head_members(shape)}
+    outputs = {part.name: _part_declared(draft, part, "output") for part in head_members(shape)}
     kind = code_type(shape)
     error = link.link.exception_response
     flag = "" if error is None else ", without the flag of an exception"
@@ -216,14 +216,14 @@ def _open(world: World, link: LinkLayout) -> Routine:
     for part in shape.header:
         if part.role not in ("length", "code", "checksum") and not part.reserved:
             target = outputs.get(part.name)
-            draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
+            draft.add(read(draft, wire_of(part), holder.behind(part.offset), target))
     trailing_parts = [part for part in shape.trailer if part is not check and not part.reserved]
     if trailing_parts:
         tail = draft.local("iTail")
         draft.add([Assignment(tail, length.plus(-shape.trailer_size))])
         for part in trailing_parts:
             offset = part.offset + shape.trailer_size
-            draft.add(read(draft, world, wire_of(part), Bytes(frame, tail), offset, None))
+            draft.add(read(draft, wire_of(part), Bytes(frame, tail, offset), None))
     coded = shape.role("code")
     if coded is not None and code is not None:
         draft.add(_code_read(link, coded, holder, code, refused))
@@ -267,10 +267,10 @@ def _code_read(
     return statements
 
 
-def _part_declared(draft: Draft, world: World, part: PartLayout, role: str) -> Variable:
+def _part_declared(draft: Draft, part: PartLayout, role: str) -> Variable:
     wire = wire_of(part)
-    kind = world.type_of(wire.value)
-    return draft.declare(world.variable(part.name, kind), kind, role, world.comment(part.part, wire.value))
+    kind = draft.world.type_of(wire.value)
+    return draft.declare(draft.world.variable(part.name, kind), kind, role, draft.world.comment(part.part, wire.value))
 
 
 def _form(link: LinkLayout) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Precision, Real, significant_bits
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.world import World, encodings_of, real_words, values_of
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
@@ -28,15 +29,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     every,
     number,
 )
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Condition,
-    Draft,
-    Loop,
-    Routine,
-    Statement,
-    when,
-)
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Loop, Routine, Statement, when
 
 
 def real_routines(world: World) -> Iterator[Routine]:
@@ -116,9 +109,9 @@ def _from_bits(world: World, precision: Precision) -> Routine:
     form = _form(precision)
     words, bits_name = real_words(precision)
     draft = Draft(
+        world,
         world.routine("real_from", *words),
         "numbers",
-        world.status,
         f"The number whose {precision.value} bits by IEEE 754 are given. Infinities, and what is not a number, are"
         " refused.",
     )
@@ -161,9 +154,9 @@ def _to_bits(world: World, precision: Precision) -> Routine:
     exceeding = outside_precision(precision, Variable("rValue", REAL))
     rounded = "" if exceeding is None else "rounded to the nearest, of two to the even one. "
     draft = Draft(
+        world,
         world.routine(*words, "from_real"),
         "numbers",
-        world.status,
         f"The {precision.value} bits of a number by IEEE 754{', ' * bool(rounded)}{rounded or '. '}"
         "Infinities, and what is not a number, are refused.",
     )

@@ -8,6 +8,7 @@ from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
@@ -23,7 +24,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     number,
     sequence,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Loop, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Loop, Statement, when
 
 if TYPE_CHECKING:
     from typing import TypeAlias

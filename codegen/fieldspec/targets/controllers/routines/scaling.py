@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction as Ratio
 
 from fieldspec.language.model.value import Conversion as Share
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.quantities import Quantity, quantities
 from fieldspec.targets.controllers.routines.remarks import count_of
 from fieldspec.targets.controllers.routines.stated import is_special, outside_stated
@@ -24,7 +25,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     outside,
 )
 from fieldspec.targets.controllers.statements.numbers import whole_type
-from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Draft, Routine
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Routine
 
 # A double has no halves beyond this.
 _WHOLE_ONLY = 1 << 52
@@ -72,9 +73,7 @@ def _about(world: World, same: list[Quantity], direction: str) -> list[str]:
 
 def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     first = same[0]
-    draft = Draft(
-        world.routine(name, "from_counts"), "scaling", world.status, *_about(world, same, "Counts to quantity")
-    )
+    draft = Draft(world, world.routine(name, "from_counts"), "scaling", *_about(world, same, "Counts to quantity"))
     counts = draft.declare(f"{PREFIXES[first.kind.name]}Counts", first.kind, "input")
     value = draft.declare("lrValue", LREAL, "output", f"in {first.value.unit}" if first.value.unit else "")
     draft.add([Assignment(value, _ZERO)])
@@ -110,9 +109,9 @@ def _plus(value: Expression, term_value: Ratio) -> Expression:
 def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     first = same[0]
     draft = Draft(
+        world,
         world.routine(name, "to_counts"),
         "scaling",
-        world.status,
         *_about(world, same, "Quantity to the nearest count, of two equally near ones the even one"),
     )
     value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
@@ -190,7 +189,7 @@ def _share_kind(share: Share) -> Elementary:
 
 def _share_from_counts(world: World, share: Share) -> Routine:
     kind = _share_kind(share)
-    draft = Draft(world.routine(share.name, "from_counts"), "scaling", world.status, *_share_about(world, share))
+    draft = Draft(world, world.routine(share.name, "from_counts"), "scaling", *_share_about(world, share))
     counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "input")
     reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
     value = draft.declare("lrValue", LREAL, "output")
@@ -206,9 +205,9 @@ def _share_from_counts(world: World, share: Share) -> Routine:
 def _share_to_counts(world: World, share: Share) -> Routine:
     kind = _share_kind(share)
     draft = Draft(
+        world,
         world.routine(share.name, "to_counts"),
         "scaling",
-        world.status,
         *_share_about(world, share),
         "The nearest count, of two equally near ones the even one; a reference of 0 is refused.",
     )

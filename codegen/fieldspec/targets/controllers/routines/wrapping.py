@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     BYTE,
@@ -15,16 +16,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     number,
     within,
 )
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Body,
-    Condition,
-    Draft,
-    Loop,
-    Routine,
-    Statement,
-    when,
-)
+from fieldspec.targets.controllers.statements.routine import Assignment, Body, Condition, Loop, Routine, Statement, when
 
 LENGTH = "iLength"
 
@@ -51,9 +43,9 @@ def wrap_routine(world: World, link: LinkLayout) -> Routine:
     start, end = link.request.start, link.request.end
     width = 2 if link.link.transmission == "hex_ascii" else 1
     draft = Draft(
+        world,
         world.routine("wrap", *link_words(world, link)),
         f"frames of {link.name}",
-        world.status,
         f"Writes bytes as they are sent on {link.name}: {_marks(link, link.request)}.",
     )
     count = draft.declare("iByteCount", INT, "input", "how many bytes there are")
@@ -110,9 +102,9 @@ def unwrap_routine(world: World, link: LinkLayout) -> Routine:
     """The function that extracts the bytes of a frame from what is received."""
     start, end = link.response.start, link.response.end
     draft = Draft(
+        world,
         world.routine("unwrap", *link_words(world, link)),
         f"frames of {link.name}",
-        world.status,
         f"Takes bytes out of what is received on {link.name}: {_marks(link, link.response)}.",
     )
     length = draft.declare(LENGTH, INT, "input", "how much of aFrame is received")
