@@ -89,7 +89,7 @@ def innermost(kind: Type) -> Type:
 
 
 class Expression:
-    """What has a value, of a type. A number that it is combined or compared with is of this type."""
+    """An expression with a type, which a number has that it is combined or compared with."""
 
     __slots__ = ()
     type: Type
