@@ -135,7 +135,7 @@ def _each(
 
 
 def _last(field: FieldLayout, count: Expression | None) -> Expression:
-    """The index of the last element of a list, which has `count` elements or as many as always."""
+    """The index of the last element of a list with `count` elements, or with a fixed number of them."""
     return count.plus(-1) if count is not None else number((field.count or 1) - 1)
 
 

@@ -89,7 +89,7 @@ def innermost(kind: Type) -> Type:
 
 
 class Expression:
-    """An expression with a type, which a number has that it is combined or compared with."""
+    """An expression with a type; numbers that it is combined or compared with are of this type."""
 
     __slots__ = ()
     type: Type
