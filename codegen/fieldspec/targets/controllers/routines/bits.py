@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.record import RegisterLayout
-from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.register_range import RegisterRange
@@ -34,18 +33,6 @@ _INPUTS = (
     Declared(_INDEX, "input", "index of the bit, from 0; of the byte, its remainder by 8"),
 )
 _LOCALS = tuple(Declared(variable, "local") for variable in (_STEP, _WEIGHT))
-
-
-def bit_routines(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Iterator[Routine]:
-    """The functions of a group: of the bits that can be read, and of those that can be written."""
-    read_registers = [register for register in registers if readable(register.register.access)]
-    writable_registers = [
-        register for register in registers if writable(register.register.access) or register.register.trigger
-    ]
-    if read_registers:
-        yield _unpacked(world, group, read_registers)
-    if writable_registers:
-        yield _packed(world, group, writable_registers)
 
 
 def single_bit_routines(world: World) -> Iterator[Routine]:
@@ -87,7 +74,8 @@ def _about(group: RegisterGroup, registers: list[RegisterLayout]) -> str:
     return f"{group.title or group.name.replace('_', ' ')}{section}: addresses {first}..{last}."
 
 
-def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+def bits_to_group(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    """The function that unpacks the bits of a group."""
     draft = Draft(
         world,
         world.routine("unpack", group.name),
@@ -108,7 +96,8 @@ def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout
     return draft.finished()
 
 
-def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+def group_to_bits(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    """The function that packs the bits of a group."""
     draft = Draft(
         world,
         world.routine("pack", group.name),

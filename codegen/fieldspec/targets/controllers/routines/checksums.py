@@ -91,7 +91,7 @@ def _crc(check: Checksum) -> _Make:
         byte = frame.element(_AT).converted(WORD)
         if not is_reflected and width > 8:
             byte = Shift("SHL", byte, width - 8, WORD)
-        final = _word_xor(_CHECK, check.final_xor) if check.final_xor else _CHECK
+        final = _CHECK.combined("XOR", check.final_xor) if check.final_xor else _CHECK
         return (_AT, _BIT, _CHECK), (
             Assignment(_CHECK, Whole(initial, WORD)),
             _bytes(first, (Assignment(_CHECK, _CHECK.combined("XOR", byte)), bits)),
@@ -99,10 +99,6 @@ def _crc(check: Checksum) -> _Make:
         )
 
     return make
-
-
-def _word_xor(word: Expression, bits: int) -> Expression:
-    return word.combined("XOR", bits)
 
 
 def _xor(check: Checksum) -> _Make:
@@ -113,7 +109,7 @@ def _xor(check: Checksum) -> _Make:
             rest = Whole(256, UINT).combined("-", _CHECK.converted(UINT))
             whole: Expression = rest.combined("MOD", 256)
         else:
-            whole = _word_xor(_CHECK, 0xFF) if check.complement else _CHECK
+            whole = _CHECK.combined("XOR", 0xFF) if check.complement else _CHECK
         return (_AT, _CHECK), (*body, Assignment(result, whole.converted(BYTE)))
 
     return make

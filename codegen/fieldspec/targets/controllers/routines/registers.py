@@ -10,7 +10,7 @@ from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.address_space import BIT as BIT_UNIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import RegisterGroup, Table
-from fieldspec.targets.controllers.routines.bits import bit_routines, single_bit_routines
+from fieldspec.targets.controllers.routines.bits import bits_to_group, group_to_bits, single_bit_routines
 from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Words
 from fieldspec.targets.controllers.routines.records import members_of, read_fields, write_fields
@@ -142,18 +142,16 @@ def group_routines(world: World) -> Iterator[Routine]:
     if has_bits(device):
         yield from single_bit_routines(world)
     for group, registers in groups:
-        if device.space(group.space).unit == BIT_UNIT:
-            yield from bit_routines(world, group, registers)
-            continue
+        is_bits = device.space(group.space).unit == BIT_UNIT
         read_registers = [register for register in registers if readable(register.register.access)]
         # Where no access is printed, writing is what a trigger is for.
         writable_registers = [
             register for register in registers if writable(register.register.access) or register.register.trigger
         ]
         if read_registers:
-            yield _words_to_group(world, group, read_registers)
+            yield (bits_to_group if is_bits else _words_to_group)(world, group, read_registers)
         if writable_registers:
-            yield _group_to_words(world, group, writable_registers)
+            yield (group_to_bits if is_bits else _group_to_words)(world, group, writable_registers)
 
 
 def has_bits(device: Device) -> bool:
