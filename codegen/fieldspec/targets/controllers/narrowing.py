@@ -170,13 +170,15 @@ def _is_wide(encoding: Encoding, dialect: Dialect) -> bool:
 
 
 def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Refusal:
-    finding = Diagnostic(
-        "plc_reals_fit" if is_real(kind.encoding) else "plc_numbers_fit",
-        f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert",
-        fact.place["type" if "type" in fact.place else "name"],
-        help=LEAVE_OUT,
+    code = "plc_reals_fit" if is_real(kind.encoding) else "plc_numbers_fit"
+    return _refusal(
+        fact, code, f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert"
     )
-    return Refusal(fact, finding)
+
+
+def _refusal(fact: Fact, code: str, text: str) -> Refusal:
+    place = fact.place["type" if "type" in fact.place else "name"]
+    return Refusal(fact, Diagnostic(code, text, place, help=LEAVE_OUT))
 
 
 def _wide(value: Value | None) -> bool:
@@ -277,23 +279,13 @@ def _doc(name: str, word: str, doc: str) -> str:
 
 
 def _refused(field: FieldLayout, dialect: Dialect) -> Refusal:
-    finding = Diagnostic(
-        "plc_numbers_fit",
-        f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split",
-        field.field.place["type"],
-        help=LEAVE_OUT,
-    )
-    return Refusal(field.field, finding)
+    text = f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split"
+    return _refusal(field.field, "plc_numbers_fit", text)
 
 
 def _nested(field: FieldLayout, dialect: Dialect) -> Refusal:
-    finding = Diagnostic(
-        "plc_arrays_flat",
-        f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays",
-        field.field.place["type"],
-        help=LEAVE_OUT,
-    )
-    return Refusal(field.field, finding)
+    text = f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays"
+    return _refusal(field.field, "plc_arrays_flat", text)
 
 
 def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
