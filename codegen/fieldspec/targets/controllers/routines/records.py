@@ -221,15 +221,15 @@ def write_choice(
 ) -> list[Statement]:
     """The statements that write the low bits of the elements; a value with too many bits is refused."""
     index, wide = draft.local("iElement"), _widest(field)
-    sent, whole = source.element(index), UNSIGNED[wide.size]
+    source_bits, whole = source.element(index), UNSIGNED[wide.size]
 
     def body(case: CaseLayout, place: Bytes) -> list[Statement]:
         highest = 1 if is_truth(case.value.encoding) else (1 << (8 * case.value.size)) - 1
-        too_great = sent.converted(whole).compared(">", highest)
+        too_great = source_bits.converted(whole).compared(">", highest)
         raw = draft.local(f"{PREFIXES[wide.name]}Raw", wide)
         stored = place.stored(0, case.value.size, case.order, case.swapped, raw)
         refusals = [draft.refusal(too_great, "out_of_range")] if highest < wide.high else []
-        return [*refusals, Assignment(raw, sent), *stored]
+        return [*refusals, Assignment(raw, source_bits), *stored]
 
     return _chosen(draft, field, selector, holder, count, [], body)
 
